@@ -1,6 +1,7 @@
 # make            these lines
-# make setup      .venv with wrcontact as it stands here, its tests and the translator (needs gcc and gfortran)
-# make kernel     after a change in wrcontact/kernel: translate it to C, and compile that
+# make setup      .venv with wrcontact as it stands here, and its tests (needs gcc)
+# make kernel     after a change in wrcontact/kernel: translate it to C, and compile that with less optimising
+# make pages     after a change of names, options or measurements: write all that is generated from them
 # make check      before each commit: ruff, structure, doctests, and the tests of the compiled kernel; two minutes
 # make full       before each merge: what .ci/run runs, on a clean copy; 20 … 25 minutes
 # make complete   each night: every test there is; hours
@@ -15,11 +16,14 @@ help:
 
 setup:
 	python3 -m venv .venv
-	.venv/bin/pip install -q -e ".[test,dev,tables,cluster]"
+	.venv/bin/pip install -q -e ".[test,tables,cluster]"
 
 kernel:
 	$(PYTHON) tools/transpile_kernel.py
-	$(PYTHON) tools/compile_kernel.py
+	$(PYTHON) tools/compile_kernel.py --quick
+
+pages:
+	$(PYTHON) docs/make_pages.py
 
 check:
 	$(PYTHON) -m ruff check
@@ -32,4 +36,4 @@ full:
 complete:
 	$(PYTEST) -m ""
 
-.PHONY: help setup kernel check full complete
+.PHONY: help setup kernel pages check full complete

@@ -7,9 +7,9 @@ import subprocess
 import pytest
 
 from tests.helpers.kept import cache_folder, kept_fmus
-from tests.helpers.paths import TESTS
+from tests.helpers.paths import ROOT, TESTS
 from tests.helpers.skips import unlisted
-from tests.helpers.turns import out_of_turn
+from tests.helpers.turns import changed_today, out_of_turn
 from wrcontact.cli import main
 from wrcontact.kernel.binding.compiler import KEPT
 
@@ -29,7 +29,7 @@ def pytest_collection_modifyitems(config, items):
     yield  # now the tests of other tiers are gone
     turn = os.environ.get("WRCONTACT_TURN")
     if turn:
-        out = set(out_of_turn(items, int(turn)))
+        out = set(out_of_turn(items, int(turn), ROOT, changed_today()))
         config.hook.pytest_deselected(items=list(out))
         items[:] = [item for item in items if item not in out]
 

@@ -34,6 +34,9 @@ NUMBERS = ("bool", "float", "int")
 WORDS = {"clear", "copy", "offset"}
 #: Arrays in which records live, in the order in which a function gets them.
 ARRAYS = ("setup", "tables", "work", "state", "report")
+#: What has been lowered in this process, by module, text and all that it follows from: copies with one error
+#: each are lowered in a run.
+KNOWN = {}
 # records, or numbers, at the sum of ``terms`` in ``array``
 Ref = namedtuple("Ref", "kind array terms")
 
@@ -113,7 +116,7 @@ class Lowered(ast.NodeTransformer):
         self.end(node)
 
     def result(self, node):
-        """A record that a function returns is its offset; numbers and truths Pyccel finds by itself."""
+        """A record that a function returns is its offset; numbers and truths follow from what it returns."""
         if node.returns.id not in NUMBERS:
             self.edit(node.returns, node.returns, "int")
             return
@@ -213,7 +216,7 @@ class Lowered(ast.NodeTransformer):
             outer = self.ref(node.value)
             if node.attr == "raw" and outer and not outer.terms:
                 return outer
-            if node.attr == "shape":  # of an array; Pyccel knows it
+            if node.attr == "shape":  # of an array
                 return None
             if outer is None:
                 self.refuse(node, f"{ast.unparse(node.value)} is no record")
@@ -421,10 +424,13 @@ def lower(texts, module):
         for name, node in functions
         if node.returns and node.returns.id not in NUMBERS
     }
-    lowered, refusals = {}, []
+    lowered, refusals, around = {}, [], repr((layout.values, signatures, results))
     for name in texts.keys() - {"layout"}:
         try:
-            lowered[name] = Lowered(name, texts[name], layout, signatures, results).text()
+            if (name, texts[name], around) not in KNOWN:
+                one = Lowered(name, texts[name], layout, signatures, results)
+                KNOWN[name, texts[name], around] = one.text()
+            lowered[name] = KNOWN[name, texts[name], around]
         except Refused as refusal:
             refusals.append(str(refusal))
     if refusals:

@@ -245,6 +245,9 @@ class Side(View[_N], Generic[_N, _K]):
     @property
     def wear_number(self) -> _N:
         """Wear number T gamma: creep forces times creepages without spin, sum over the patches [N]."""
+    @property
+    def wheel_rate_found(self) -> _N:
+        """Rotation about the axle that creepages hold for: the one that is given, or that follows [rad/s]."""
 
 class Equilibrium(NamedTuple):
     vertical_shift: float

@@ -34,6 +34,7 @@ class Status(IntEnum):
     OFF_PROFILE = layout.OFF_PROFILE  #: contact beyond the profiles; no results
     NOT_CONVERGED = layout.NOT_CONVERGED  #: likewise
     INVALID_INPUT = layout.INVALID_INPUT  #: likewise
+    BEYOND_ADHESION = layout.BEYOND_ADHESION  #: friction does not carry the axle torque; likewise
 
     def __str__(self):
         return str(int(self))  # as from Python 3.11 on
@@ -92,6 +93,7 @@ TESTS = {
     "outside": lambda value, limit: not 0.0 <= value <= limit,
     "negative": lambda value, limit: value < 0.0,
     "zero": lambda value, limit: value == 0.0,
+    "nonzero": lambda value, limit: value != 0.0,
 }
 
 
@@ -217,6 +219,21 @@ SENTENCES = (
         "no solution at <lateral_shift> [lateral_shift], <yaw> [yaw], <normal_force> [normal_force], "
         "<load_transfer> [load_transfer] within the iteration limit; friction may jam a wheel "
         "that has a vertical load",
+    ),
+    *(
+        Sentence(
+            Status.BEYOND_ADHESION,
+            test,
+            name,
+            math.nan,
+            f"<{name}> is [{name}]: with their friction and their loads the wheels do not carry it, so they spin "
+            "or slide",
+        )
+        for test, name in (
+            ("nonzero", "axle_torque"),
+            ("nonzero", "left.axle_torque"),
+            ("always", "right.axle_torque"),
+        )
     ),
 )
 

@@ -11,6 +11,7 @@ from functools import cached_property
 
 from .interface.calls import describe_wheel_inputs
 from .interface.one_wheel import checked_wheel, unknown_wheel_input, unknown_wheel_output, wheel_inputs
+from .kernel import layout
 from .methods.numbers import check_choice
 from .motion.names import listed
 from .results.columns import DEPTH_SIZES, SIDES
@@ -72,6 +73,14 @@ class WheelState(Side):
         return {"status": status, "inputs": self.inputs, **super().to_dict()}
 
 
+class WheelSystem(ContactSystem):
+    """A system whose wheels belong to no wheelset: none turns with another one."""
+
+    def _set_up(self, *given):
+        super()._set_up(*given)
+        layout.Tables.at(self._tables).alone = True
+
+
 class WheelContact:
     """One wheel on one rail, with six degrees of freedom and its own rotation.
 
@@ -101,7 +110,7 @@ class WheelContact:
     def __init__(self, wheel="S1002", rail="UIC60", *, side="right", **parameters):
         check_choice("side", side, SIDES)
         self.side = side
-        self.system = ContactSystem(**checked_wheel({"wheel": wheel, "rail": rail, **parameters}))
+        self.system = WheelSystem(**checked_wheel({"wheel": wheel, "rail": rail, **parameters}))
 
     def __repr__(self):
         inside = repr(self.system).partition("(")[2]

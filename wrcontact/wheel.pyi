@@ -88,6 +88,7 @@ class WheelContact:
         rail_vertical_stiffness: float = 0.0,
         rail_lateral_damping: float = 0.0,
         rail_vertical_damping: float = 0.0,
+        nominal_rolling: bool = False,
         wear_outputs: bool = False,
         fatigue_outputs: bool = False,
         yield_shear: float = 300000000.0,
@@ -119,6 +120,7 @@ class WheelContact:
         rail_time_step: float = 0.0,
         rail_deflection_lateral_before: float = 0.0,
         rail_deflection_vertical_before: float = 0.0,
+        axle_torque: float = 0.0,
         outputs: _Wanted = "all",
     ) -> WheelState: ...
     def evaluate_many(

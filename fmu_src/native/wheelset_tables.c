@@ -289,5 +289,6 @@ int wheelset_build(wheelset *self)
     self->tables.data[layout__TABLES_STATIONS] = (double)self->core.stations;
     self->tables.data[layout__TABLES_PARAMETERS + layout__PARAMETERS_STATIONS] = (double)self->core.stations;
     self->tables.data[layout__TABLES_SIDES] = MODEL_SIDES;
+    self->tables.data[layout__TABLES_ALONE] = MODEL_SIDES != layout__SIDES_BOTH;
     return 0;
 }

@@ -13,7 +13,6 @@ import pytest
 import wrcontact
 from tests.helpers import kernel_runs
 from tests.helpers.kernel_runs import FORMS, KERNEL, PACKAGE, bits, needs_library, poses, run_steps
-from tools.transpile_kernel import Module, Refused
 from wrcontact.kernel.binding import library
 from wrcontact.kernel.binding.compiler import CompilerProblem, compile_library, find_compiler
 from wrcontact.kernel.binding.files import LIBRARY_NAME
@@ -198,38 +197,6 @@ def test_bound_arrays_stay_alive(make):
     del bound
     gc.collect()
     assert not any(reference() is not None for reference in alive.values())
-
-
-@pytest.mark.parametrize(
-    "body, why",
-    [
-        ("for i in range(3):\n        x += 1.0\n    else:\n        x = 0.0", "drops the else"),
-        ("for i in range(3):\n        i += 1", "changes its own variable"),
-        ("for i in range(3):\n        x += 1.0\n    x += i", "one turn further"),
-        ("x = x ** 2", "power differs from machine to machine"),
-        ("x = x ** 0.3", "power differs from machine to machine"),
-    ],
-)
-def test_python_that_means_something_else_in_c_is_refused(tmp_path, body, why):
-    path = tmp_path / "trap.py"
-    path.write_text(f"def trap(x: float) -> float:\n    {body}\n    return x\n")
-    with pytest.raises(Refused, match=f"trap.py, line .*{why}"):
-        Module(path).refuse_silent_traps()
-
-
-@pytest.mark.parametrize("name", ["sin", "hypot", "floor", "log1p"])
-def test_inexact_functions_are_refused(tmp_path, name):
-    """Also floor: where a processor lacks it, it is one of the mathematical library's."""
-    path = tmp_path / "inexact.py"
-    path.write_text(f"from math import fabs, {name}\n\n\ndef inexact(x: float):\n    return {name}(x)\n")
-    with pytest.raises(Refused, match=f"inexact.py, line 1: {name} of math differs"):
-        Module(path).refuse_silent_traps()
-
-
-def test_end_of_a_range_is_read_once(tmp_path):
-    path = tmp_path / "turns.py"
-    path.write_text("def turns(n: int) -> int:\n    for i in range(1, n + 1):\n        n = 2\n    return n\n")
-    assert "    i_end = n + 1\n    for i in range(1, i_end):\n" in Module(path).source().decode()
 
 
 def test_a_bare_step_keeps_its_arrays():

@@ -28,11 +28,13 @@ def demo(tmp_path_factory):
     return done, folder / "here"
 
 
+@pytest.mark.full
 def test_demo_passes_its_checks(demo):
     done, _ = demo
     assert done.returncode == 0 and "PASSED" in done.stdout, done.stdout + done.stderr
 
 
+@pytest.mark.full
 def test_demo_says_what_it_checked(demo):
     done, _ = demo
     verdicts = dict(re.findall(r"^ *(\w[\w ]*?)  .*?(ok|FAILED) *$", done.stdout, re.MULTILINE))
@@ -44,11 +46,13 @@ def test_demo_says_what_it_checked(demo):
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.full
 def test_demo_leaves_three_files(demo):
     _, folder = demo
     assert sorted(os.listdir(folder)) == ["WheelsetContact.fmu", "demo.csv", "demo.png"]
 
 
+@pytest.mark.full
 def test_demo_table_is_what_the_kernel_returns(demo):
     """Another warm start, so other iterations, but the same answers."""
     written, stored = read_csv(demo[1] / "demo.csv"), stored_run()
@@ -63,6 +67,7 @@ def test_demo_table_is_what_the_kernel_returns(demo):
         np.testing.assert_allclose(written[name], column, rtol=1e-7, atol=1e-7 * nominal, err_msg=name)
 
 
+@pytest.mark.full
 def test_demo_covers_tread_flange_root_and_flange_on_both_sides(demo):
     written = read_csv(demo[1] / "demo.csv")
     for side in ("left", "right"):
@@ -70,6 +75,7 @@ def test_demo_covers_tread_flange_root_and_flange_on_both_sides(demo):
         assert zones == {"tread", "flange root", "flange"}
 
 
+@pytest.mark.full
 def test_demo_picture_shows_something(demo):
     picture = imread(demo[1] / "demo.png")[..., :3]
     assert picture.shape[0] > 1000 and picture.shape[1] > 1000

@@ -6,7 +6,7 @@ import re
 import pytest
 
 from tests.helpers.foreign_files import inclined_rail
-from tests.helpers.profile_points import Y, Z, columns, simpack
+from tests.helpers.profile_points import Y, Z, columns
 from wrcontact.cli import commands, tables
 from wrcontact.cli.groups import USUAL
 from wrcontact.cli.options import POSE, SYSTEM, name_of, option_of
@@ -117,24 +117,31 @@ def test_a_missing_file_is_called_missing(run, tmp_path):
 
 
 def test_a_remark_has_a_line_and_the_gravest_is_first(run, tmp_path):
-    """An inclined rail whose z is upwards, in the names of options."""
+    """A rail whose inclination is not what is said, and whose z is upwards, in the names of options."""
     y, z = inclined_rail(1 / 40)
-    (tmp_path / "own.prr").write_text(simpack(y, -z, "rail"))
-    code, _, err = run("solve", "--rail", tmp_path / "own.prr")
+    (tmp_path / "own.txt").write_text(columns(y, -z))
+    words = ["--rail", tmp_path / "own.txt", "--rail-file-inclination", "1:20"]
+    code, _, err = run("solve", *words)
     lines = err.splitlines()
-    assert (
-        code == 0
-        and len(lines) == 2
-        and lines[0]
-        == (
-            "wrcontact: rail profile own.prr: its head is inclined by 1:40 towards the track centre in the file, "
-            "and a --rail-inclination that is not 0 inclines it again; --rail-file-inclination 0.025 turns it "
-            "upright, --rail-file-inclination 0 confirms that it is upright"
-        )
+    assert code == 0 and len(lines) == 2
+    assert lines[0] == (
+        "wrcontact: rail profile own.txt: its head is inclined by 1:40 towards the track centre, although "
+        "--rail-file-inclination is 0.05"
     )
     assert "z was positive upwards" in lines[1]
-    _, out, _ = run("check", "--rail", tmp_path / "own.prr", "--output", tmp_path / "check.png")
-    assert "its head is inclined by 1:40" in out.partition("Remarks\n")[2].splitlines()[0]
+    _, out, _ = run("check", *words, "--output", tmp_path / "check.png")
+    assert "its head is inclined by 1:40" in out.splitlines()[1]
+    assert "z was positive upwards" in out.partition("Other remarks\n")[2]
+
+
+def test_a_rail_that_leans_otherwise_is_refused_in_the_names_of_options(run, tmp_path):
+    (tmp_path / "own.txt").write_text(columns(*inclined_rail(1 / 40)))
+    code, out, err = run("solve", "--rail", tmp_path / "own.txt", "--rail-inclination", "1:20")
+    assert code == 2 and out == "" and err.count("\n") == 1
+    assert err.endswith(
+        "and its track inclines it by 1:20; --rail-file-inclination 0.025 turns it upright, "
+        "--rail-file-inclination 0 confirms that it is upright\n"
+    )
 
 
 def test_a_wheel_with_a_wrong_origin_is_remarked(run, tmp_path):

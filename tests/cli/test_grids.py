@@ -1,8 +1,6 @@
 """``wrcontact sweep --axis``: a table over several inputs in a store, and the sentences around it."""
 
-import signal
 import sys
-import time
 
 import numpy as np
 import pytest
@@ -129,6 +127,24 @@ def test_a_scheduler_that_does_not_answer(run, tmp_path, monkeypatch):
         assert err.startswith(f"wrcontact: --scheduler is {address!r}, where none answers;")
 
 
+#: The command line gets a signal when the first block is there.
+STRUCK = """
+import contextlib, os, signal
+from wrcontact.sweeps import run
+plain = run.working
+
+@contextlib.contextmanager
+def working(*arguments, **options):
+    with plain(*arguments, **options) as advance:
+        def advanced(*steps, **words):
+            advance(*steps, **words)
+            os.kill(os.getpid(), signal.{blow})
+        yield advanced
+
+run.working = working
+"""
+
+
 @pytest.mark.full
 @needs_linux
 @pytest.mark.parametrize("blow, code, word", [("SIGINT", 130, "interrupted"), ("SIGTERM", 143, "terminated")])
@@ -146,12 +162,8 @@ def test_an_end_by_a_signal_says_how_to_go_on(run, tmp_path, blow, code, word):
         "--store",
         store,
     )
-    program = cli(*words, "--workers", 1)
-    while not list(store.glob("status/c/*/*")):  # the first block is there
-        assert program.poll() is None, program.communicate()
-        time.sleep(0.01)
-    program.send_signal(getattr(signal, blow))
-    out, err = program.communicate(timeout=60)
+    program = cli(*words, "--workers", 1, before=STRUCK.format(blow=blow))
+    out, err = program.communicate(timeout=600)
     assert (program.returncode, out) == (code, "")
     assert err.splitlines()[-1] == (
         f"wrcontact: {word}; the finished blocks are in {store}, and the same command goes on from there"

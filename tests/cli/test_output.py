@@ -133,7 +133,9 @@ def test_a_full_disk_is_one_sentence(tmp_path, words):
 
 def test_a_reader_that_leaves_is_no_error(tmp_path):
     command = [sys.executable, "-c", MAIN, "solve", "--json"]
-    done = subprocess.Popen(command, env=OUTSIDE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    done = subprocess.Popen(
+        command, env=OUTSIDE, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
     done.stdout.close()
     assert done.stderr.read() == b"" and done.wait() == 1
 

@@ -19,7 +19,13 @@ from wrcontact.halfspace.rolling.pressure import Outline
 from wrcontact.halfspace.rolling_step import roll_strips
 from wrcontact.interface.outputs import SIDES
 
-POSE = {"lateral_shift": 3e-3, "yaw": 4e-3, "speed": 20.0, "lateral_velocity": 0.02}
+POSE = {
+    "lateral_shift": 3e-3,
+    "yaw": 4e-3,
+    "speed": 20.0,
+    "wheel_rate": 20.0 / 0.46,
+    "lateral_velocity": 0.02,
+}
 #: Coarse and fast: creep forces are then within 0.2 % of those at a tolerance of 0.001.
 COMPLETE = {"normal_model": "halfspace", "tangential_model": "halfspace", "tolerance": 0.02}
 #: Both wheels of each position of the Manchester benchmark, {shift [mm]: {side: row}}.
@@ -157,7 +163,8 @@ def test_backwards_is_the_mirror_image(normal):
     """On the way back without yaw the forces along the track are reversed."""
     one = system(tangential_model="halfspace", **NORMAL[normal])
     there, back = (
-        one.evaluate(2e-3, speed=speed, lateral_velocity=0.02, side="right").right for speed in (20.0, -20.0)
+        one.evaluate(2e-3, speed=speed, wheel_rate=speed / 0.46, lateral_velocity=0.02, side="right").right
+        for speed in (20.0, -20.0)
     )
     # a patch without yaw is the same from front and back, as its cells are to the iterations' precision
     near = 1e-6 if normal == "analyn" else 1e-5

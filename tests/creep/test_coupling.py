@@ -169,6 +169,7 @@ CLIMBING = {
     "lateral_shift": np.linspace(5e-3, 8.5e-3, 2001),
     "yaw": -0.017,
     "speed": 20.0,
+    "wheel_rate": 20.0 / 0.46,
     "left_friction": 0.6,
     "right_friction": 0.6,
 }
@@ -243,7 +244,7 @@ def test_slope_reduction(model):
         system(tangential_model=model, **reduction).stepper() for reduction in ({}, {"slope_reduction": 0.5})
     )
     for stepper in (full, reduced):
-        stepper.inputs[:] = system().evaluate(**POSE).inputs
+        stepper.inputs[:] = system().evaluate(**POSE, wheel_rate=20.0 / 0.46).inputs
         assert stepper.step() == 0
     work = work_of(full)
     patch = next(patch for patch in work.sides[1].patches if patch.rank == 1)

@@ -57,7 +57,7 @@ def test_falling_friction_counts_the_sliding_across(across):
 WET_POSES = {
     "along": {"wheel_rate": 20.0 / 0.46 * 0.998},
     "across": {"yaw": 2e-3, "lateral_velocity": 0.01},
-    "spin": {"lateral_shift": 6.0e-3},
+    "spin": {"lateral_shift": 6.0e-3, "wheel_rate": 20.0 / 0.46},
     "all": {"lateral_shift": 3e-3, "yaw": -1.5e-3, "wheel_rate": 20.0 / 0.46 * 1.001},
 }
 

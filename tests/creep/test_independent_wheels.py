@@ -26,8 +26,8 @@ def pair(mode="rigid", **more):
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
 def test_equal_rates_have_the_bits_of_one_rate(mode):
-    """Each is read in its own case only."""
-    usual, independent = pair(mode)
+    """Each is read in its own case only; with one torque on both wheels their rates would not be equal."""
+    usual, independent = pair(mode, nominal_rolling=True)
     draw = random.Random(31)
     for _ in range(6):
         pose = {
@@ -88,7 +88,7 @@ def test_torques_are_those_of_each_wheel():
 
 
 def test_rates_of_zero_are_those_of_each_wheel_s_radius():
-    _, independent = pair(left_nominal_radius=0.459)
+    _, independent = pair(left_nominal_radius=0.459, nominal_rolling=True)
     radii = [independent.side_parameters(side)["nominal_radius"] for side in ("left", "right")]
     assert radii[0] != radii[1]
     given = {f"{side}_wheel_rate": 20.0 / radius for side, radius in zip(("left", "right"), radii)}

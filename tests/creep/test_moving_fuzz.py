@@ -174,7 +174,7 @@ def patches_of(table):
 SHARPEST = 0.013
 
 
-def greatest_slip(given, name, patch):
+def greatest_slip(given, name, rate, patch):
     """The largest sliding velocity [m/s] in a patch: that of its centre and what its places can differ from
     it, turning with the wheelset and about the patch's normal. The speed of the centre is rolling speed times
     creepage; rolling speed is at most the larger one of the speeds of inputs and wheel.
@@ -195,17 +195,23 @@ def greatest_slip(given, name, patch):
             f"{name}_rail_roll_velocity",
         )
     )  # arms are shorter than 1 m
-    rolling = np.maximum(np.abs(given["speed"]), np.abs(given["wheel_rate"]) * patch.rolling_radius)
-    free = np.abs(given["speed"] * given["free_rolling"]) / 0.4  # wheels are larger than that [m]
+    rolling = np.maximum(np.abs(given["speed"]), rate * patch.rolling_radius)
     turning = (
-        np.abs(given["wheel_rate"])
-        + free
+        rate
         + np.abs(given["yaw_rate"])
         + np.abs(given["speed"] * given["track_curvature"])
         + rolling * np.abs(patch.creepage.spin)
     )
+    # a wheelset that slides and does not roll has no creepages, but velocities; the rails move it, too
+    moves = sum(
+        np.abs(given.get(f"{side}_rail_{part}_velocity", zero))
+        for side in SIDES
+        for part in ("lateral", "vertical", "roll")
+    )
+    sliding = np.where(np.hypot(patch.creepage.x, patch.creepage.y) > 0.0, 0.0, 3.0 * (approach + moves))
     return (
-        1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
+        sliding
+        + 1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
         + (patch.length + patch.width) * turning
         + approach * np.minimum(1.0, patch.width / SHARPEST)
     )
@@ -229,10 +235,11 @@ def check_creep(wheelset, given, table):
             )
         assert_none(good & ~(patch.max_shear >= 0.0), what=f"{what}: a negative traction", **check)
         # of what friction takes at most: the whole of it, at the speed of the inputs and the wheels
-        most = limit * (np.abs(given["speed"]) + np.abs(given["wheel_rate"]) * patch.rolling_radius)
+        rate = np.abs(getattr(table, name).wheel_rate_found)
+        most = limit * (np.abs(given["speed"]) + rate * patch.rolling_radius)
         power = patch.friction_power / (1e-12 + most)
         assert_none(good & (power < -1e-9), what=f"{what}: friction drives", measure=power, **check)
-        power = patch.friction_power / (1e-12 + limit * greatest_slip(given, name, patch))
+        power = patch.friction_power / (1e-12 + limit * greatest_slip(given, name, rate, patch))
         assert_none(
             good & (power > 1.0), what=f"{what}: friction takes more than there is", measure=power, **check
         )

@@ -9,7 +9,13 @@ from tests.helpers.inside import work_of
 from wrcontact.kernel import layout
 from wrcontact.profiles.compiled import evaluate_table
 
-MOTION = {"speed": 20.0, "lateral_velocity": 0.02, "yaw_rate": 0.03, "track_curvature": 1e-3}
+MOTION = {
+    "speed": 20.0,
+    "wheel_rate": 20.0 / 0.46,
+    "lateral_velocity": 0.02,
+    "yaw_rate": 0.03,
+    "track_curvature": 1e-3,
+}
 
 
 def rolled(system, **inputs):

@@ -121,7 +121,7 @@ def test_forces_by_motion_against_differences(model):
 
 def test_a_system_has_them_by_keyword():
     system = wrcontact.ContactSystem(contact_mode="elastic", tangential_model="strips")
-    pose = {"lateral_shift": 2e-3, "yaw": 3e-3, "speed": 20.0, "left_friction": 0.2}
+    pose = {"lateral_shift": 2e-3, "yaw": 3e-3, "speed": 20.0, "wheel_rate": 43.4, "left_friction": 0.2}
     of, by = ["right.area", "roll", "driving_torque"], ["lateral_shift", "left.friction"]
     found = system.derivatives(of=of, by=by, **pose)
     assert found.shape == (3, 2)

@@ -18,12 +18,6 @@ QUICK = [name for name, part in parts.PARTS.items() if part.kind == parts.ERRORS
 LONG = ("elastic_roll", "profile_noise", "conicity_noise", "source_figures")
 
 
-@pytest.mark.parametrize("page", sorted({table.page for table in TABLES.values()}))
-def test_pages_are_what_is_kept(page):
-    """If this fails: ``python -m benchmarks --write --render``."""
-    assert (ROOT / page).read_text(encoding="utf-8") == pages.pages()[page]
-
-
 def test_every_table_stands_once_in_its_page():
     texts = ["README.md", *(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/**/*.md"))]
     written = [(page, name) for page in texts for name in pages.names(page)]

@@ -83,12 +83,6 @@ bad = wrcontact.WheelContact(load="vertical")  # wrong: one wheel has none
 WRONG = [number for number, line in enumerate(PROGRAM.splitlines(), 1) if "# wrong" in line]
 
 
-@pytest.mark.parametrize("path", SCRIPT["stubs"](), ids=lambda path: path.name)
-def test_types_are_those_of_the_tables(path):
-    """If this fails: ``python tools/make_types.py``."""
-    assert path.read_text(encoding="utf-8") == SCRIPT["stubs"]()[path]
-
-
 def test_the_package_says_that_it_has_types():
     assert (ROOT / "wrcontact" / "py.typed").exists()
 

@@ -18,7 +18,7 @@ from wrcontact.kernel.binding.compiler import FLAGS, find_compiler
 from wrcontact.kernel.elementary import circle, powers
 from wrcontact.kernel.elementary.whole import nearest_whole, rounded_up
 
-COUNT = 2000
+COUNT = 800
 #: Largest error [units in the last place]; twenty times as many arguments gave 0.92.
 LARGEST = 0.95
 ELEMENTARY = ROOT / "wrcontact" / "kernel" / "elementary"

@@ -33,7 +33,7 @@ def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
     program = cli("sweep", "--step-mm", "0.0002", "--csv", target)
     wait_for_part(program, tmp_path)
     program.send_signal(getattr(signal, blow))
-    out, errors = program.communicate(timeout=60)
+    out, errors = program.communicate(timeout=600)
     assert (program.returncode, out, target.read_text()) == (code, "", "before\n")
     words = {130: "interrupted", 143: "terminated", 129: "terminated"}.get(code)
     assert errors.startswith(f"wrcontact: {target} will have about 0.68 GB, for 80001 rows; a .parquet file")

@@ -15,7 +15,9 @@ import pytest
 
 import wrcontact
 from tests.helpers.fleet_files import write_fleet
+from tests.helpers.foreign_files import inclined_rail
 from tests.helpers.paths import ROOT
+from tests.helpers.profile_points import Y, Z, columns, simpack
 from wrcontact.fleet import run as fleet_run
 from wrcontact.fleet import table, workers
 from wrcontact.fleet.files import named_sources
@@ -74,6 +76,36 @@ def test_every_pair_has_a_row_and_every_broken_file_one(fleet, files):
     assert row["error"] == str(alone.value) and (row["wheel"], row["rail"]) == ("damaged", "")
     assert not row["usable"] and all(row[name] is None for name in table.NUMBERS)
     assert repr(fleet) == "Fleet(4 pairs, 4 of them usable; rows with an error: 1)"
+
+
+def test_rails_that_lean_are_decided_file_by_file_and_counted(tmp_path):
+    """The conicity of S1002 on UIC60 1:20 is that on the same rail inclined in its file, and a rail at 1:40 is an
+    error; a wheel whose origin is 10 mm off is counted, too."""
+    (tmp_path / "rails").mkdir()
+    for name, lean in (("upright", 0.0), ("leaning", 1 / 20), ("other", 1 / 40)):
+        text = simpack(*inclined_rail(lean), "rail")
+        (tmp_path / "rails" / f"{name}.prr").write_text(text)
+    (tmp_path / "aside.txt").write_text(columns(Y + 10.0, Z))
+    fleet = wrcontact.check_fleet(
+        ["S1002", tmp_path / "aside.txt"],
+        tmp_path / "rails",
+        tmp_path / "out",
+        rail_inclination=1 / 20,
+        processes=1,
+        pictures="none",
+    )
+    rows = {(row["wheel"], row["rail"]): row for row in fleet}
+    exact = rows["S1002", "upright"]["conicity_3mm"]
+    assert rows["S1002", "leaning"]["conicity_3mm"] == pytest.approx(exact, rel=1e-3)
+    assert rows["S1002", "leaning"]["rail_file_inclination"] == 1 / 20
+    assert "other" not in {row["rail"] for row in fleet if not row["error"]}
+    assert [row["grave_remarks"] for row in fleet.rows[:4]] == [0, 0, 1, 1]
+    html = unescape((tmp_path / "out" / "report.html").read_text(encoding="utf-8"))
+    head, rest = html.split("<table>")
+    assert "2 pairs with a rail that its file has inclined, turned upright." in head
+    assert "2 pairs with a remark on what makes all results wrong if it is so." in head
+    assert "inclined by 1:40 towards the track centre in the file, and its track inclines it by 1:20" in head
+    assert re.search(r"<p><b>wheel profile aside: the back of its flange is at y = -60 mm", rest)
 
 
 def test_json_is_that_of_the_pair_alone(fleet, folder, files, run, tmp_path):
@@ -372,10 +404,10 @@ def test_a_script_without_the_question_for_its_name_is_told(files, tmp_path):
         "from concurrent.futures import ProcessPoolExecutor\n"
         "import wrcontact\n"
         "if multiprocessing.current_process().name == 'SpawnProcess-2':\n"
-        "    ProcessPoolExecutor.submit = lambda *arguments: time.sleep(60)\n"
+        "    ProcessPoolExecutor.submit = lambda *arguments: time.sleep(3600)\n"
         f"wrcontact.check_fleet({str(files[0])!r}, {str(files[1])!r}, processes=2)\n"
     )
-    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 1 and "a process of 2 has ended early" in done.stderr.splitlines()[-1]
     assert "leaked" not in done.stderr
 

@@ -15,6 +15,9 @@ NATIVE = {2: {"modelDescription.xml", "terminalsAndIcons/terminalsAndIcons.xml"}
 NATIVE[3] = NATIVE[2] | {"sources/buildDescription.xml"}
 
 
+@pytest.mark.parametrize(
+    "kind", [3, *(pytest.param(kind, marks=pytest.mark.full) for kind in ("python", 2))], indirect=True
+)
 def test_fmpy_finds_no_problem(archive_of, kind):
     """Nor in any other archive: it would not be written."""
     assert validate_fmu(str(archive_of(kind))) == []

@@ -150,6 +150,9 @@ POSITION_ON_THE_STEP = 6e-4  # [m]
 
 
 @pytest.mark.parametrize("name", [pytest.param(RUNS[0], marks=pytest.mark.check), *RUNS[1:]])
+@pytest.mark.parametrize(
+    "kind", [2, *(pytest.param(kind, marks=pytest.mark.full) for kind in ("python", 3))], indirect=True
+)
 def test_trajectory(hosts, kind, name):
     """The values of the package to the last digits, and what is stored; FMI 3 has the bits of FMI 2."""
     _, rows, expected = stored(name)

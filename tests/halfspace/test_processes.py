@@ -65,10 +65,10 @@ def test_a_script_without_the_question_for_its_name_is_told(tmp_path):
         "from concurrent.futures import ProcessPoolExecutor\n"
         "import wrcontact\n"
         "if multiprocessing.current_process().name == 'SpawnProcess-2':\n"
-        "    ProcessPoolExecutor.map = lambda *arguments: time.sleep(60)\n"
+        "    ProcessPoolExecutor.map = lambda *arguments: time.sleep(3600)\n"
         "system = wrcontact.ContactSystem(normal_model='halfspace', tolerance=0.1)\n"
         "system.evaluate_many([1e-3, 0.0, 2e-3], processes=2)\n"
     )
-    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 1 and "processes is 2; permitted" in done.stderr.splitlines()[-1]
     assert "leaked" not in done.stderr

@@ -25,10 +25,10 @@ def parts_in(folder):
     return list(Path(folder).glob(".wrcontact-*.part"))
 
 
-def cli(*words, **settings):
+def cli(*words, before="", **settings):
     """The command line in a process of its own, running; it hears interrupts also where these tests run in
     the background of a shell, which passes on to ignore them."""
-    return _program("from wrcontact.cli import main; main()", words, settings)
+    return _program(f"{before}\nfrom wrcontact.cli import main; main()", words, settings)
 
 
 def loaded_cli(*words, **settings):

@@ -99,7 +99,7 @@ class Host:
     def end(self):
         if self.process:
             self.process.stdin.close()
-            self.process.wait(timeout=60)
+            self.process.wait(timeout=600)
             self.process.stdout.close()
             self.process = None
 

@@ -124,6 +124,7 @@ class Scene:
     def __init__(self, name, values):
         start, self.inputs, self.status = SCENES[name]
         self.values, self.mode = values, start.get("contact_mode", "rigid")
+        self.known = {}  # what has been wanted, by name: witnesses are searches
         system = track(start.get("rail_profile", "UIC60"), start.get("rail_inclination", 0.025))
         self.wheels = {
             side: WheelWitness(
@@ -138,9 +139,11 @@ class Scene:
 
     def wanted(self, name):
         """(Value, tolerance) pairs of the output called ``name``."""
-        pattern, side, place = folded(name)
-        witness = WITNESSES[pattern][1]
-        return witness(self.wheels[side], *place) if side else witness(self)
+        if name not in self.known:
+            pattern, side, place = folded(name)
+            witness = WITNESSES[pattern][1]
+            self.known[name] = list(witness(self.wheels[side], *place) if side else witness(self))
+        return self.known[name]
 
     def misses(self):
         """A line for every output that is not what a witness says."""
@@ -506,6 +509,7 @@ LOAD = {
     "friction_power": ("W", creep.side_power),
     "wear_number": ("N", creep.wear_number),
     "driving_torque": ("N.m", creep.side_torque),
+    "wheel_rate_found": ("rad/s", creep.wheel_rate),
     "damping_power": ("W", wear.damping_power),
     "derailment_quotient": ("1", wear.derailment_quotient),
     "rail_deflection_lateral": ("m", rigid_rail),

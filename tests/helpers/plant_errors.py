@@ -6,6 +6,8 @@
         only these
     python -m tests.helpers.plant_errors roll_sign --tests tests/search tests/wheelset/test_forces.py
         and only the tests of these files and folders
+    python -m tests.helpers.plant_errors --own
+        and only those of the room or the file that the error names
     python -m tests.helpers.plant_errors --full
         the full tests too
     python -m tests.helpers.plant_errors --list
@@ -13,14 +15,15 @@
     python -m tests.helpers.plant_errors --share 6 --turn 3
         so many of those that one test file sees, and only that file; every turn has others
     python -m tests.helpers.plant_errors --random 20 --seed 1
-        as many at random places of the kernel instead, to measure the tests
+        as many at random places of the kernel instead, to measure the tests; --room search: of this room of it,
+        with the tests of the same room first
     python -m tests.helpers.plant_errors --lines 20 --seed 1
         plants nothing: so many lines of kernel, interface and FMUs at random, for errors by hand
 
-Needs Pyccel (``pip install ".[dev]"``) and a C compiler. Each error is planted in a copy of the repository,
-never here, and the copy's kernel is translated and compiled as tools/transpile_kernel.py and
-tools/compile_kernel.py do it. So the compiled kernel of a copy agrees with its source, and no test sees an
-error by that alone (plant_kernel.py). In the end the tests that have failed are run without any error, and
+Needs a C compiler. Each error is planted in a copy of the repository, never here, and the copy's kernel is
+translated and compiled as tools/transpile_kernel.py and tools/compile_kernel.py do it. So the compiled kernel
+of a copy agrees with its source, and no test sees an error by that alone (plant_kernel.py). Tests that ask for
+no derivative run first, with a kernel that has none: that is compiled in a fifth of the time. In the end the tests that have failed are run without any error, and
 have to pass. Every run works in folders of its own, so several can run at a time, within a test run too.
 """
 
@@ -36,6 +39,7 @@ import time
 from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from threading import Lock
 
 from tests.helpers.paths import ROOT
 from tests.helpers.plant_kernel import changed_files, generated
@@ -63,6 +67,7 @@ KERNEL_ROOMS = (
 #: would see every error.
 NO_WITNESS = (
     "tests/structure/test_planted_errors.py",
+    "tests/docs/test_pages.py",
     "tests/docs/test_nomenclature.py",
     "tests/docs/test_doctests.py",
     "tests/binding/test_native_library.py::test_generated_c_is_of_this_source",
@@ -92,19 +97,39 @@ NO_TESTS = (4, 5)
 Outcome = namedtuple("Outcome", "error seen test seconds")
 
 
-def compile_tree(tree):
-    """Compile the copy's kernel; with less optimising the bits are the same, and the compiler
-    is done in half the time."""
+#: A copy is translated while no other one is: what has been read of one serves the next.
+TRANSLATING = Lock()
+
+
+def make_kernel(plain, tree, derivatives=True):
+    """Translate and compile the copy's kernel; with less optimising the bits are the same, and the compiler
+    is done in half the time. What copies have in common is compiled once."""
+    with TRANSLATING:
+        files = changed_files(plain, tree, derivatives)
+    for name, text in files.items():
+        (generated(tree) / name).write_bytes(text.encode())
     subprocess.run(
-        [sys.executable, "tools/compile_kernel.py", "--quick"],
+        [
+            sys.executable,
+            "tools/compile_kernel.py",
+            "--quick",
+            *([] if derivatives else ["--without-derivatives"]),
+        ],
         cwd=tree,
         check=True,
         stdout=subprocess.DEVNULL,
+        env={**os.environ, "WRCONTACT_COMPILED": str(plain.parent / "compiled")},
     )
 
 
+def asks_for_derivatives(tree, name):
+    """Whether a file of tests may ask the kernel for derivatives, which FMUs do."""
+    return bool(re.search("derivativ|jacobian|fmu", (tree / name).read_text(encoding="utf-8"), re.IGNORECASE))
+
+
 def run_tests(tree, tests, *options):
-    """Exit code of pytest in a copy, None if it had no end, and the first test that failed."""
+    """Exit code of pytest in a copy, None if it had no end, the first test that failed, and whether derivatives
+    were missing."""
     command = [
         sys.executable,
         "-m",
@@ -140,11 +165,12 @@ def run_tests(tree, tests, *options):
     except subprocess.TimeoutExpired:
         os.killpg(run.pid, signal.SIGKILL)
         run.communicate()
-        return None, ""
+        return None, "", False
     failed = re.search(r"^(?:FAILED|ERROR) (tests/.+?)(?: - .*)?$", said, re.MULTILINE)
     if run.returncode > 1:
         print(said[-3000:], file=sys.stderr)
-    return run.returncode, failed[1] if failed else ""
+    missing = re.search("undefined symbol: wrcontact_(derivative|jacobian)", said) is not None
+    return run.returncode, failed[1] if failed else "", missing
 
 
 def ordered_tests(tree, first, short):
@@ -160,19 +186,41 @@ def ordered_tests(tree, first, short):
     return [name for name in names if name not in NO_WITNESS]
 
 
-def examine(error, tree, tests, options):
-    """Compile the copy with the error in it and run the tests there, up to the first one that fails."""
-    compile_tree(tree)
+def own_tests(tree, error):
+    """The test files of a copy that the error names, a room or a file."""
+    return [
+        name
+        for name in ordered_tests(tree, error.first, True)
+        if name == f"tests/{error.first}" or name.startswith(f"tests/{error.first}/")
+    ]
+
+
+def examine(error, plain, tests_of, options):
+    """Compile the copy with the error in it and run the tests there, up to the first one that fails: those of
+    the error's room that ask for no derivative with a kernel that has none, then the others."""
     begin = time.perf_counter()
+    tree = copy_with(error, plain)
+    tests = tests_of(error, tree)
     left_out = [f"--deselect={name}" for name in NO_WITNESS if "::" in name]
-    code, test = run_tests(tree, tests, "-x", *left_out, *options)
-    if code in NO_TESTS:
-        raise RuntimeError(f"pytest ended with exit code {code}: it has not run what it was asked for")
-    if code is None:
-        test = "the tests had no end"
-    elif code != 0 and not test:
-        test = f"the tests ended with exit code {code}"
-    outcome = Outcome(error, code != 0, test, time.perf_counter() - begin)
+    own = [name for name in tests if name.startswith(f"tests/{error.first}")]
+    first = [name for name in own if (tree / name).is_file() and not asks_for_derivatives(tree, name)]
+    seen = False
+    for some, derivatives in ((first, False), ([name for name in tests if name not in first], True)):
+        if seen or not some:
+            continue
+        make_kernel(plain, tree, derivatives)
+        code, test, missing = run_tests(tree, some, "-x", *left_out, *options)
+        if missing and not derivatives:
+            make_kernel(plain, tree)
+            code, test, _ = run_tests(tree, some, "-x", *left_out, *options)
+        if code in NO_TESTS and len(some) == len(tests):
+            raise RuntimeError(f"pytest ended with exit code {code}: it has not run what it was asked for")
+        seen = code not in (0, *NO_TESTS)
+        if code is None:
+            test = "the tests had no end"
+        elif seen and not test:
+            test = f"the tests ended with exit code {code}"
+    outcome = Outcome(error, seen, test, time.perf_counter() - begin)
     shutil.rmtree(tree)
     shutil.rmtree(f"{tree}.scratch", ignore_errors=True)
     print(row(outcome), flush=True)
@@ -192,27 +240,29 @@ def row(outcome):
 
 def copies(errors, folder):
     """A copy of the repository without error, and one with each of ``errors``, not yet translated."""
-    plain, *trees = [Path(folder, name) for name in ["plain", *(error.name for error in errors)]]
+    plain = Path(folder, "plain")
     shutil.copytree(ROOT, plain, ignore=NOT_COPIED)
     (plain / "conftest.py").unlink()
-    for error, tree in zip(errors, trees):
-        shutil.copytree(plain, tree)
-        path = source_of(error, tree)
-        path.write_bytes(planted(path.read_text(encoding="utf-8"), error).encode())
-    return plain, trees
+    return plain, [copy_with(error, plain) for error in errors]
+
+
+def copy_with(error, plain):
+    """A copy of the copy ``plain`` with an error in it."""
+    tree = plain.with_name(error.name)
+    shutil.copytree(plain, tree)
+    path = source_of(error, tree)
+    path.write_bytes(planted(path.read_text(encoding="utf-8"), error).encode())
+    return tree
 
 
 def plant(errors, workers, tests, options=()):
     """Plant each error in a copy of its own and run there what ``tests`` gives for it; what came of it, and
     whether the tests that have failed pass without any error. ``options`` are pytest's."""
     with tempfile.TemporaryDirectory() as folder:
-        plain, trees = copies(errors, folder)
-        for tree, files in zip(trees, changed_files(plain, trees, workers)):
-            for name, text in files.items():
-                (generated(tree) / name).write_bytes(text.encode())
+        plain, _ = copies([], folder)
         with ThreadPoolExecutor(workers) as pool:
-            outcomes = list(pool.map(lambda pair: examine(*pair, tests(*pair), options), zip(errors, trees)))
-        compile_tree(plain)
+            outcomes = list(pool.map(lambda error: examine(error, plain, tests, options), errors))
+        make_kernel(plain, plain)
         seen_by = sorted({outcome.test for outcome in outcomes if outcome.test.startswith("tests/")})
         return outcomes, not seen_by or run_tests(plain, seen_by, *options)[0] == 0
 
@@ -225,6 +275,9 @@ def main(arguments=None):
     parser.add_argument("--list", action="store_true")
     parser.add_argument(
         "--workers", type=int, default=2, help="copies that are tested at a time (default: 2)"
+    )
+    parser.add_argument(
+        "--own", action="store_true", help="run only the tests of the room or the file that the error names"
     )
     parser.add_argument("--short", action="store_true", help="run the kernel's tests only")
     parser.add_argument(
@@ -244,6 +297,7 @@ def main(arguments=None):
     parser.add_argument(
         "--random", type=int, default=0, metavar="N", help="plant so many errors at random places instead"
     )
+    parser.add_argument("--room", default="", help="with --random: only in this room of the kernel")
     parser.add_argument(
         "--lines", type=int, default=0, metavar="N", help="plant nothing, but show so many lines at random"
     )
@@ -253,7 +307,7 @@ def main(arguments=None):
     if unknown:
         parser.error(f"there is no error called {', '.join(sorted(unknown))}; --list tells the names")
     errors = (
-        list(random_errors(options.random, options.seed))
+        list(random_errors(options.random, options.seed, options.room))
         if options.random
         else [error for error in ERRORS if not options.names or error.name in options.names]
     )
@@ -270,7 +324,7 @@ def main(arguments=None):
     print("| error | module | meaning | seen by | after |\n|---|---|---|---|---|", flush=True)
 
     def tests(error, tree):
-        alone = [f"tests/{error.first}"] if options.share else []
+        alone = [f"tests/{error.first}"] if options.share else own_tests(tree, error) if options.own else []
         return options.tests or alone or ordered_tests(tree, error.first, options.short)
 
     chosen = ["-m", "not complete"] if options.full or options.share else []

@@ -1,9 +1,11 @@
 """Errors in laws of the strips: (name, old, new, meaning, the file that sees it, module) for planted.py."""
 
 NORMAL = "wrcontact/kernel/normal"
-LENGTHS, PATCHES, PRESSURES, RUNS, SURFACES = (
-    f"{NORMAL}/strip_{name}.py" for name in ("lengths", "patches", "pressures", "runs", "surfaces")
+CONTACT, LENGTHS, LEVELS, PATCHES, PRESSURES, RUNS, SURFACES = (
+    f"{NORMAL}/strip_{name}.py"
+    for name in ("contact", "lengths", "levels", "patches", "pressures", "runs", "surfaces")
 )
+FLANGES = "normal/test_flange_strips.py"
 HERTZ, WAVES, PARTS = ("normal/test_strip_hertz.py", "prepare/test_waves.py", "normal/test_strip_parts.py")
 
 STRIP_LAWS = [
@@ -119,7 +121,70 @@ STRIP_LAWS = [
         HERTZ,
         SURFACES,
     ),
-    ("strip_raised", "at.level += rise", "at.level += 0.5 * rise", "levels are raised by half", PARTS, RUNS),
+    (
+        "strip_raised",
+        "at.level += rise * at.share",
+        "at.level += 0.5 * rise * at.share",
+        "levels are raised by half",
+        PARTS,
+        LEVELS,
+    ),
+    (
+        "strip_level_share",
+        "level = at.level + rise * at.share",
+        "level = at.level + rise",
+        "levels of all zones are thought to rise alike",
+        FLANGES,
+        LEVELS,
+    ),
+    (
+        "strip_shoulder",
+        "SHOULDER: Final[float] = 0.99",
+        "SHOULDER: Final[float] = 1.01",
+        "runs end between a zone and its shoulder",
+        FLANGES,
+        LEVELS,
+    ),
+    (
+        "strip_skew",
+        "limited(strip.skew * x, strip.odd)",
+        "limited(strip.skew * x, 1e9 * strip.odd)",
+        "the cubic of the gap is read as far as one likes",
+        FLANGES,
+        RUNS,
+    ),
+    (
+        "strip_slivers",
+        "NARROW: Final[float] = 0.02",
+        "NARROW: Final[float] = 2e-3",
+        "slivers are runs",
+        FLANGES,
+        RUNS,
+    ),
+    (
+        "strip_room",
+        "if not run_width(problem.next_runs[narrowest]) < width:",
+        "if run_width(problem.next_runs[narrowest]) < width:",
+        "where there is no room, a wide run is left out",
+        FLANGES,
+        RUNS,
+    ),
+    (
+        "strip_guard",
+        "largest < pressure * PARTED",
+        "largest < 1e3 * pressure * PARTED",
+        "a spike of pressure is an answer",
+        FLANGES,
+        CONTACT,
+    ),
+    (
+        "last_touched",
+        "return point.depth * sqrt(1.0 + slope * slope)",
+        "return point.depth",
+        "of too many deepest points the flange is left out",
+        FLANGES,
+        "wrcontact/kernel/contact/deep_points.py",
+    ),
     (
         "strip_pull",
         "PULLING: Final[float] = 1e-3",
@@ -138,8 +203,8 @@ STRIP_LAWS = [
     ),
     (
         "strip_join",
-        "before.low == low and before.next_stop >= start",
-        "before.low == low and before.next_stop <= start",
+        "before.low == low and start - before.next_stop < least",
+        "before.low == low and before.next_stop - start < least",
         "runs that overlap are not joined",
         PARTS,
         RUNS,

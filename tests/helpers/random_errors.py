@@ -9,12 +9,16 @@ from tests.helpers.paths import ROOT
 from tests.helpers.planted import Error
 
 
-def random_errors(count, seed):
-    """Errors at random places of the kernel's functions: another operator, comparison or constant."""
+def random_errors(count, seed, room=""):
+    """Errors at random places of the kernel's functions, or of those of one ``room``: another operator,
+    comparison or constant."""
     from tools.transpile_kernel import flat_name
 
     places = [
-        (path, *place) for path in kernel_modules() for place in changes(path.read_text(encoding="utf-8"))
+        (path, *place)
+        for path in kernel_modules()
+        if room in ("", path.parent.name)
+        for place in changes(path.read_text(encoding="utf-8"))
     ]
     for number, (path, at, old, new, line) in enumerate(random.Random(seed).sample(places, count)):
         text = path.read_text(encoding="utf-8")
@@ -26,11 +30,11 @@ def random_errors(count, seed):
         )
         before, after = text[max(at - reach, 0) : at], text[at + len(old) : at + len(old) + reach]
         yield Error(
-            f"random_{seed}_{number}",
+            f"random_{room}{seed}_{number}",
             before + old + after,
             before + new + after,
             f"line {line}: {old} -> {new} in {text.splitlines()[line - 1].strip()}",
-            "normal",
+            room or "normal",
             flat_name(path),
         )
 

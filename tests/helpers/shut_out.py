@@ -6,7 +6,7 @@ import sys
 class Shut:
     """An import hook that refuses the packages which an FMU must not need."""
 
-    names = frozenset({"wrcontact", "scipy", "matplotlib", "typer", "rich", "hypothesis", "pyccel"})
+    names = frozenset({"wrcontact", "scipy", "matplotlib", "typer", "rich", "hypothesis"})
 
     def find_spec(self, name, path=None, target=None):
         if name.split(".")[0] in self.names:

@@ -1,15 +1,95 @@
-"""Long tests whose cases take turns: ``.ci/run`` takes some of them, other ones each day."""
+"""What ``.ci/run`` runs today: of long tests with many cases that are alike a share, another one each day, and what
+depends on few files where one of these has changed, else once a week.
 
+WRCONTACT_TURN is the day's number; without it everything runs.  WRCONTACT_CHANGED names a file with the paths that
+have changed, a line each; without it everything has changed.
+"""
+
+import os
+import subprocess
 import zlib
 from collections import defaultdict
+from pathlib import Path
+
+#: What an FMU is made of, without the kernel's numbers: other tests read those.
+FMUS = ("fmu_src/", "wrcontact/fmu/", "wrcontact/interface/", "wrcontact/kernel/binding/")
+#: What another machine's compiler and loader might do otherwise.
+MACHINES = (
+    "build_hooks/",
+    "fmu_src/",
+    "pyproject.toml",
+    "wrcontact/kernel/binding/",
+    "wrcontact/kernel/native/",
+)
+#: Files of tests, and steps of .ci/run, that run where a path that starts with one of these has changed, or else
+#: once a week. Each depends on itself, too.
+WEEKLY = {
+    "benchmarks": ("wrcontact/study/", "wrcontact/halfspace/", "wrcontact/progress/"),
+    "platforms": (
+        *MACHINES,
+        "wrcontact/kernel/",
+        "tests/helpers/platforms.py",
+        "tests/release/",
+        "tools/release",
+    ),
+    "tests/docs/test_site.py": ("docs/", "mkdocs.yml", "tools/site_"),
+    "tests/docs/test_types.py": (
+        "tools/make_types.py",
+        "tools/types/",
+        "wrcontact/interface/",
+        "wrcontact/results/",
+    ),
+    "tests/fmu/test_importers.py": (*FMUS, "tests/helpers/importer_process.py"),
+    "tests/fmu/test_platforms.py": (*MACHINES, "tests/helpers/platforms.py"),
+    "tests/fmu/test_wheels.py": (*MACHINES, "tests/helpers/platforms.py"),
+}
+WEEK = 7
+#: Environment variable: a file with the paths that have changed, a line each.
+CHANGED = "WRCONTACT_CHANGED"
 
 
-def out_of_turn(items, turn):
-    """Cases of tests with the mark ``turns(n)`` that belong to another of n turns.  Every turn has a case of
-    every test, and n turns have all cases."""
+def changed_paths(root):
+    """Paths that differ from those of a day before the last commit, by git; None if git cannot tell, as in a copy
+    without history.  What a branch has and its main branch has not counts, too, however old it is."""
+
+    def git(*words):
+        done = subprocess.run(["git", *words], cwd=root, capture_output=True, text=True)
+        return done.stdout.strip() if done.returncode == 0 else ""
+
+    head = git("show", "-s", "--format=%ct", "HEAD")
+    before = head and git("rev-list", "-1", "--first-parent", f"--before={int(head) - 24 * 3600}", "HEAD")
+    if not before:
+        return None
+    fork = git("merge-base", "HEAD", "origin/main")
+    seen = [git("diff", "--name-only", "--no-renames", commit) for commit in (before, fork) if commit]
+    return sorted({path for paths in seen for path in paths.splitlines()})
+
+
+def changed_today():
+    """The paths that WRCONTACT_CHANGED tells; None without it."""
+    file = os.environ.get(CHANGED)
+    return Path(file).read_text(encoding="utf-8").splitlines() if file else None
+
+
+def due(name, turn, changed):
+    """Whether a row of WEEKLY, or anything else, runs in this turn; ``changed`` is None if that is not known."""
+    if name not in WEEKLY or changed is None:
+        return True
+    return (turn + zlib.crc32(name.encode())) % WEEK == 0 or any(
+        path.startswith((name, *WEEKLY[name])) for path in changed
+    )
+
+
+def out_of_turn(items, turn, root, changed=None):
+    """Tests of another day: those of files that are not due, and cases of tests with the mark ``turns(n)`` that
+    belong to another of n turns.  Every turn has a case of every such test, and n turns have all cases."""
     cases = defaultdict(list)
     for item in items:
-        if item.get_closest_marker("turns"):
+        if not due(
+            item.path.relative_to(root).as_posix() if root in item.path.parents else "", turn, changed
+        ):
+            yield item
+        elif item.get_closest_marker("turns"):
             cases[item.nodeid.partition("[")[0]].append(item)
     for name, found in cases.items():
         n = min(found[0].get_closest_marker("turns").args[0], len(found))

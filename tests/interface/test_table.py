@@ -9,6 +9,7 @@ import pytest
 import wrcontact
 from tests.helpers.inside import tables_of
 from wrcontact import state
+from wrcontact.interface import units
 from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.outputs import PATCH, SIDE, STRIPS, WEAR, WHEELSET
 from wrcontact.interface.parameters import KERNEL_PARAMETERS, PARAMETERS
@@ -29,6 +30,15 @@ def test_records_have_a_field_for_every_row_in_order():
     assert names(layout.StripOutputs) == [row.field for row in STRIPS]
     assert names(layout.Parameters) == list(KERNEL_PARAMETERS)
     assert layout.INPUT_NOMINALS == tuple(row.nominal for row in INPUTS)
+
+
+def test_a_unit_that_is_declared_twice_is_refused():
+    """The one before would be lost without a word."""
+    with pytest.raises(ValueError, match="unit 'N/m' is declared twice"):
+        units.by_name(
+            units.Unit("N", {}), units.Unit("N/m", {"kg": 1, "s": -2}), units.Unit("N/m", {}, "Stiffness")
+        )
+    assert units.by_name(units.Unit("N", {}))["N"].quantity == ""
 
 
 def test_every_output_is_a_property_of_a_result_that_reads_its_place():

@@ -27,7 +27,7 @@ ZERO = {
     "side.rail_deflection_lateral",
     "side.rail_deflection_vertical",
 }
-STATIONS = 31
+STATIONS, PATCHES = 31, 3
 
 
 def outputs(page):
@@ -72,8 +72,16 @@ def scenes():
 @pytest.mark.parametrize("kind", PAGES)
 def test_every_output_has_a_witness_of_its_name_and_unit(kind):
     found = outputs(PAGES[kind])
-    assert len(found) == 827 + 1  # and the status
     assert {folded(name)[0] for name in found} == set(WITNESSES)
+    numbers = {}  # on both sides, of every patch and every station
+    for name in found:
+        pattern, *number = folded(name)
+        numbers.setdefault(pattern, []).append(tuple(number))
+    for pattern, there in numbers.items():
+        sides = ("left", "right") if pattern.startswith("side.") else (None,)
+        most = PATCHES if "[k]" in pattern else STATIONS if "[j]" in pattern else 0
+        places = [(k,) for k in range(1, most + 1)] or [()]
+        assert sorted(there) == [(side, place) for side in sides for place in places], pattern
     for name, (unit, _, _) in found.items():
         assert unit == WITNESSES[folded(name)[0]][0], name
     assert list(found) == list(outputs(PAGES["python"]))

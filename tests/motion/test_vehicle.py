@@ -34,6 +34,7 @@ def test_places_on_a_circle():
     assert Track(bulge).at(30.0, 5e-3) == pytest.approx((30.0, 1e-3, 0.0, 0.0))
 
 
+@pytest.mark.full
 def test_irregular_track_has_its_spectrum():
     """Its variance is the integral of the spectrum, in the mean of several seeds."""
     way = np.arange(100.0, 5000.0, 1.0)

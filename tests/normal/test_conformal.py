@@ -69,10 +69,10 @@ SUNK = {
 @pytest.mark.parametrize("name", SUNK)
 @pytest.mark.parametrize("model", ["analyn_strip", pytest.param("halfspace", marks=pytest.mark.full)])
 def test_a_rigid_wheel_sinks_straight_down(model, name):
-    """Strips have 0.12, 1.65 and 1.27 % at most."""
+    """Strips have 0.24, 2.4 and 1.4 % at most."""
     (shift, yaw, force), wanted = SUNK[name]
     side = system_of(model).evaluate(shift, math.radians(yaw), force, side="right").right
-    near = (2e-3, 0.012, 2e-3) if model == "halfspace" else (2e-3, 0.025, 0.02)
+    near = (2e-3, 0.012, 2e-3) if model == "halfspace" else (3e-3, 0.03, 0.02)
     for found, value, allowed in zip((side.penetration, side.area, side.max_pressure), wanted, near):
         assert found == pytest.approx(value, rel=allowed)
     assert side.normal_force == pytest.approx(force, rel=1e-6)

@@ -52,7 +52,7 @@ def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     side, out = work.sides[1], work.outputs.left[1]
     fill_from_nodes(work.contact, side, 1)
     write_outline(side.outline, layout.STATION_COUNT, side, work.contact.strips, work.contact.regions, 1)
-    report_load(side, out, 1.0)
+    report_load(side, out, 1.0, False)
     report_outline(side, layout.Outline.at(work, layout.offset(out.station, work)), layout.STATION_COUNT, 0)
     return found, side, work.contact.strips, out
 

@@ -19,7 +19,8 @@ from wrcontact.kernel.normal.strip_lengths import (
     limit_axis,
     move_edges,
 )
-from wrcontact.kernel.normal.strip_runs import deepen_levels, lay_strips
+from wrcontact.kernel.normal.strip_levels import deepen_levels
+from wrcontact.kernel.normal.strip_runs import lay_strips
 
 A, FORCE = 1.087, 78.5e3
 RATIOS = (0.05, 0.1, 0.3, 1.0, 1.5, 5.0, 20.0, 60.0)

@@ -269,9 +269,10 @@ def test_a_wheelset_without_creep_forces_has_pressure_alone():
     assert [text.get_text() for text in plots.patch_map(ContactSystem(), unloaded).texts] == ["unloaded"]
 
 
-def test_random_poses_are_drawn():
+@pytest.mark.parametrize("count", [1, pytest.param(6, marks=pytest.mark.full)])
+def test_random_poses_are_drawn(count):
     random = np.random.default_rng(11)
-    for _ in range(6):
+    for _ in range(count):
         given = {
             "lateral_shift": random.uniform(-7e-3, 7e-3),
             "yaw": random.normal(0.0, 5e-3),
@@ -316,6 +317,7 @@ def test_curves_start_with_the_slope_of_kalker_s_table(over, coefficient, power)
         assert found == pytest.approx(slope, rel=0.03), line.get_label()
 
 
+@pytest.mark.full
 def test_curves_end_at_friction_times_load_and_never_exceed_it():
     patch = wrcontact.elliptic_patch(6e-3, 4e-3, 80e3)
     axis = plots.creep_curves(patch, models=("strips", "fastsim", "halfspace"), friction=0.25)

@@ -139,7 +139,13 @@ def test_an_unknown_side_is_refused():
         plots.contact_figure(SYSTEM, SYSTEM.evaluate(), side="up")
 
 
-@pytest.mark.parametrize("draw", [plots.outline_figure, plots.contact_figure, plots.pose_figure])
+@pytest.mark.parametrize(
+    "draw",
+    [
+        plots.outline_figure,
+        *(pytest.param(draw, marks=pytest.mark.full) for draw in (plots.contact_figure, plots.pose_figure)),
+    ],
+)
 def test_the_system_comes_first_and_may_come_second(draw):
     """In one order; calls in the other one work too."""
     shown = list(inspect.signature(draw).parameters)

@@ -216,7 +216,9 @@ def test_wheel_without_load_is_drawn_as_unloaded(transfer):
     "mode, given, told",
     [
         ("elastic", {}, "78.5 kN per wheel"),
-        ("compliant", {"vertical_shift_input": 0.25 * MM}, "0.250 mm down"),
+        pytest.param(
+            "compliant", {"vertical_shift_input": 0.25 * MM}, "0.250 mm down", marks=pytest.mark.full
+        ),
     ],
 )
 def test_a_pressed_wheelset_is_drawn_too(tmp_path, mode, given, told):

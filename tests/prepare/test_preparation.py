@@ -83,7 +83,13 @@ CASES = {
 }
 
 
-@pytest.fixture(params=CASES)
+#: Cases of which each run of the tests has all; the others are full.
+QUICK = ("default", "measured", "methods")
+
+
+@pytest.fixture(
+    params=[case if case in QUICK else pytest.param(case, marks=pytest.mark.full) for case in CASES]
+)
 def prepared(request):
     """A system and the head of its tables."""
     system = wrcontact.ContactSystem(**CASES[request.param])

@@ -6,9 +6,11 @@ import warnings
 import numpy as np
 import pytest
 
-from tests.helpers.foreign_files import gensys, several, vampire, wavy_back
-from tests.helpers.profile_points import MM, Y, Z, changed, columns, error, miniprof, points, read
+from tests.helpers.foreign_files import gensys, several, vampire, wavy_back, worn_rail
+from tests.helpers.profile_points import MM, Y, Z, changed, columns, error, miniprof, points, read, simpack
 from wrcontact import ContactSystem, Profile
+from wrcontact.profiles import standard_profile
+from wrcontact.wear.shape import wheel_shape
 
 RAIL_Y, RAIL_Z = points("rail")
 
@@ -119,6 +121,186 @@ def test_gensys_has_y_towards_the_track_centre(tmp_path, kind, name):
     assert profile.height(40e-3 if kind == "wheel" else 20e-3) == pytest.approx(
         np.interp(40.0 if kind == "wheel" else 20.0, y, z) * MM, abs=1e-6
     )
+
+
+# --- the running circle ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("first", [0.05, 1.5, 7.0])
+@pytest.mark.parametrize("side", [1, -1], ids=["flange first", "from the other side"])
+def test_a_miniprof_wheel_counts_from_the_back_wherever_it_begins(tmp_path, first, side):
+    kept = Y + 70.0 >= first
+    text = miniprof(side * (Y[kept] + 70.0), 12.0 - Z[kept])
+    profile, said = read(tmp_path, text, "wheel", "own.whl")
+    assert said == "" and profile.start == pytest.approx((first - 70.0) * MM, abs=0.25 * MM)
+    y = np.linspace(max(profile.start / MM + 0.5, -60.0), 55.0, 1001) * MM
+    exact = standard_profile("S1002")
+    assert np.abs(profile.height(y) - exact.height(y)).max() < 1e-6
+
+
+def test_a_back_that_is_not_at_zero_is_told(tmp_path):
+    _, said = read(tmp_path, miniprof(Y + 73.0, 12.0 - Z), "wheel", "own.whl")
+    assert "the back of its flange is at y = 3 mm" in said and "not at 0, where MiniProf has it" in said
+
+
+def test_a_wheel_of_another_format_counts_from_its_back(tmp_path):
+    """By points on the back, wherever it is; else y = 0 may be the back, which is told first."""
+    profile, said = read(tmp_path, columns(Y + 100.0, Z))
+    assert "from the back of the flange at y = 30" in said and error(profile) < 0.1
+    kept = Y > -67.0
+    profile, said = read(tmp_path, columns(Y[kept] + 70.0, Z[kept]))
+    assert "taken to be at y = 0; y shifted by -70 mm" in said and error(profile) < 1e-3
+    with pytest.raises(ValueError, match="or points on that back; shift = Y,Z moves y = 0"):
+        read(tmp_path, columns(Y[kept] + 100.0, Z[kept]))
+
+
+@pytest.mark.parametrize("first", [-70.0, -69.7, -68.0, -60.0, -50.0])
+def test_the_thickness_of_a_flange_needs_its_back(tmp_path, first):
+    """S1002 has 32.5 mm (EN 13715); without the back there is none."""
+    kept = first <= Y
+    profile, _ = read(tmp_path, columns(Y[kept], Z[kept]))
+    shape = wheel_shape(profile)
+    assert shape.flange_height == pytest.approx(28.0 * MM, abs=1e-6) or first > -55.0
+    if first < -69.5:
+        assert shape.flange_thickness == pytest.approx(32.5 * MM, abs=0.03 * MM)
+    else:
+        assert np.isnan(shape.flange_thickness)
+
+
+# --- headers, lines, axes, gaps -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("numbers", ["32.58 37.11 14.71", "32.58 37.11", "32.58 37.11 14.71 (Sd/Sh/qR)"])
+def test_numbers_in_a_header_are_no_points(tmp_path, numbers):
+    rows = columns(Y + 70.0, 12.0 - Z)
+    profile, said = read(tmp_path, f"MINIPROF 2020\n{numbers}\n(Sd/Sh/qR)\n\n{rows}", "wheel", "own.whl")
+    assert said == "" and profile.reading.points == len(Y) and error(profile) < 1e-3
+
+
+@pytest.mark.parametrize("name, separator", [("own.txt", ";"), ("own.csv", ","), ("own.whl", ";")])
+@pytest.mark.parametrize("empty", ["{y}{s}", "{s}{y}", "{y}"])
+def test_a_line_with_an_empty_field_is_told(tmp_path, name, separator, empty):
+    lines = columns(Y + 70.0 * name.endswith("whl"), Z, separator).splitlines()
+    for k in range(300, 400, 10):
+        lines[k] = empty.format(y=lines[k].split(separator)[0], s=separator)
+    profile, said = read(tmp_path, "\n".join(lines), "wheel", name)
+    assert "10 lines without two numbers left out (line 301, 311, 321, ...)" in said
+    assert profile.reading.points == len(Y) - 10
+
+
+def test_a_line_with_an_empty_field_is_told_in_a_vampire_file(tmp_path):
+    text = vampire("wheel", Y, Z).splitlines()
+    text[104] = text[104].rsplit(",", 1)[0]
+    _, said = read(tmp_path, "\n".join(text), "wheel", "own.whe")
+    assert "1 line without four numbers left out (line 105)" in said
+
+
+def nose(width):
+    """y, z (n,) [mm] of a narrow head of 30 mm, 15 mm high, on a flat base of this ``width``, z down."""
+    y = np.arange(-15.0, 15.25 + width, 0.25)
+    return y, 15.0 * np.minimum(np.abs(y) / 15.0, 1.0) ** 2
+
+
+@pytest.mark.parametrize("width", [20.0, 40.0, 55.0])
+@pytest.mark.parametrize("form", ["simpack", "columns", "vampire"])
+def test_a_wide_base_does_not_turn_a_head_over(tmp_path, width, form):
+    y, z = nose(width)
+    text = {
+        "simpack": lambda: simpack(y, z, "rail"),
+        "columns": lambda: columns(y, z),
+        "vampire": lambda: vampire("rail", y, z),
+    }[form]()
+    name = {"simpack": "own.prr", "columns": "own.txt", "vampire": "own.rai"}[form]
+    profile, said = read(tmp_path, text, "rail", name)
+    assert "sign" not in said and profile.height(-10.0 * MM) == pytest.approx(100.0 / 15.0 * MM, abs=5e-5)
+
+
+def test_a_format_with_z_down_is_not_turned_over(tmp_path):
+    path = write(tmp_path, simpack(RAIL_Y, -RAIL_Z, "rail"), "own.prr")
+    with pytest.raises(
+        ValueError, match="and its format has z down; mirror_z = True turns it over, mirror_z = F"
+    ):
+        Profile.from_file(path, "rail")
+    assert error(Profile.from_file(path, "rail", mirror_z=True)) < 1e-3
+
+
+def test_a_gap_below_the_gauge_is_cut(tmp_path):
+    """The side is 1:20; behind the gap it stands 1.5 mm farther out, so that no straight line bridges it."""
+    gauge_side = RAIL_Y < 0.0
+    y = np.where(gauge_side & (RAIL_Z > 30.0), RAIL_Y - 1.5, RAIL_Y)
+    kept = ~(gauge_side & (RAIL_Z > 17.0) & (RAIL_Z <= 30.0))
+    profile, said = read(tmp_path, columns(y[kept], RAIL_Z[kept]), "rail")
+    assert re.search(
+        r"gap of 13.* mm from 1[67].* mm below the top on; the points behind it are left out", said
+    ), said
+    assert error(profile) < 1e-3 and profile.height(profile.start) == pytest.approx(17.0 * MM, abs=0.3 * MM)
+    kept = ~(gauge_side & (RAIL_Z > 8.0) & (RAIL_Z <= 30.0))
+    with pytest.raises(ValueError, match="a gap of 2.* mm; permitted are 10 mm or a straight stretch"):
+        read(tmp_path, columns(y[kept], RAIL_Z[kept]), "rail")
+
+
+def test_a_gap_beyond_the_rail_s_head_is_cut(tmp_path):
+    z = Z + np.where(Y > 57.0, 3.0, 0.0)
+    kept = (Y < 46.0) | (Y > 57.0)
+    profile, said = read(tmp_path, columns(Y[kept], z[kept]))
+    assert "mm from y = 45." in said and "on; the points behind it are left out" in said
+    assert error_up_to(profile, 45.0) < 1e-3
+
+
+def error_up_to(profile, last):
+    """Largest difference in height from S1002 up to this y [mm]."""
+    y = np.linspace(-60.0, last, 2001) * MM
+    return np.max(np.abs(profile.height(y) - standard_profile("S1002").height(y))) / MM
+
+
+def test_json_of_another_program_is_refused_by_what_it_is(tmp_path):
+    for text in ('{"profile_role": "wheel", "lateral_meters": [0.0]}', "{}", '{"zones": []}'):
+        with pytest.raises(
+            ValueError, match="is JSON, but not a profile of wrcontact; permitted are points y and z"
+        ):
+            read(tmp_path, text, "wheel", "own.json")
+
+
+@pytest.mark.parametrize("cut", [5.0, 20.0, 33.0])
+@pytest.mark.parametrize("shape", [points("rail"), worn_rail()], ids=["new", "worn"])
+def test_a_part_of_a_rail_is_no_wheel(tmp_path, cut, shape):
+    y, z = shape
+    with pytest.raises(
+        ValueError, match="as part of a rail does; permitted are wheels with the tip of the flange"
+    ):
+        read(tmp_path, columns(y[y < cut], z[y < cut]))
+
+
+# --- points that run back -------------------------------------------------------------------------
+
+
+def run_back(place, back, apart=0.0):
+    """S1002 whose points from ``place`` [mm] on have moved to smaller y by ``back``, and by ``apart`` in z."""
+    behind = Y > place
+    return np.where(behind, Y - back, Y), np.where(behind, np.interp(Y - back, Y, Z) + apart, Z)
+
+
+@pytest.mark.parametrize(
+    "place, back, apart, words",
+    [
+        (-54.0, 0.6, 0.2, r"6 points left out where the points run back by up to 0\.\d+ mm \(y = -54"),
+        (-20.0, 0.7, 0.0, r"6 points sorted by y \(y = -20"),
+        (10.0, 1.5, 0.0, r"14 points sorted by y"),
+    ],
+)
+def test_points_that_run_back_cut_nothing(tmp_path, place, back, apart, words):
+    profile, said = read(tmp_path, columns(*run_back(place, back, apart)))
+    assert re.search(words, said), said
+    assert profile.start == Y[0] * MM and error(profile) < apart + 0.01
+
+
+def test_a_fold_behind_which_the_flange_is_lost_is_told(tmp_path):
+    """Points that run back by 3 mm are no stretch that was measured twice."""
+    profile, said = read(tmp_path, columns(*run_back(-54.0, 3.0, 0.3)))
+    assert re.search(
+        r"vertical at y = -5\d.* mm; its points at smaller y, to -\d+.* mm, are left out", said
+    ), said
+    assert np.isnan(wheel_shape(profile).flange_thickness)
 
 
 # --- shapes of genuine files ----------------------------------------------------------------------

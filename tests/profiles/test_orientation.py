@@ -11,9 +11,7 @@ from tests.helpers.foreign_files import inclined_rail, worn_rail
 from tests.helpers.profile_points import MM, Y, Z, columns, error, miniprof, points, read, simpack
 from wrcontact import ContactSystem, Profile, ProfileFile, ProfileWarning
 from wrcontact.profiles.orientation import _gauge_side, head_of
-from wrcontact.profiles.repair import BACK
-
-AGAIN = "in the file, and a rail_inclination that is not 0 inclines it again"
+from wrcontact.profiles.running_circle import BACK
 
 
 def write(folder, text, name):
@@ -39,30 +37,101 @@ def test_the_inclination_of_a_new_head_is_found(inclination, noise):
     assert found.symmetric and found.inclination == pytest.approx(inclination, abs=2e-3)
 
 
-def test_an_inclined_rail_is_reported_with_its_number(tmp_path):
-    _, said = read(tmp_path, simpack(*inclined_rail(1 / 40), "rail"), "rail", "own.prr")
-    assert f"its head is inclined by 1:40 towards the track centre {AGAIN}" in said
-    assert "file_inclination = 0.025 turns it upright, file_inclination = 0 confirms that it is" in said
+def pressure(rail, **track):
+    """Largest pressure [Pa] of S1002 on this rail in the middle, silently."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ProfileWarning)
+        system = ContactSystem(rail=rail, **track)
+    return system.evaluate(normal_force=78.5e3).right.max_pressure
+
+
+@pytest.mark.parametrize("track", [1 / 20, 1 / 40])
+@pytest.mark.parametrize("noise", [0.0, 0.002])
+def test_a_head_that_leans_as_its_track_is_turned_upright(tmp_path, track, noise):
+    """And has the contact of the upright rail on this track, not that of a rail that is inclined twice."""
+    path = write(tmp_path, simpack(*inclined_rail(track, noise=noise), "rail"), "own.prr")
+    with pytest.warns(ProfileWarning, match="as this track inclines it; turned upright from 1:"):
+        system = ContactSystem(rail=path, rail_inclination=track)
+    assert system.rail.reading.inclination == track
+    exact = pressure("UIC60", rail_inclination=track)
+    if not noise:
+        assert error(system.rail) < 1e-3
+        assert pressure(path, rail_inclination=track) == pytest.approx(exact, rel=2e-3)
+        # what a rail inclined twice would have
+        twice = pressure(ProfileFile(path, file_inclination=0.0), rail_inclination=track)
+        assert twice > 1.05 * exact
+
+
+@pytest.mark.parametrize("left", [1 / 20, None])
+def test_the_left_rail_is_turned_by_the_left_track(tmp_path, left):
+    path = write(tmp_path, simpack(*inclined_rail(1 / 20), "rail"), "own.prr")
+    if left is None:
+        with pytest.raises(
+            ValueError, match="and its track inclines it by 1:40; file_inclination = 0.05 turns"
+        ):
+            ContactSystem(left_rail=path)
+        return
+    with pytest.warns(ProfileWarning, match="turned upright from 1:20"):
+        system = ContactSystem(left_rail=path, left_rail_inclination=left)
+    assert system.left_rail.reading.inclination == left and system.rail.reading is None
+
+
+@pytest.mark.parametrize(
+    "inclination, track, sentence",
+    [
+        (
+            1 / 40,
+            1 / 20,
+            "towards the track centre in the file, and its track inclines it by 1:20; "
+            "file_inclination = 0.025 turns it upright, file_inclination = 0 confirms that it is upright",
+        ),
+        (1 / 40, 1 / 33, "file_inclination = 0.025 turns it upright"),
+        (
+            -1 / 40,
+            1 / 40,
+            "away from the track centre in the file, and its track inclines it by 1:40; "
+            "mirror_y = True mirrors it, file_inclination = 0 confirms",
+        ),
+    ],
+)
+def test_a_head_that_leans_otherwise_is_refused_until_it_is_said(tmp_path, inclination, track, sentence):
+    path = write(tmp_path, simpack(*inclined_rail(inclination), "rail"), "own.prr")
+    with pytest.raises(ValueError, match=sentence):
+        ContactSystem(rail=path, rail_inclination=track)
+    assert "inclines it by" in sentence or ContactSystem(rail=path, rail_inclination=1 / 39)
+    with pytest.raises(ValueError, match="in the file, without its track; "):
+        Profile.from_file(path, "rail")
+    assert pressure(ProfileFile(path, file_inclination=0.0), rail_inclination=track) > 0.0
+
+
+def test_a_rail_is_used_as_it_stands_on_an_upright_track(tmp_path):
+    path = write(tmp_path, simpack(*inclined_rail(1 / 40), "rail"), "own.prr")
+    with pytest.warns(ProfileWarning, match="inclined by 1:40 .* in the file, and used so on this track"):
+        ContactSystem(rail=path, rail_inclination=0.0)
+    assert pressure(path, rail_inclination=0.0) == pytest.approx(pressure("UIC60"), rel=2e-3)
 
 
 def test_an_inclined_rail_is_turned_upright(tmp_path):
     path = write(tmp_path, simpack(*inclined_rail(1 / 40), "rail"), "own.prr")
     profile, said = read_with(path, file_inclination=1 / 40)
     assert said == "" and error(profile) < 1e-3
-    exact = ContactSystem().evaluate(normal_force=78.5e3).right.max_pressure
-    turned = ContactSystem(rail=ProfileFile(path, file_inclination=1 / 40)).evaluate(normal_force=78.5e3)
-    assert turned.right.max_pressure == pytest.approx(exact, rel=2e-3)
+    assert pressure(ProfileFile(path, file_inclination=1 / 40)) == pytest.approx(pressure("UIC60"), rel=2e-3)
     _, said = read_with(path, file_inclination=0.0)
     assert said == ""
     _, said = read_with(path, file_inclination=1 / 20)
     assert "its head is inclined by 1:40 towards the track centre, although file_inclination is 0.05" in said
 
 
-def test_check_remarks_on_an_inclined_rail(tmp_path):
+def test_check_says_first_what_makes_all_results_wrong(tmp_path, run):
     path = write(tmp_path, simpack(*inclined_rail(1 / 40), "rail"), "own.prr")
-    with pytest.warns(ProfileWarning, match=AGAIN):
-        system = ContactSystem(rail=path)
-    assert any(AGAIN in remark for remark in wrcontact.check(system).remarks)
+    with pytest.warns(ProfileWarning, match="although file_inclination is 0.05"):
+        system = ContactSystem(rail=ProfileFile(path, file_inclination=1 / 20))
+    assert "although file_inclination is 0.05" in wrcontact.check(system).remarks[0]
+    _, out, _ = run(
+        "check", "--output", tmp_path / "own.png", "--rail", path, "--rail-file-inclination", "1:20"
+    )
+    lines = out.splitlines()
+    assert "although --rail-file-inclination is 0.05" in lines[1] and out.count("although") == 1
 
 
 # --- gauge side -----------------------------------------------------------------------------------
@@ -71,9 +140,9 @@ def test_check_remarks_on_an_inclined_rail(tmp_path):
 @pytest.mark.parametrize("shape", [inclined_rail(1 / 40), worn_rail()], ids=["inclined", "worn"])
 def test_a_miniprof_rail_with_the_gauge_side_at_larger_y_is_mirrored(tmp_path, shape):
     y, z = shape
-    one, said = read(tmp_path, miniprof(y, -z), "rail", "one.ban")
+    one, said = read_with(write(tmp_path, miniprof(y, -z), "one.ban"), file_inclination=0.0)
     assert "mirrored" not in said
-    other, said = read(tmp_path, miniprof(-y, -z), "rail", "other.ban")
+    other, said = read_with(write(tmp_path, miniprof(-y, -z), "other.ban"), file_inclination=0.0)
     assert "the gauge side was at the larger y (" in said and "; mirrored" in said
     at = np.linspace(-30.0, 20.0, 200) * MM
     np.testing.assert_allclose(other.height(at), one.height(at), atol=1e-9)

@@ -29,7 +29,7 @@ from tests.helpers.profile_points import (
 )
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.files import LARGEST_FILE, prepared_text
-from wrcontact.profiles.repair import BACK
+from wrcontact.profiles.running_circle import BACK
 
 # --- formats --------------------------------------------------------------------------------------
 
@@ -200,7 +200,7 @@ REPAIRED = {
         Y + 70.0,
         Z - 9.0,
         "wheel",
-        "running circle is assumed 70 mm from the back of the flange; y shifted by -70 mm",
+        "running circle is assumed 70 mm from the back of the flange at y = 0 mm; y shifted by -70 mm",
         9.1,
     ),
     "another height": (Y, Z + 300.0, "wheel", "z was 300 mm at the running circle; shifted to 0", 1e-4),
@@ -395,7 +395,7 @@ REFUSED = {
         "a spike or a fold; permitted are at most 90 deg",
     ),
     "a wall too high": (
-        columns(np.round(RAIL_Y[::4]), RAIL_Z[::4]),
+        columns(np.maximum(RAIL_Y, -28.0), RAIL_Z),
         "rail",
         "own.txt",
         r"folds back or is vertical at y = .* mm, z = .* mm; permitted is that from z = 5 "
@@ -431,7 +431,12 @@ REFUSED = {
         "own.ban",
         "contains no lines of numbers after its header",
     ),
-    "not prepared": ('{"zones": 3}', "wheel", "own.json", "is not a prepared profile"),
+    "not prepared": (
+        '{"zones": 3}',
+        "wheel",
+        "own.json",
+        "is JSON, but not a profile of wrcontact; permitted are points",
+    ),
     "prepared, not finite": (
         prepared_text(standard_profile("UIC60")).replace("300.0", "NaN"),
         "rail",

@@ -38,8 +38,8 @@ def opened(monkeypatch):
 
 
 def wait_for(stream, *words):
-    """Until the stream has these words."""
-    end = time.monotonic() + 10
+    """Until the stream has these words; a busy machine may take its time."""
+    end = time.monotonic() + 120
     while not all(word in stream.getvalue() for word in words):
         assert time.monotonic() < end, stream.getvalue()
         time.sleep(0.01)
@@ -58,10 +58,13 @@ def test_work_is_shown_with_its_share_and_removed(opened):
 
 
 def test_the_time_left_is_shown(opened):
+    """It is known once two steps are done, and goes down."""
     terminal = opened()
-    for _ in progress.tracked([0.3] * 8, "long work"):
-        time.sleep(0.3)
-    assert "00:0" in terminal.getvalue()
+    with progress.working("long work", 8) as advance:
+        for _ in range(4):
+            time.sleep(0.1)
+            advance(1)
+        wait_for(terminal, "long work", ":0")
 
 
 def test_inner_work_has_a_line_of_its_own(opened):
@@ -86,11 +89,11 @@ def test_threads_share_one_display(opened):
 
     def work(number):
         for _ in progress.tracked(range(3), f"thread {number}"):
-            time.sleep(0.05)
+            wait_for(terminal, f"thread {number}")
 
     threads = [threading.Thread(target=work, args=(k,)) for k in range(4)]
     [thread.start() for thread in threads], [thread.join() for thread in threads]
-    assert "thread" in terminal.getvalue() and progress._board is None
+    assert progress._board is None
 
 
 def test_short_work_shows_nothing(opened, monkeypatch):
@@ -128,7 +131,7 @@ def test_a_command_writes_lines_where_there_is_no_terminal(monkeypatch):
             advance(1)
             with progress.working("compiling"):
                 if setting == "on" and interval < 1.0:
-                    wait_for(sys.stderr, "wrcontact: sweep 25%, compiling after 0 s, about 0 s left\n")
+                    wait_for(sys.stderr, "wrcontact: sweep 25%, compiling after ", " s left\n")
                 else:
                     time.sleep(0.2)
         seen = sys.stderr.getvalue()

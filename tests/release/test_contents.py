@@ -20,6 +20,7 @@ def names_in(archive):
 
 
 @needs_compiler
+@pytest.mark.full
 def test_everything_in_native_fmus_is_ours_or_named(fmus):
     for version, fmu in fmus.items():
         # without a library for Windows

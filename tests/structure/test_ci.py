@@ -1,5 +1,8 @@
-"""What .ci/run refuses before it has run a test, and that no test is skipped without being missed."""
+"""What .ci/run refuses before it has run a test, what it tells of steps that fail, that no test is skipped without
+being missed, and which tests it runs on which day."""
 
+import csv
+import importlib.util
 import os
 import shutil
 import subprocess
@@ -9,16 +12,22 @@ import pytest
 
 from tests.helpers.paths import ROOT
 from tests.helpers.skips import PERMITTED
+from tests.helpers.turns import WEEK, WEEKLY, changed_paths, due
 
-CLEAN = {name: value for name, value in os.environ.items() if not name.startswith(("GIT_", "PYTEST_"))}
+CLEAN = {
+    name: value
+    for name, value in os.environ.items()
+    if not name.startswith(("GIT_", "PYTEST_", "WRCONTACT_"))
+}
+needs_git = pytest.mark.skipif(not shutil.which("git"), reason="git is not installed")
 
 
-def git(folder, *words):
+def git(folder, *words, **environment):
     subprocess.run(
         ["git", "-c", "user.name=x", "-c", "user.email=x", *words],
         cwd=folder,
         check=True,
-        env=CLEAN,
+        env={**CLEAN, **environment},
         capture_output=True,
     )
 
@@ -29,21 +38,23 @@ def ci_run(folder):
     return done.returncode, done.stderr
 
 
-@pytest.mark.skipif(not shutil.which("git"), reason="git is not installed")
+@needs_git
 def test_a_file_that_git_does_not_track_ends_ci(tmp_path):
     """In a folder of the project; not one that is ignored, nor notes at the top."""
-    for name in (".ci/run", "wrcontact/known.py", "README.md"):
+    for name in ("wrcontact/known.py", "README.md", ".gitignore"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text("*.so\n")
-    shutil.copy(ROOT / ".ci" / "run", tmp_path / ".ci" / "run")
-    (tmp_path / ".gitignore").write_text("*.so\n")
+    for name in (".ci/run", ".ci/steps.py", "tests/__init__.py", "tests/helpers/turns.py"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
     git(tmp_path, "init", "-q")
     git(tmp_path, "add", "-A")
     git(tmp_path, "commit", "-q", "-m", "x")
     for name in ("wrcontact/library.so", "notes.txt"):
         (tmp_path / name).write_text("")
     beyond = "README.md does not show the command"
-    assert ci_run(tmp_path)[0] == 1 and beyond in ci_run(tmp_path)[1]
+    code, complaint = ci_run(tmp_path)
+    assert code == 1 and beyond in complaint
     (tmp_path / "wrcontact" / "forgotten.py").write_text("")
     code, complaint = ci_run(tmp_path)
     assert code == 1 and beyond not in complaint
@@ -53,7 +64,182 @@ def test_a_file_that_git_does_not_track_ends_ci(tmp_path):
     )
     git(tmp_path, "add", "wrcontact/forgotten.py")
     assert beyond in ci_run(tmp_path)[1]
+    left = subprocess.run(
+        ["git", "status", "--porcelain"], cwd=tmp_path, text=True, capture_output=True
+    ).stdout
+    assert left == "A  wrcontact/forgotten.py\n?? notes.txt\n"
 
+
+# --- steps ----------------------------------------------------------------------------------------
+
+TWO_FAIL = """
+import pytest
+
+def test_passes():
+    pass
+
+@pytest.mark.parametrize("word", ["a - b", "c"])
+def test_fails(word):
+    assert word == "d"
+"""
+
+
+@pytest.fixture(scope="module")
+def steps():
+    """The program of .ci/run."""
+    spec = importlib.util.spec_from_file_location("steps", ROOT / ".ci" / "steps.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def three(steps, tmp_path_factory):
+    """A run of three steps: one fails, one has tests that fail, one passes."""
+    folder = tmp_path_factory.mktemp("three")
+    (folder / "test_two.py").write_text(TWO_FAIL)
+    run = steps.Run(folder)
+    assert not run.step("a line", "echo first && exit 3")
+    words = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-c",
+        os.devnull,
+        "--rootdir",
+        folder,
+        "-p",
+        "no:cacheprovider",
+    ]
+    assert not run.step("some tests", [*words, "test_two.py"], WRCONTACT_SKIPS="listed")
+    assert run.step("the last", [sys.executable, "-c", "pass"])
+    return run
+
+
+def test_a_step_that_fails_does_not_end_ci(three):
+    assert [done.code for done in three.done] == [3, 1, 0]
+    assert all(0 < done.seconds < 300 and done.cpu >= 0 for done in three.done)
+    assert three.done[1].cpu > 0.05
+
+
+def test_what_a_step_says_is_shown(steps, tmp_path, capsys):
+    run = steps.Run(tmp_path)
+    run.step("a line", "echo α; echo complaint >&2; exit 3")
+    assert capsys.readouterr().out == (
+        "== a line (after 0 s)\nα\ncomplaint\n== a line has failed with exit code 3\n"
+    )
+
+
+def test_all_failures_are_told_at_the_end_with_what_repeats_them(three):
+    """The last line is as pytest's own, with the sums of all test runs; the line that failed is an error."""
+    *lines, last = three.report().splitlines()
+    assert "    echo first && exit 3" in lines
+    for test in ("test_two.py::test_fails[c]", "test_two.py::test_fails[a - b]"):
+        assert f"    WRCONTACT_SKIPS=listed .venv/bin/python -m pytest -m '' '{test}'" in lines
+    (row,) = [line.split() for line in lines if line.endswith("some tests FAILED")]
+    assert float(row[0]) >= 0 and float(row[1]) >= 0
+    assert any(line.endswith("the last") for line in lines) and not any(
+        "the last (exit" in line for line in lines
+    )
+    assert last.startswith("2 failed, 1 passed, 1 error in ")
+
+
+def test_a_run_without_a_failure_tells_none(steps, tmp_path):
+    run = steps.Run(tmp_path)
+    assert run.step("tests", ["echo", "7 passed, 1 skipped, 2 warnings in 63.10s (0:01:03)"])
+    assert run.step("more tests", ["echo", "==== 5 passed, 3 deselected in 1.00s ===="])
+    assert "failed" not in run.report() and "repeats" not in run.report()
+    assert run.report().splitlines()[-1].startswith("12 passed, 1 skipped, 3 deselected in ")
+
+
+def test_a_program_that_is_missing_and_a_process_that_is_left_behind_end_no_run(steps, tmp_path):
+    run = steps.Run(tmp_path)
+    assert not run.step("missing", ["no-such-program-anywhere"])
+    assert run.step("left behind", "sleep 20 & echo on")
+    assert run.done[0].code == 127 and run.done[1].seconds < 15
+
+
+def test_steps_side_by_side_are_steps(steps, tmp_path, capsys):
+    """In their order, each with its own output and processor time, though the second ends first."""
+    run = steps.Run(tmp_path)
+    busy = "while time.process_time() < 0.3: pass"
+    run.together(
+        {
+            "long": [sys.executable, "-c", f"import time\n{busy}\nprint('ended')"],
+            "short": "echo 3 passed in 0.10s; exit 2",
+        }
+    )
+    assert [(done.name, done.code, done.counts) for done in run.done] == [
+        ("long", 0, ""),
+        ("short", 2, "3 passed in 0.10s"),
+    ]
+    assert run.done[0].cpu > 0.29 > run.done[1].cpu
+    seen = capsys.readouterr().out
+    assert "-- long\nended\n" in seen
+    assert "-- short\n3 passed in 0.10s\n== short has failed with exit code 2\n" in seen
+
+
+def test_seconds_are_kept_from_run_to_run(steps, three, tmp_path):
+    file = tmp_path / "new" / "seconds.csv"
+    for commit in ("1234", "5678"):
+        three.keep(file, commit)
+    rows = list(csv.DictReader(file.open()))
+    assert [(row["commit"], row["step"], row["exit_code"]) for row in rows] == [
+        (commit, *step)
+        for commit in ("1234", "5678")
+        for step in (("a line", "3"), ("some tests", "1"), ("the last", "0"))
+    ]
+    assert all(float(row["seconds"]) >= 0 and float(row["cpu_seconds"]) >= 0 for row in rows)
+    three.keep("/dev/null/no/folder", "9")  # where nothing can be written none is kept
+
+
+# --- days -----------------------------------------------------------------------------------------
+
+
+def test_what_is_weekly_exists():
+    for name, paths in WEEKLY.items():
+        assert not name.startswith("tests/") or (ROOT / name).is_file(), name
+        for path in paths:
+            stem = ROOT / path
+            assert stem.exists() or list(stem.parent.glob(f"{stem.name}*")), (name, path)
+    steps = (ROOT / ".ci" / "steps.py").read_text(encoding="utf-8")
+    assert all(f'due("{name}", ' in steps for name in WEEKLY if not name.startswith("tests/"))
+
+
+def test_what_is_weekly_runs_once_a_week_and_where_its_files_have_changed():
+    for name, paths in WEEKLY.items():
+        days = [turn for turn in range(360, 360 + WEEK) if due(name, turn, ["CHANGELOG.md"])]
+        assert len(days) == 1
+        for changed in ([name], [f"{paths[0]}x"], ["a", paths[-1]], None):
+            assert all(due(name, turn, changed) for turn in range(WEEK))
+    assert due("tests/wear/test_run.py", 1, []) and due("anything", 2, [])
+
+
+@needs_git
+def test_changes_are_those_of_a_day_and_of_a_branch(tmp_path):
+    """By the dates of the commits: a change from before counts only where the main branch does not have it."""
+
+    def commit(name, day):
+        (tmp_path / name).write_text(str(day))
+        git(tmp_path, "add", "-A")
+        date = f"2026-03-{day:02d}T12:00:00Z"
+        git(tmp_path, "commit", "-q", "-m", "x", GIT_AUTHOR_DATE=date, GIT_COMMITTER_DATE=date)
+
+    git(tmp_path, "init", "-q")
+    assert changed_paths(tmp_path) is None
+    commit("first", 1)
+    assert changed_paths(tmp_path) is None  # nothing to compare with
+    commit("second", 5)
+    commit("third", 9)
+    assert changed_paths(tmp_path) == ["third"]
+    git(tmp_path, "update-ref", "refs/remotes/origin/main", "HEAD~2")
+    assert changed_paths(tmp_path) == ["second", "third"]
+    (tmp_path / "first").write_text("by hand")
+    assert changed_paths(tmp_path) == ["first", "second", "third"]
+
+
+# --- skips and turns ------------------------------------------------------------------------------
 
 SKIPPED = f"""
 import pytest

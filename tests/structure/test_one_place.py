@@ -3,6 +3,7 @@
 import ast
 
 from tests.helpers.paths import ROOT
+from tests.helpers.sources import parsed
 from wrcontact.kernel import layout
 
 KERNEL = ROOT / "wrcontact" / "kernel"
@@ -31,10 +32,7 @@ def adds(tree):
 
 
 def trees():
-    return {
-        str(path.relative_to(ROOT / "wrcontact")): ast.parse(path.read_text(encoding="utf-8"))
-        for path in FILES
-    }
+    return {str(path.relative_to(ROOT / "wrcontact")): parsed(path) for path in FILES}
 
 
 def test_forces_are_added_in_one_file():

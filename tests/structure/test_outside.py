@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 
 from tests.helpers.paths import ROOT
+from tests.helpers.sources import parsed
 
 #: What the modules of a folder may import of the repository, besides their own folder.
 MAY_IMPORT = {
@@ -28,7 +29,7 @@ SHARED = ("tests.helpers", "tests.conftest")
 def imported(path):
     """Names of the modules that a file imports by absolute names, anywhere in it."""
     names = []
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in ast.walk(parsed(path)):
         if isinstance(node, ast.Import):
             names += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and not node.level:

@@ -12,7 +12,7 @@ from tests.helpers.plant_errors import copies, ordered_tests, shared
 from tests.helpers.plant_kernel import changed_files, generated
 from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
-from tools.transpile_kernel import Module, run_pyccel, translate
+from tools.transpile_kernel import translate
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: error.name)
@@ -49,17 +49,6 @@ def test_lines_at_random_are_the_same_for_a_seed():
         assert (ROOT / name).read_text(encoding="utf-8").splitlines()[int(number) - 1].strip() == text.strip()
 
 
-@pytest.mark.full
-def test_a_translation_within_a_worker_of_a_test_run_has_the_usual_folder(tmp_path, monkeypatch):
-    """Pyccel names its folder after the worker."""
-    pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
-    monkeypatch.setenv("PYTEST_XDIST_WORKER", "gw7")
-    file = tmp_path / "half.py"
-    file.write_text("def half(x: float):\n    return 0.5 * x\n")
-    header, code = run_pyccel([Module(file)])["half"]
-    assert "double half__half(double x)" in header and "return 0.5 * x;" in code
-
-
 def test_the_tests_of_an_error_s_room_run_first_and_all_others_after_them():
     names = ordered_tests(ROOT, "search", False)
     assert names[0].startswith("tests/search/") and len(set(names)) == len(names) > 80
@@ -69,9 +58,8 @@ def test_the_tests_of_an_error_s_room_run_first_and_all_others_after_them():
 
 @pytest.mark.complete
 def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
-    pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
     plain, (tree,) = copies([error for error in ERRORS if error.name == "hertz_cell"], tmp_path)
-    (files,) = changed_files(plain, [tree])
+    files = changed_files(plain, tree)
     there = {path.name: path.read_text(encoding="utf-8") for path in generated(plain).glob("*.[ch]")}
     assert there | files == translate(tree / "wrcontact" / "kernel") != there
 
@@ -79,7 +67,6 @@ def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
 @pytest.mark.complete
 @pytest.mark.skipif(not (shutil.which("gcc") or shutil.which("cc")), reason="no C compiler here")
 def test_every_planted_error_is_seen():
-    pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
     run = subprocess.run(
         [sys.executable, "-m", "tests.helpers.plant_errors", "--full"],
         cwd=ROOT,

@@ -13,6 +13,7 @@ from functools import cache
 import pytest
 
 from tests.helpers.paths import ROOT
+from tests.helpers.sources import parsed
 from wrcontact.kernel.binding.files import ROOMS
 
 PACKAGE = ROOT / "wrcontact"
@@ -77,7 +78,7 @@ MODULES = modules()
 
 @cache
 def trees():
-    return {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in MODULES.items()}
+    return {name: parsed(path) for name, path in MODULES.items()}
 
 
 def targets(name, node):
@@ -198,17 +199,26 @@ def test_the_whole_workspace_is_handed_on_by_the_wheelset_only():
 
 
 def hand_written(*endings):
-    """Files of the project's code that people write, by their path."""
+    """Files of the project's code that people write."""
     for folder in CODE:
         for path in sorted((ROOT / folder).rglob("*")):
             inside = path.relative_to(ROOT)
             if path.suffix in endings and not {"generated", "__pycache__"} & set(inside.parts):
-                yield inside.as_posix(), path.read_text(encoding="utf-8")
+                yield inside.as_posix(), path
+
+
+@cache
+def sizes():
+    """(Statements, [(function, by what it is too large)]) of every file of Python by its path."""
+    return {
+        name: (statements(parsed(path)), [(node.name, too_large(node)) for node in functions(parsed(path))])
+        for name, path in hand_written(".py")
+    }
 
 
 def test_files_are_short():
-    long = {name for name, text in hand_written(".c", ".h") if text.count("\n") > C_LINES}
-    long |= {name for name, text in hand_written(".py") if statements(ast.parse(text)) > FILE_STATEMENTS}
+    long = {name for name, path in hand_written(".c", ".h") if path.read_bytes().count(b"\n") > C_LINES}
+    long |= {name for name, (count, _) in sizes().items() if count > FILE_STATEMENTS}
     assert long == LONG_FILES
 
 
@@ -252,10 +262,10 @@ def functions(tree):
 
 def test_functions_are_small():
     found = {
-        (name, node.name, kind)
-        for name, text in hand_written(".py")
-        for node in functions(ast.parse(text))
-        for kind in too_large(node)
+        (name, function, kind)
+        for name, (_, found) in sizes().items()
+        for function, kinds in found
+        for kind in kinds
     }
     assert found == LARGE_FUNCTIONS
 

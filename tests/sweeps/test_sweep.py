@@ -129,7 +129,7 @@ def killed(store, workers=2, states=100, blow="KILL"):
         cwd=ROOT,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=600,
         env=os.environ | {"PYTHONPATH": str(ROOT)},
     )
     return ended.returncode, ended.stderr

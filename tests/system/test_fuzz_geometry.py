@@ -249,8 +249,9 @@ def check_scenes(scenes, count, number, first=0, loads=1):
     assert not lines, "\n".join(lines)
 
 
-def test_a_thousand_poses():
-    check_scenes(8, 125, 61, loads=4)
+@pytest.mark.parametrize("poses", [40, pytest.param(125, marks=pytest.mark.full)])
+def test_a_thousand_poses(poses):
+    check_scenes(8, poses, 61, loads=4)
 
 
 @pytest.mark.full

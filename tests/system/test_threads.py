@@ -69,7 +69,7 @@ def test_as_many_threads_as_cores_and_blocks(monkeypatch):
 
 def test_each_thread_has_a_stepper_of_its_own(monkeypatch):
     """Two blocks run at the same time, each in its own memory: the first waits for the second to begin."""
-    meeting, seen = threading.Barrier(2, timeout=60), {}
+    meeting, seen = threading.Barrier(2, timeout=600), {}
     plain = stepper.Stepper.step_many
 
     def step_many(self, *arguments):

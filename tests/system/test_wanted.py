@@ -183,16 +183,18 @@ def test_a_compliant_wheel_that_is_too_deep_counts_where_it_is_wanted():
 @pytest.mark.parametrize("normal, counter", [("analyn", "node"), ("analyn_strip", "strip")])
 def test_one_side_of_a_compliant_wheelset_costs_half(normal, counter):
     """What is not wanted is not computed: the counts of both sides add up, and geometry needs no normal
-    contact but the curvatures."""
+    contact but the curvatures. Only the rotation of a wheelset that rolls freely needs both wheels."""
 
-    def cost(*wanted):
+    def cost(*wanted, rate=20.0 / 0.46):
         stepper = system_of("compliant", normal).stepper(*wanted)
-        stepper.inputs[:] = ContactSystem(normal_model="hertz").evaluate(**pose_of("compliant")).inputs
+        pose = pose_of("compliant") | {"wheel_rate": rate}
+        stepper.inputs[:] = ContactSystem(normal_model="hertz").evaluate(**pose).inputs
         assert stepper.step() == Status.VALID
         return counts_of(stepper)[counter]
 
     left, right = cost("left"), cost("right")
     assert left + right == cost() and min(left, right) > 2.0 and cost("both", "geometry") <= 2.0
+    assert cost("left", rate=0.0) == cost("both", rate=0.0) == cost()
 
 
 # --- outputs by name --------------------------------------------------------------------------------------

@@ -329,7 +329,13 @@ def test_the_rail_moves_with_its_deflection():
     """Creepages and contact damping are those over a rigid rail with the rates of the deflection."""
     model = {"tangential_model": "polach", "contact_damping": 0.5}
     soft, rigid = one_wheel(**SPRINGS, **DAMPERS, **model), one_wheel(**model)
-    pose = {"lateral_shift": 2e-3, "vertical_shift_input": 1.4e-3, "speed": 20.0, "lateral_velocity": 0.02}
+    pose = {
+        "lateral_shift": 2e-3,
+        "vertical_shift_input": 1.4e-3,
+        "speed": 20.0,
+        "wheel_rate": 20.0 / 0.46,
+        "lateral_velocity": 0.02,
+    }
     before, step = np.array([1.1e-4, 1.18e-3]), 2e-3
     side = soft.evaluate(
         **pose,

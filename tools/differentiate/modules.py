@@ -42,6 +42,7 @@ class Kernel:
             for name in self.modules[home].functions
         }
         self.known_returns, self.wanted, self.known_writes, self.known_active = {}, set(), {}, {}
+        self.known_kinds = {}
 
     def home(self, module, name):
         """The module that defines the function ``name`` as ``module`` sees it; None
@@ -61,8 +62,11 @@ class Kernel:
         return self.modules[module].functions[name]
 
     def returns(self, module, name):
-        """Kinds, 'float', 'int' or 'bool', of what a function returns."""
+        """Kinds, 'float', 'int' or 'bool', of what a function returns; also 'rate', of a derivative."""
         key = module, name
+        written = self.node(*key).returns
+        if isinstance(written, ast.Constant):  # of a derivative
+            return tuple(written.value.split(", "))
         if key not in self.known_returns:
             self.known_returns[key] = ()
             scope = Scope(self, module, self.node(*key))

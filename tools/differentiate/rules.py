@@ -20,7 +20,15 @@ RULES = {
 #: A part of a rule, and the function whose rule it is a part of.
 PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
 #: The modules of the room kernel/derivative, which are differentiated and not translated themselves.
-RULE_MODULES = ("contact_rules", "elementary_rules", "intrinsics", "wheelset_rules")
+RULE_MODULES = (
+    "compliant_rules",
+    "contact_rules",
+    "elementary_rules",
+    "intrinsics",
+    "motion_rules",
+    "turning_rules",
+    "wheelset_rules",
+)
 ROOT = "differentiate"
 ACTIVE_ARRAYS = {"work", "place"}
 INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated", "nonzero", "common_rate"}
@@ -33,22 +41,22 @@ RATES = {"sqrt": "root_rate({f}, {d})", "fabs": "size_rate({v}, {d})"}
 HELPERS = '''"""How roots and sizes change, and what else is asked of rates."""
 
 
-def root_rate(root: float, rate: float) -> float:
+def root_rate(root: float, rate: 'rate') -> 'rate':
     """Rate of a square root whose argument changes by ``rate``; 0 where the root is 0."""
     return 0.5 * rate / root if root != 0.0 else 0.0
 
 
-def size_rate(value: float, rate: float) -> float:
+def size_rate(value: float, rate: 'rate') -> 'rate':
     """Rate of abs(value)."""
     return -rate if value < 0.0 else rate
 
 
-def nonzero(rate: float) -> bool:
+def nonzero(rate: 'rate') -> 'bool':
     """Whether anything moves at this ``rate``."""
     return rate != 0.0
 
 
-def common_rate(rate: float) -> float:
+def common_rate(rate: 'rate') -> 'float':
     """A ``rate`` that is the same along all directions."""
     return rate
 '''

@@ -3,12 +3,33 @@
 import ast
 from functools import cache
 
+#: Kinds by annotation; a rate is what the differentiated kernel has beside a float.
+KINDS = {
+    "float": "float",
+    "int": "int",
+    "bool": "bool",
+    "'float[:]'": "array",
+    "'rate'": "rate",
+    "'rate[:]'": "rates",
+}
+NUMBERS = {"pi", "inf", "nan"}  # of the module math
+
 
 @cache
 def parameters(node):
     """(name, kind) of the parameters of a function, as annotated."""
-    kinds = {"float": "float", "int": "int", "bool": "bool", "'float[:]'": "array"}
-    return [(argument.arg, kinds[ast.unparse(argument.annotation)]) for argument in node.args.args]
+    return [(argument.arg, KINDS[ast.unparse(argument.annotation)]) for argument in node.args.args]
+
+
+def assignments(node):
+    """The assignments and loops inside a statement, by their lines."""
+    found, waiting = [], [node]
+    while waiting:  # only statements hold statements: expressions are passed over
+        one = waiting.pop()
+        waiting += [*getattr(one, "body", ()), *getattr(one, "orelse", ())]
+        if isinstance(one, (ast.Assign, ast.For)):
+            found.append(one)
+    return sorted(found, key=lambda statement: statement.lineno)
 
 
 class Scope:
@@ -16,10 +37,16 @@ class Scope:
 
     def __init__(self, kernel, module, node):
         self.kernel, self.module, self.node = kernel, module, node
-        self.kinds = dict(parameters(node))
-        for statement in sorted(
-            (n for n in ast.walk(node) if isinstance(n, (ast.Assign, ast.For))), key=lambda n: n.lineno
-        ):
+        known = kernel.known_kinds.get(node)
+        self.kinds = dict(known or parameters(node))
+        if known is None:
+            self.note_kinds()
+            kernel.known_kinds[node] = dict(self.kinds)
+
+    def note_kinds(self):
+        """The kind of every name, which is that of the first value that it gets; one that ever gets a rate, or
+        that is called as one, is a rate."""
+        for statement in assignments(self.node):
             if isinstance(statement, ast.For):
                 self.kinds.setdefault(statement.target.id, "int")
                 continue
@@ -35,6 +62,23 @@ class Scope:
                 for element, kind in zip(target.elts, kinds):
                     if isinstance(element, ast.Name):
                         self.kinds.setdefault(element.id, kind)
+        if {"rate", "rates"} & set(self.kinds.values()):
+            self.note_rates()
+
+    def note_rates(self):
+        """The names that are rates, those included that begin with a number."""
+        for name, kind in self.kinds.items():
+            if name.endswith("_t") and name[:-2] in self.kinds and kind == "float":
+                self.kinds[name] = "rate"
+        assigned = [
+            (one.targets[0].id, one.value)
+            for one in assignments(self.node)
+            if isinstance(one, ast.Assign) and isinstance(one.targets[0], ast.Name)
+        ]
+        before = -1
+        while (count := list(self.kinds.values()).count("rate")) != before:
+            before = count
+            self.kinds |= {name: "rate" for name, value in assigned if self.kind(value) == "rate"}
 
     def call_kinds(self, call):
         """Kinds of what a call returns."""
@@ -49,14 +93,20 @@ class Scope:
         if isinstance(node, ast.Name):
             return self.kinds.get(node.id) or self.constant_kind(node.id)
         if isinstance(node, ast.Subscript):
-            return "float"
+            if isinstance(node.value, ast.Attribute):  # x.shape[0]
+                return "int"
+            return "rate" if self.kinds.get(node.value.id) == "rates" else "float"
         if isinstance(node, (ast.Compare, ast.BoolOp)):
             return "bool"
         if isinstance(node, ast.UnaryOp):
-            return self.kind(node.operand)
+            return "bool" if isinstance(node.op, ast.Not) else self.kind(node.operand)
         if isinstance(node, ast.BinOp):
-            floats = isinstance(node.op, ast.Div) or "float" in (self.kind(node.left), self.kind(node.right))
-            return "float" if floats else "int"
+            kinds = self.kind(node.left), self.kind(node.right)
+            if "rate" in kinds:
+                return "rate"
+            return "float" if isinstance(node.op, ast.Div) or "float" in kinds else "int"
+        if not isinstance(node, ast.Call):
+            return type(node).__name__  # nothing that the dialect has
         if node.func.id in ("int", "isfinite"):
             return "int" if node.func.id == "int" else "bool"
         if node.func.id in ("min", "max"):
@@ -71,7 +121,7 @@ class Scope:
 
     def constant_kind(self, name):
         """Kind of a module's constant."""
-        if name == "pi":
+        if name in NUMBERS:
             return "float"
         homes = [
             self.module,

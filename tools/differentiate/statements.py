@@ -16,12 +16,16 @@ class Differentiated(Expressions):
         for name, kind in parameters(self.node):
             annotation = "'float[:]'" if kind == "array" else kind
             names.append(f"{name}: {annotation}")
-            if kind == "float" or kind == "array" and name in ACTIVE_ARRAYS:
-                names.append(f"{name}_t: {annotation}")
+            if kind == "float":
+                names.append(f"{name}_t: 'rate'")
+            elif kind == "array" and name in ACTIVE_ARRAYS:
+                names.append(f"{name}_t: 'rate[:]'")
         self.block(
             [n for n in self.node.body if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))]
         )
-        head = f"def {self.node.name}_t({', '.join(names)}):"
+        kinds = self.kernel.returns(self.module, self.node.name)
+        results = ", ".join("float, rate" if kind == "float" else kind for kind in kinds)
+        head = f"def {self.node.name}_t({', '.join(names)}) -> '{results}':"
         text = "\n".join([head, f'    """Derivative of ``{self.node.name}``."""', *self.lines])
         return ast.unparse(ast.parse(text))  # in as few parentheses as the meaning needs
 

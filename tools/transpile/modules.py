@@ -1,5 +1,5 @@
-"""The kernel's modules as Pyccel translates them: in one folder, without records, and refused where
-they mean something else in C.
+"""The kernel's modules as they are translated: in one folder, without records, and refused where they would
+mean something else in C.
 """
 
 import ast
@@ -9,6 +9,7 @@ import runpy
 import sys
 import tempfile
 import types
+from functools import cache
 from pathlib import Path
 
 import lower_records
@@ -37,12 +38,26 @@ def source_modules(kernel=KERNEL):
         lowered = lower_records.lower(texts, import_kernel(kernel, "layout"))
     except lower_records.Refused as refusal:
         raise Refused(refusal) from None
-    return [Module(path, lowered[name]) for name, path in paths.items()]
+    return [known_module(path, path.read_bytes(), lowered[name]) for name, path in paths.items()]
 
 
-def read_modules(kernel):
-    """What Pyccel translates: the modules in the folder ``kernel``, and their derivatives."""
+@cache
+def known_module(path, written, text):
+    """A module; what has been read before is the same one."""
+    return Module(path, text)
+
+
+def read_modules(kernel, derivatives=True):
+    """What is translated: the modules in the folder ``kernel``, and their ``derivatives``."""
     sources = source_modules(kernel)
+    for module in sources:
+        module.refuse_silent_traps()
+    plain = [module for module in sources if module.name not in RULE_MODULES]
+    return [*plain, *rated_modules(sources)] if derivatives else plain
+
+
+def rated_modules(sources):
+    """The derivatives of the modules ``sources``."""
     with tempfile.TemporaryDirectory() as folder:
         for name, text in derivative_modules(sources).items():
             Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
@@ -51,10 +66,7 @@ def read_modules(kernel):
     for module in derivatives:
         room = rooms.get(module.name.removeprefix("derivative_"), "derivative")
         module.room = "derivative" if room == "derivative" else f"derivative_{room}"
-    modules = [*(module for module in sources if module.name not in RULE_MODULES), *derivatives]
-    for module in modules:
-        module.refuse_silent_traps()
-    return modules
+    return derivatives
 
 
 class Module:
@@ -72,10 +84,10 @@ class Module:
             if isinstance(node, ast.FunctionDef)
             for mark in node.decorator_list
         }
-        if self.name == "derivative_rates":  # native/lanes.h has them
-            self.marks = {node.name: "native" for node in written.body if isinstance(node, ast.FunctionDef)}
         if "native" in self.marks.values():
             self.text = native_text(written)
+        if self.name == "derivative_rates":  # native/lanes.h has them
+            self.marks = {node.name: "native" for node in written.body if isinstance(node, ast.FunctionDef)}
         self.tree = ast.parse(self.text, str(path))
         self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
         self.constants = [node.target.id for node in self.tree.body if isinstance(node, ast.AnnAssign)]
@@ -116,7 +128,7 @@ class Module:
                 )
         for node in ast.walk(self.tree):
             if isinstance(node, (ast.For, ast.While)) and node.orelse:
-                self.refuse(node, "Pyccel drops the else of a loop")
+                self.refuse(node, "a loop has no else")
             if isinstance(node, ast.For) and not ast.unparse(node.iter).startswith("range("):
                 self.refuse(node, "a for loop runs over a range")
             if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
@@ -158,33 +170,6 @@ class Module:
         if first is not None and isinstance(first.ctx, ast.Load):
             self.refuse(first, f"after its loop, {first.id} is one turn further in C than in Python")
 
-    def source(self):
-        """The module's text with a name for each range's end that C, which reads it anew in each
-        turn, might find changed."""
-        lines = self.text.splitlines()  # bytes, as ast counts columns
-        for function, loop in sorted(self.range_loops(), key=lambda pair: -pair[1].lineno):
-            end = loop.iter.args[1 if len(loop.iter.args) > 1 else 0]
-            names = {node.id for node in ast.walk(end) if isinstance(node, ast.Name)}
-            if not (
-                names & stored(loop.body) or any(isinstance(node, ast.Subscript) for node in ast.walk(end))
-            ):
-                continue
-            name = f"{loop.target.id}_end"
-            if end.end_lineno != loop.lineno or name in {
-                node.id for node in ast.walk(function) if isinstance(node, ast.Name)
-            }:
-                self.refuse(
-                    loop, f"the range should stand in one line, and the name {name} be free for its end"
-                )
-            line = lines[loop.lineno - 1]
-            expression = line[end.col_offset : end.end_col_offset]
-            head = line[: end.col_offset] + name.encode() + line[end.end_col_offset :]
-            lines[loop.lineno - 1 : loop.lineno] = [
-                b" " * loop.col_offset + name.encode() + b" = " + expression,
-                head,
-            ]
-        return b"\n".join(lines) + b"\n"
-
 
 def native_text(tree):
     """The text of a module of functions that C has by itself, as bytes: the same functions with nothing in
@@ -203,7 +188,7 @@ def native_text(tree):
 
 
 def flat_name(path):
-    """The name of a module among all others, which Pyccel and C see in one folder."""
+    """The name of a module among all others, as if they stood in one folder, which is the one that C has."""
     room = path.parent.name
     if "layout" in (room, path.name):  # whichever of its files: they are one module
         return "layout"

@@ -14,6 +14,7 @@ from ..conditioning.conformal import NEAR
 from ..conditioning.curves import merged_jumps
 from ..conditioning.report import differing_left
 from ..conditioning.text import check_text
+from ..profiles.remarks import Grave
 from ..progress import working
 from ..results.words import fixed
 from ..storage.atomic import write_atomically
@@ -108,6 +109,8 @@ def print_check(report):
         f"mm apart{differing_left(report.system)}; without yaw",
         soft_wrap=True,
     )
+    for remark in filter(lambda one: isinstance(one, Grave), report.remarks):
+        out.print(f" * {typed(remark)}", soft_wrap=True)
     out.print(_range_words(report), soft_wrap=True)
     mirrored = " (the left one's are the mirror image)" if report.system.equal_sides else ""
     parts = [
@@ -128,8 +131,10 @@ def print_check(report):
         out.print(f"\n{title}{'' if table.row_count else ': none'}", soft_wrap=True)
         if table.row_count:
             out.print(table)
-    out.print("\nRemarks" + ("" if report.remarks else ": none"), soft_wrap=True)
-    for remark in report.remarks:
+    others = [remark for remark in report.remarks if not isinstance(remark, Grave)]
+    more = "Other remarks" if len(others) < len(report.remarks) else "Remarks"
+    out.print(f"\n{more}{'' if others else ': none'}", soft_wrap=True)
+    for remark in others:
         out.print(f" * {typed(remark)}", soft_wrap=True)
 
 

@@ -89,7 +89,10 @@ def _file_option(kind, name):
     elif name == "select":
         reading = {"metavar": "NUMBER|NAME", "parser": lambda text: int(text) if text.isdecimal() else text}
     else:
-        reading = {"metavar": {"shift": "Y,Z"}.get(name, "NUMBER"), "parser": _parser(name)}
+        reading = {
+            "metavar": {"shift": "Y,Z", "y_range": "FROM,TO"}.get(name, "NUMBER"),
+            "parser": _parser(name),
+        }
     option = typer.Option(
         flags, help=words, show_default=False, hidden=True, rich_help_panel=FILES, **reading
     )

@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from ..conventions import SIDES
+from ..interface.inputs import INPUTS
 from ..interface.outputs import PATCH, SIDE
 from ..interface.rows import single_numbers
 from ..kernel import layout
@@ -36,7 +37,7 @@ PATCH_ROWS = [row for row in single_numbers(PATCH) if not row[0].startswith(("cr
 CREEPAGE_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith("creepage.")]
 CREEP_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith(OF_CREEP)]
 #: Places of the inputs without all of which nothing rolls.
-RATES = [layout.IN_SPEED, layout.IN_WHEEL_RATE, layout.IN_LEFT_WHEEL_RATE, layout.IN_RIGHT_WHEEL_RATE]
+RATES = [place for place, row in enumerate(INPUTS) if row.unit in ("m/s", "rad/s")]
 #: Columns for each wheel in a printed sweep: heading, name, unit, digits after the point; the others with
 #: creep forces: which share of the friction is used, and its power.
 SWEEP_COLUMNS = (

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.fixed_tables import CORRECTION_UNIT
+from ..kernel.binding.kalker_table import kalker_coefficients
 from ..kernel.binding.rolling_table import CORRECTION_NODES, assemble, stored, uncorrected
 from ..kernel.creep import cut, stiffness
 from ..kernel.prepare import tables as fixed
@@ -16,6 +17,8 @@ from .patch import elliptic_patch
 
 #: Where the exact forces are stored (tools/make_rolling_tables.py).
 EXACT = Path(__file__).parents[1] / "kernel" / "data"
+#: A saturation at which forces are those of linear theory, but for so much of them.
+SMALL = 1e-6
 #: The forces over mu N do not depend on these.
 SHEAR_MODULUS, MEAN_AXIS, FORCE, FRICTION = 80e9, 5e-3, 1e5, 0.3
 
@@ -92,6 +95,39 @@ def strip_coefficients(tables, work, ratio):
     )
 
 
+def correction_slopes(exact, apart, nu):
+    """What strips lack of linear theory per saturation (ratio, 5): force along x by s1, force across by s2 and
+    s3, moment by s2 and s3, over mu N and mu N sqrt(ab).
+
+    Kalker's coefficients tell the first four, C23 that of the moment by s2 too.  The moment by s3 is what
+    ``apart``, exact forces less those of strips at the nodes, goes to as the saturation falls: a straight line
+    through its first two nodes.
+    """
+    small = {name: exact[name] for name in ("ratio", "creep_coefficients")}
+    small |= {
+        "beta": np.array([0.0, 0.5 * np.pi]),
+        "alpha": np.array([0.0, 0.5 * np.pi]),
+        "rho": np.array([SMALL]),
+    }
+    small["forces"] = np.zeros((len(exact["ratio"]), 2, 2, 1, 4))
+    found = strip_forces(small, nu)[:, :, :, 0] / SMALL
+    wide = np.sqrt(1.0 + 0.66 * exact["ratio"] ** -2.7)
+    first_of, second_of, third_of = exact["creep_coefficients"].T  # that the saturations are meant with
+    first_true, second_true, third_true = kalker_coefficients(exact["ratio"], nu)
+    first, after = exact["rho"][:2]
+    turning = apart[:, 0, len(exact["alpha"]) // 2, :2, 2] / [first, after]
+    return np.stack(
+        [
+            first_true / first_of - found[:, 1, 0, 0],
+            second_true / second_of - found[:, 0, 0, 1],
+            third_true / third_of / wide - found[:, 0, 1, 1],
+            -third_true / second_of - found[:, 0, 0, 2],
+            turning @ [after / (after - first), -first / (after - first)],
+        ],
+        axis=-1,
+    )
+
+
 def corrections(folder=EXACT):
     """The arrays of kernel/data/rolling_correction.npz by name, from exact forces in ``folder``."""
     all_exact = [exact_forces(nu, folder) for nu in CORRECTION_NODES]
@@ -99,8 +135,12 @@ def corrections(folder=EXACT):
     numbers = np.rint(np.array(apart) / CORRECTION_UNIT)
     if np.abs(numbers).max() > np.iinfo(np.int16).max:
         raise ValueError(f"a correction is {np.abs(numbers).max() * CORRECTION_UNIT:.3g}, too large to store")
+    slopes = [
+        correction_slopes(exact, found, nu) for nu, exact, found in zip(CORRECTION_NODES, all_exact, apart)
+    ]
     return {
         "correction": numbers.astype(np.int16),
+        "slopes": np.array(slopes),
         "nu": np.array(CORRECTION_NODES),
         "creep_coefficients": np.array([exact["creep_coefficients"] for exact in all_exact]),
         "ratio": all_exact[0]["ratio"],

@@ -94,13 +94,13 @@ def slug(name):
     return re.sub(r"[^\w.+-]", "_", name).lower()
 
 
-def read(source, kind, smoothing):
-    """The profile of a source, or a sentence on why there is none; what a reader repairs stands in the
-    profile."""
+def read(source, kind, smoothing, track):
+    """The profile of a source for a ``track`` with this inclination [1], or a sentence on why there is none;
+    what a reader repairs stands in the profile."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
-            return find_profile(source, kind, smoothing)
+            return find_profile(source, kind, smoothing, track=track)
         except ValueError as wrong:
             return str(wrong)
         except OSError as wrong:

@@ -106,6 +106,13 @@ def summary(fleet):
             f"Equivalent conicity at 3 mm: {level[0]:.3f} to {level[-1]:.3f}, median "
             f"{level[len(level) // 2]:.3f}."
         )
+    for name, text in (
+        ("grave_remarks", "with a remark on what makes all results wrong if it is so"),
+        ("rail_file_inclination", "with a rail that its file has inclined, turned upright"),
+    ):
+        count = sum(bool(row[name]) for row in pairs)
+        if count:
+            words.append(f"{_counted(count, 'pair')} {text}.")
     if fleet.broken:
         words.append(f"{_counted(len(fleet.broken), 'row')} with an error:")
     return " ".join(words)
@@ -155,14 +162,13 @@ def _remarks(row):
             '<td class="text" data-v="999"><details><summary>error</summary>'
             f"{escape(row['error'])}</details></td>"
         )
-    count = len(row["remarks"])
+    count, grave = len(row["remarks"]), int(row["grave_remarks"] or 0)
     if not count:
         return '<td class="text" data-v="0">none</td>'
-    words = "".join(f"<li>{escape(remark)}</li>" for remark in row["remarks"])
-    return (
-        f'<td class="text" data-v="{count}"><details><summary>{count}</summary><ul>{words}</ul></details>'
-        "</td>"
-    )
+    seen = "".join(f"<p><b>{escape(remark)}</b></p>" for remark in row["remarks"][:grave])
+    words = "".join(f"<li>{escape(remark)}</li>" for remark in row["remarks"][grave:])
+    folded = f"<details><summary>{count - grave}</summary><ul>{words}</ul></details>" if words else ""
+    return f'<td class="text" data-v="{count}">{seen}{folded}</td>'
 
 
 def _number(value, factor, digits):

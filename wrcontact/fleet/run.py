@@ -63,13 +63,14 @@ def check_fleet(
         check_count("processes", processes)
     for name in {"wheel", "rail", "left_wheel", "left_rail"} & parameters.keys():
         raise ValueError(f"{name} is {parameters[name]!r}; permitted are wheels and rails, for both sides")
-    ContactSystem(**parameters)  # a wrong one is told before files are read
+    track = ContactSystem(**parameters)  # a wrong one is told before files are read
+    track = track.parameters["rail_inclination"]
     sources = {kind: named_sources(given, kind) for kind, given in zip(KINDS, (wheels, rails))}
     folder = None if output is None else Folder(output)
     settings = parameters, folder is not None, pictures if folder else "none"
     with workers(processes, scheduler, len(sources["wheel"]) * len(sources["rail"])) as pool:
         # the files need be on this machine only
-        profiles, broken = _profiles(pool if scheduler is None else (Here(), 1), sources, smoothing)
+        profiles, broken = _profiles(pool if scheduler is None else (Here(), 1), sources, smoothing, track)
         pairs = {
             (wheel, rail): mark(__version__, profiles["wheel"][wheel], profiles["rail"][rail], parameters)
             for wheel in profiles["wheel"]
@@ -87,10 +88,12 @@ def check_fleet(
     return replace(fleet, report=folder.finish(pairs.values(), fleet)) if folder else fleet
 
 
-def _profiles(pool, sources, smoothing):
+def _profiles(pool, sources, smoothing, track):
     """{name: profile} by kind, and a row for each file that cannot be used."""
     tasks = {
-        (kind, name): (source, kind, smoothing) for kind in KINDS for name, source in sources[kind].items()
+        (kind, name): (source, kind, smoothing, track)
+        for kind in KINDS
+        for name, source in sources[kind].items()
     }
     with working("reading profiles", len(tasks)) as advance:
         found = {}

@@ -11,6 +11,7 @@ from ..conditioning.conicity import AMPLITUDES
 from ..conditioning.curves import merged_jumps
 from ..conditioning.remarks import RUNNING
 from ..conventions import SIDES
+from ..profiles.remarks import Grave
 from ..results.convert import needed
 from ..results.words import plain
 
@@ -39,6 +40,8 @@ NUMBERS = {
     "rail_noise": ("m", "noise of the points of the rail"),
     "wheel_roughness": ("1/m", "roughness of the wheel's curvature in contact"),
     "rail_roughness": ("1/m", "roughness of the rail's curvature in contact"),
+    "rail_file_inclination": ("1", "inclination from which the rail in the file was turned upright"),
+    "grave_remarks": ("1", "remarks, the first ones, on what makes all results wrong if it is so"),
 }
 
 
@@ -70,6 +73,9 @@ def numbers_of(report):
         quality = getattr(report, kind)
         found[f"{kind}_noise"] = quality.reading.noise if quality.reading else math.nan
         found[f"{kind}_roughness"] = quality.roughness
+    read = report.rail.reading
+    found["rail_file_inclination"] = read.inclination if read else 0.0
+    found["grave_remarks"] = sum(isinstance(remark, Grave) for remark in report.remarks)
     return plain({name: found[name] for name in NUMBERS})
 
 

@@ -45,6 +45,8 @@ limit. The step itself still succeeds, and the next valid input gives a valid re
 <tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
 <tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1, or friction outside 0 &hellip; 2</td>
 <td>last valid values</td></tr>
+<tr><td>5</td><td>beyond adhesion: friction does not carry the <code>axle_torque</code> of wheels whose rotation follows from it</td>
+<td>last valid values</td></tr>
 </table>
 """
 
@@ -66,13 +68,13 @@ the pressures alone.</p>
 <p><code>creepage.x</code>, <code>creepage.y</code> and <code>creepage.spin</code> of a patch are the velocity of the wheel
 against the rail forward and to the left in the plane of the patch, and its rotation about the normal from the rail to the
 wheel, over the mean of the speed and the speed of the wheel's circumference. Velocities are inputs; in rigid and elastic
-contact the vertical velocity and the roll rate follow from contact with both rails. Without <code>speed</code> and
-<code>wheel_rate</code> there are no creepages.</p>
+contact the vertical velocity and the roll rate follow from contact with both rails. Without any velocity there are no
+creepages.</p>
 
 <h2>Creep forces</h2>
 <p><code>tangential_model</code> decides how creep forces follow from a solved patch, its creepages and the coefficient of
 friction of its side, <code>left.friction</code> or <code>right.friction</code>: {models}.
-Without <code>speed</code> and <code>wheel_rate</code> nothing rolls, and there are no creep forces.</p>
+Without any velocity nothing rolls or slides, and there are no creep forces.</p>
 <p><code>tangential.x</code> is the force on the wheel forward, <code>tangential.y</code> that in the plane of the patch to the
 field side, on both sides; <code>tangential.moment</code> is the moment on the wheel about the normal from the rail to the
 wheel, on both sides. The force is opposite to the creepages: a driven wheel has creepage.x &lt; 0 and tangential.x &gt; 0.
@@ -81,11 +83,13 @@ from the motion, &minus;V<sub>ref</sub> (&xi; F<sub>x</sub> + &eta; F<sub>y</sub
 directions; <code>wear_number</code> is T&gamma; without spin. If <code>fatigue_outputs</code> is true, each patch also has its
 T&gamma;, the damage of a passage that follows from it, and its place in the shakedown map for the yield stress
 <code>yield_shear</code>. <code>driving_torque</code> is the torque of the creep forces about
-the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. <code>shear</code> times
+the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. With a <code>wheel_rate</code> of 0 and
+<code>free_rolling</code> the rotation is the one at which it cancels <code>axle_torque</code>, and
+<code>wheel_rate_found</code> of a wheel tells it. <code>shear</code> times
 <code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
 vertical load.</p>
 <p><code>flange_friction_ratio</code> lubricates the flange; <code>friction_fall</code> A and <code>friction_fall_rate</code> B let
-friction fall with the sliding velocity w,</p>
+friction fall with the sliding velocity w of each point,</p>
 <p class="equation">&mu; ((1 &minus; A) exp(&minus;B w) + A);</p>
 <p><code>slope_reduction</code> and its floor and rate are those of wet and dirty rails (Spiryagin, Polach and Cole 2013).</p>
 

@@ -22,7 +22,7 @@ from .pressed_wheel import PressedWheel
 from .rolling.contact import rolling_contact
 from .rolling.extrapolation import COARSE_CELLS, extrapolated
 from .rolling.pressure import PressureField
-from .rolling_step import roll_patch_forwards, roll_strips
+from .rolling_step import friction_of, roll_patch_forwards, roll_strips
 
 #: A patch with fewer cells than this in either direction rolls as an outline of strips instead: the edge
 #: within its cells is not known well.
@@ -215,8 +215,8 @@ def roll_fields(patch, fields, slips, **material):
             creepage_x=along + spin * field.y,
             creepage_y=across,
             spin=spin,
-            friction=patch.friction,
             start=solution,
+            **friction_of(patch),
             **material,
         )
         found.append(solution)

@@ -7,14 +7,13 @@ import numpy as np
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
 from ..kernel.creep.creep_force import mirror_rolling
-from ..kernel.creep.creepage import STANDSTILL
 from ..kernel.creep.cut import clear_creep
 from ..kernel.creep.tractions import add_strip
 from ..kernel.wheelset.forces import sum_forces
 from ..kernel.wheelset.report import report
 from ..kernel.wheelset.requested import has_creep_forces
-from ..kernel.wheelset.rubbing import close_rolling, open_rolling, write_wear
 from ..status import Status
+from .free_rolling import BeyondAdhesion, rub_wheels
 from .rolling.extrapolation import roll_outline
 from .rolling.pressure import Outline
 
@@ -75,35 +74,20 @@ class RollingSolver(Solver):
             work = layout.Work.at(self._workspace)
             try:
                 if not known and has_creep_forces(self._tables, work):
-                    rub_patches(self._tables, work, lambda index, patch: roll_strips(patch, **self._material))
+                    rub_wheels(self._tables, work, lambda index, patch: roll_strips(patch, **self._material))
                     report_forces(self._tables, work)
-            except ArithmeticError:
+            except ArithmeticError as error:
                 work.known = False
                 self._outputs[:], self._answer = before, None
-                return int(Status.NOT_CONVERGED)
+                return status_of(error)
             self._keep_answer()
         return status
 
 
-def rub_patches(tables, work, find):
-    """Creep forces of all patches in the workspace, as
-    :func:`~wrcontact.kernel.wheelset.rubbing.rub_patches` finds them.
-
-    Parameters
-    ----------
-    tables : record Tables.
-    work : record Work.
-    find : called with a side's index and a record Patch, into which it writes what it finds.
-    """
-    for index, side in enumerate(work.sides):
-        friction = work.inputs.right_friction if index else work.inputs.left_friction
-        for patch in side.patches[: side.patch_count]:
-            if patch.speed > STANDSTILL:
-                factor = open_rolling(tables, work.rolling, patch, friction)
-                find(index, patch)
-                close_rolling(patch, factor)
-        if tables.depth == layout.DEPTH_ALL:
-            write_wear(side, tables.stations)
+def status_of(error):
+    """The status of a step that has ended with this ArithmeticError."""
+    beyond = isinstance(error, BeyondAdhesion)
+    return int(Status.BEYOND_ADHESION if beyond else Status.NOT_CONVERGED)
 
 
 def report_forces(tables, work):
@@ -118,9 +102,16 @@ def roll_strips(patch, **material):
 
     def solved():
         outline, creepages = outline_of_strips(patch)
-        return roll_outline(outline, **creepages, friction=patch.friction, **material)
+        return roll_outline(outline, **creepages, **friction_of(patch), **material)
 
     roll_patch_forwards(patch, solved)
+
+
+def friction_of(patch):
+    """Friction of a ``patch`` and how it falls, as keywords of
+    :func:`~wrcontact.halfspace.rolling.contact.rolling_contact`."""
+    fall = (patch.fall_floor, patch.fall_rate) if patch.fall_rate > 0.0 else None
+    return {"friction": patch.friction, "fall": fall}
 
 
 def roll_patch_forwards(patch, solved):
@@ -136,6 +127,8 @@ def roll_patch_forwards(patch, solved):
     share_rows(patch, found)
     patch.creep_x, patch.creep_y, patch.creep_moment = found.force_x, found.force_y, found.moment
     patch.stick_share, patch.max_shear = found.stick_share, found.max_shear
+    if patch.fall_rate > 0.0:
+        patch.friction = found.mean_friction
     if patch.backwards:
         mirror_rolling(patch)
 

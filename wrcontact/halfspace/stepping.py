@@ -22,10 +22,11 @@ from ..progress import tracked
 from ..status import Status
 from ..stepper import Stepper
 from .contact import TOLERANCE
+from .free_rolling import rub_wheels
 from .outputs import fill_side
 from .pressed_rolling import CompleteRolling, KernelRolling, SolvedSide, cut_patches, place_wear
 from .pressed_wheel import Settings, find_equilibrium, press, stand_of
-from .rolling_step import Solver, report_forces, rub_patches
+from .rolling_step import Solver, report_forces, status_of
 from .wheel_on_rail import wheel_on_rail
 
 #: How far above its rail an unloaded wheel of an elastic wheelset is counted [m].
@@ -82,8 +83,8 @@ class HalfspaceSolver(Solver):
             return status
         try:
             status = self._solve(status)
-        except ArithmeticError:
-            return int(Status.NOT_CONVERGED)
+        except ArithmeticError as error:
+            return status_of(error)
         if status <= Status.UNLOADED:
             self._keep_answer()
             self._status = status
@@ -110,7 +111,7 @@ class HalfspaceSolver(Solver):
         move_wheelset(tables, work)
         move_patches(tables, work)
         if has_creep_forces(tables, work):
-            rub_patches(tables, work, partial(self._rub, solved))
+            rub_wheels(tables, work, partial(self._rub, solved))
         report_forces(tables, work)
         return status
 

@@ -8,6 +8,8 @@ RAIL_LIMIT, RAIL_ROLL_LIMIT = 0.05, 0.05
 #: Permitted size of the speed [m/s], other velocities [m/s], rotations [rad/s], the wheels' rotation [rad/s]
 #: and the curvature of the track [1/m]; beyond them a value has lost its unit.
 SPEED_LIMIT, VELOCITY_LIMIT, RATE_LIMIT, WHEEL_LIMIT, CURVATURE_LIMIT = 200.0, 20.0, 100.0, 2000.0, 0.1
+#: Permitted size of the torque on an axle [N m].
+TORQUE_LIMIT = 1e7
 #: Longest time of a step of rails on springs [s].
 TIME_LIMIT = 1e6
 #: Where the contact determines it, an input of this kind is not read.
@@ -58,7 +60,7 @@ MOTION = (
         "speed",
         "m/s",
         10.0,
-        "Speed along the track; creepages need speed or wheel_rate",
+        "Speed along the track; creepages need a velocity, such as this",
         -SPEED_LIMIT,
         SPEED_LIMIT,
         limited=True,
@@ -104,7 +106,8 @@ MOTION = (
         "rad/s",
         20.0,
         "Rotation of the wheelset about its axle, positive when it rolls "
-        "forward; 0 with free_rolling means speed / nominal_radius",
+        "forward; 0 with free_rolling: the one at which axle_torque and driving_torque cancel each other, or "
+        "speed / nominal_radius without a tangential_model",
         -WHEEL_LIMIT,
         WHEEL_LIMIT,
         limited=True,
@@ -113,7 +116,8 @@ MOTION = (
         "free_rolling",
         "1",
         1.0,
-        "Whether a wheel_rate of 0 means speed / nominal_radius; otherwise it means wheels that do not turn",
+        "Whether a wheel_rate of 0 means wheels that turn freely or under axle_torque; otherwise it means "
+        "wheels that do not turn",
         0.0,
         1.0,
         start=1.0,
@@ -156,8 +160,8 @@ RATES = tuple(
         "rad/s",
         20.0,
         "rotation about the axle, positive when it rolls forward, "
-        "read instead of wheel_rate if independent_wheels is true; 0 with free_rolling means speed / its "
-        "nominal_radius",
+        "read instead of wheel_rate if independent_wheels is true; 0 with free_rolling: the one at which "
+        "its axle_torque and driving_torque cancel each other",
         -WHEEL_LIMIT,
         WHEEL_LIMIT,
         field=f"{side}_wheel_rate",
@@ -165,6 +169,35 @@ RATES = tuple(
         limited=True,
     )
     for side in ("left", "right")
+)
+
+#: Read where the rotation of the wheels follows from it.
+TORQUES = (
+    Input(
+        "axle_torque",
+        "N.m",
+        1e3,
+        "Torque of motor or brake on the wheelset about its axle, positive where it drives forward; read "
+        "where wheel_rate is 0 with free_rolling",
+        -TORQUE_LIMIT,
+        TORQUE_LIMIT,
+        limited=True,
+    ),
+    *(
+        Input(
+            f"{side}.axle_torque",
+            "N.m",
+            1e3,
+            "torque of motor or brake on it, positive where it drives forward; read instead of axle_torque "
+            "if independent_wheels is true",
+            -TORQUE_LIMIT,
+            TORQUE_LIMIT,
+            field=f"{side}_axle_torque",
+            place=f"{side.capitalize()} wheel",
+            limited=True,
+        )
+        for side in ("left", "right")
+    ),
 )
 
 #: Read where rails stand on springs.
@@ -271,6 +304,7 @@ INPUTS = (
     *RATES,
     TIME_STEP,
     *DEFLECTIONS,
+    *TORQUES,
 )
 
 INPUT_NAMES = tuple(row.name for row in INPUTS)

@@ -17,7 +17,7 @@ WITHOUT = {
     "independent_wheels": "it turns by its own wheel_rate",
 }
 #: Inputs that one wheel has under the name of a wheelset's.
-SHARED = ("wheel_rate",)
+SHARED = ("wheel_rate", "axle_torque")
 #: The only contact mode of one wheel.
 MODE = "compliant"
 

@@ -253,6 +253,12 @@ SIDE = (
         1e-3,
         "displacement of the rail from the foot of its springs, down; zero where it is rigid",
     ),
+    Output(
+        "wheel_rate_found",
+        "rad/s",
+        20.0,
+        "rotation about the axle that creepages hold for: the one that is given, or that follows",
+    ),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run(
         "station",

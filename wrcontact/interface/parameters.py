@@ -130,6 +130,15 @@ OTHERS = {
         "Whether each wheel turns by itself, with left.wheel_rate and right.wheel_rate instead of wheel_rate",
         switch=True,
     ),
+    "nominal_rolling": Number(
+        False,
+        0,
+        1,
+        "1",
+        "Whether a wheel_rate of 0 with free_rolling means speed / nominal_radius, a rotation that brakes or "
+        "drives, instead of the one without torque",
+        switch=True,
+    ),
     "wear_outputs": Number(
         False,
         0,

@@ -2,8 +2,7 @@
 
 ``value_references.csv`` holds the number of every variable that there ever was.  It is only appended to: a
 new variable gets the next number, wherever its row stands, and the number of a variable that is gone is never
-used again.  So nobody's connections move.  tests/interface/test_references.py prints the lines that are
-missing.
+used again.  So nobody's connections move.  ``make pages`` appends the lines that are missing.
 """
 
 import csv

@@ -19,25 +19,30 @@ class Unit:
     display_factor: float = 1.0
 
 
-UNITS = {
-    unit.name: unit
-    for unit in (
-        Unit("m", {"m": 1}, "Length", "mm", 1e3),
-        Unit("rad", {"rad": 1}, "Angle", "deg", 180.0 / math.pi),
-        Unit("N", {"kg": 1, "m": 1, "s": -2}, "Force", "kN", 1e-3),
-        Unit("N/m", {"kg": 1, "s": -2}),
-        Unit("N.m", {"kg": 1, "m": 2, "s": -2}, "Moment", "kN.m", 1e-3),
-        Unit("W", {"kg": 1, "m": 2, "s": -3}, "Power", "kW", 1e-3),
-        Unit("W/m", {"kg": 1, "m": 1, "s": -3}),
-        Unit("Pa", {"kg": 1, "m": -1, "s": -2}, "Pressure", "MPa", 1e-6),
-        Unit("m2", {"m": 2}, "Area", "mm2", 1e6),
-        Unit("1/m", {"m": -1}, "Curvature"),
-        Unit("s", {"s": 1}, "Time"),
-        Unit("N/m", {"kg": 1, "s": -2}, "TranslationalSpringConstant"),
-        Unit("N.s/m", {"kg": 1, "s": -1}, "TranslationalDampingConstant"),
-        Unit("m/s", {"m": 1, "s": -1}, "Velocity"),
-        Unit("s/m", {"m": -1, "s": 1}),
-        Unit("rad/s", {"s": -1, "rad": 1}, "AngularVelocity"),
-        Unit("1", {}),
-    )
-}
+def by_name(*units):
+    """The units by their names; ValueError for a name that two units have."""
+    found = {unit.name: unit for unit in units}
+    if len(found) < len(units):
+        names = [unit.name for unit in units]
+        raise ValueError(f"unit {max(names, key=names.count)!r} is declared twice")
+    return found
+
+
+UNITS = by_name(
+    Unit("m", {"m": 1}, "Length", "mm", 1e3),
+    Unit("rad", {"rad": 1}, "Angle", "deg", 180.0 / math.pi),
+    Unit("N", {"kg": 1, "m": 1, "s": -2}, "Force", "kN", 1e-3),
+    Unit("N/m", {"kg": 1, "s": -2}, "TranslationalSpringConstant"),
+    Unit("N.m", {"kg": 1, "m": 2, "s": -2}, "Moment", "kN.m", 1e-3),
+    Unit("W", {"kg": 1, "m": 2, "s": -3}, "Power", "kW", 1e-3),
+    Unit("W/m", {"kg": 1, "m": 1, "s": -3}),
+    Unit("Pa", {"kg": 1, "m": -1, "s": -2}, "Pressure", "MPa", 1e-6),
+    Unit("m2", {"m": 2}, "Area", "mm2", 1e6),
+    Unit("1/m", {"m": -1}, "Curvature"),
+    Unit("s", {"s": 1}, "Time"),
+    Unit("N.s/m", {"kg": 1, "s": -1}, "TranslationalDampingConstant"),
+    Unit("m/s", {"m": 1, "s": -1}, "Velocity"),
+    Unit("s/m", {"m": -1, "s": 1}),
+    Unit("rad/s", {"s": -1, "rad": 1}, "AngularVelocity"),
+    Unit("1", {}),
+)

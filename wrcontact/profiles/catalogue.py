@@ -12,8 +12,9 @@ import math
 import os
 from functools import cache
 
+from ..interface.parameters import on_the_left
 from ..methods.words import did_you_mean
-from .files import of_kind, smoothing_in_mm
+from .files import of_kind, read_profile, smoothing_in_mm
 from .options import ProfileFile
 from .profile import Profile
 from .zones import Arc, Polynomial, mirror_zone
@@ -130,23 +131,24 @@ def standard_name(name):
     return next((known for known in BUILDERS if known.lower() == name.lower()), None)
 
 
-def find_profile(source, kind, smoothing=None, argument=None):
+def find_profile(source, kind, smoothing=None, argument=None, track=None):
     """The profile for ``source``: a :class:`Profile`, a standard name, the path of a file, or a
     :class:`ProfileFile`.
 
     ``kind`` is "wheel" or "rail"; ``smoothing`` [m] is that of :meth:`Profile.from_file`; ``argument`` is
-    what the user calls the profile, by default its kind.  The case of a name has no effect, unless a file has
+    what the user calls the profile, by default its kind; ``track`` is the inclination of its rails [1], None
+    where it is not known.  The case of a name has no effect, unless a file has
     this very name.  ValueError, in one sentence, if ``source`` is none of these.
     """
     smoothing_in_mm(smoothing)
     if isinstance(source, Profile):
         return of_kind(source, kind)
     if isinstance(source, ProfileFile) and os.path.isfile(source.path):
-        return Profile.from_file(source.path, kind, smoothing, **source.reading)
+        return read_profile(source, kind, smoothing, Profile, track)
     if isinstance(source, str) and source in NAMES[kind]:
         return standard_profile(source)
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
-        return Profile.from_file(source, kind, smoothing)
+        return read_profile(ProfileFile(source), kind, smoothing, Profile, track)
     missing = ", and there is no such file" if _looks_like_a_path(source) else ""
     return named_profile(
         source, kind, argument or kind, ", the path of a profile file, or a Profile", missing
@@ -156,12 +158,13 @@ def find_profile(source, kind, smoothing=None, argument=None):
 def find_profiles(parameters):
     """Wheel and rail of the right side, wheel and rail of the left side, by the keywords of a
     system."""
-    smoothing = parameters["smoothing"]
-    right = [find_profile(parameters[kind], kind, smoothing) for kind in ("wheel", "rail")]
+    smoothing, track = parameters["smoothing"], parameters["rail_inclination"]
+    left_track = on_the_left(parameters)["rail_inclination"]
+    right = [find_profile(parameters[kind], kind, smoothing, track=track) for kind in ("wheel", "rail")]
     left = [
         profile
         if parameters[f"left_{kind}"] is None
-        else find_profile(parameters[f"left_{kind}"], kind, smoothing, f"left_{kind}")
+        else find_profile(parameters[f"left_{kind}"], kind, smoothing, f"left_{kind}", left_track)
         for kind, profile in zip(("wheel", "rail"), right)
     ]
     return *right, *left

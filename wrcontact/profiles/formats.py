@@ -67,7 +67,8 @@ class Points:
     (n,).
 
     ``lines`` (n,) are their line numbers.  ``free`` is True for a format that does not define the position of
-    the running circle and the direction of the axes; finding these is then not reported as a repair.
+    the running circle and the direction of the axes; finding these is then not reported as a repair.  ``defined``
+    is True for a format that defines where z points, so that a rail is not turned over by its shape.
     """
 
     y: np.ndarray
@@ -75,6 +76,7 @@ class Points:
     weight: np.ndarray
     lines: np.ndarray
     free: bool = False
+    defined: bool = False
     remarks: list = field(default_factory=list)
 
 
@@ -88,7 +90,8 @@ def plain_points(text):
     it cannot be a separator.  The first two columns are y and z, unless a header line names columns y and z.
     Comments start with #, !, % or //.  Lines with another number of fields than most lines are headers.
     """
-    rows = [(number, fields) for number, fields in fields_of(text) if len(fields) >= 2]
+    lines = list(fields_of(text))
+    rows = [(number, fields) for number, fields in lines if len(fields) >= 2]
     if 2 * len(AMBIGUOUS.findall(text)) > len(rows) > 0:
         raise Refusal(
             "has commas that may be decimal signs or separators; permitted are points as decimal "
@@ -113,7 +116,9 @@ def plain_points(text):
         raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
     points = points_of(values)
     used = set(points.lines.tolist())
-    odd = [number for number, _ in rows if points.lines[0] < number < points.lines[-1] and number not in used]
+    odd = [
+        number for number, _ in lines if points.lines[0] < number < points.lines[-1] and number not in used
+    ]
     if odd:
         points.remarks.append(left_out("line", odd, "without two numbers"))
     return points
@@ -217,6 +222,7 @@ def simpack_points(text, kind):
             "with y and z there"
         )
     points = points_of(rows)
+    points.defined = True
     if bad:
         points.remarks.append(left_out("line", bad, "without two numbers"))
     asked = {"0": "rail", "1": "wheel"}.get(keys.get("header:type", "").strip())

@@ -18,6 +18,7 @@ WORDS = {
     "file_inclination": "Inclination that the rail in the file already has, as a ratio, 1:40, or a slope, "
     "0.025; it is turned upright before --rail-inclination applies; 0 is upright",
     "select": "Which profile of a file with several: its number, from 1, or its name",
+    "y_range": "Use only the points between two values of y in the file, such as -70,5, in mm",
 }
 #: Options on the command line: the end of each name.
 ENDINGS = {
@@ -27,12 +28,14 @@ ENDINGS = {
     "shift": "shift-mm",
     "file_inclination": "file-inclination",
     "select": "select",
+    "y_range": "y-range-mm",
 }
 ROTATE = Number(0.0, -math.pi, math.pi, "rad", "Rotation of the points about x, from y to z")
 SHIFT = Number(0.0, -1.0, 1.0, "m", "Shift of the points")
 FORMS = {
     "rotate": "a number",
     "shift": "two numbers Y,Z",
+    "y_range": "two rising numbers FROM,TO",
     "file_inclination": "a ratio 1:40 or a slope 0.025",
 }
 INCLINATION = Number(
@@ -44,8 +47,8 @@ INCLINATION = Number(
 class ProfileFile:
     """A file of points together with what it does not say itself; permitted wherever a path is.
 
-    The operations are those of Simpack's processing data, in its order: shift, rotate, mirror.  They follow
-    those that a Simpack file itself asks for.
+    The operations are those of Simpack's processing data, in its order: bound, shift, rotate, mirror.  They
+    follow those that a Simpack file itself asks for.
 
     Parameters
     ----------
@@ -59,6 +62,8 @@ class ProfileFile:
         as 1/40; it is turned upright, since ``rail_inclination`` inclines it on the track.  0 says that it is
         upright.  None is unknown: it is read as upright, with a remark if its head does not look upright.
     select : which profile of a file with several: its number, from 1, or its name.
+    y_range : (from, to), the y of the points in the file that are used, before all else [m]: one profile out
+        of two that a file has side by side.  None uses all.
 
     Raises
     ------
@@ -73,6 +78,7 @@ class ProfileFile:
     shift: tuple[float, float] = (0.0, 0.0)
     file_inclination: float | None = None
     select: int | str | None = None
+    y_range: tuple[float, float] | None = None
 
     def __post_init__(self):
         for name in ("mirror_y", "mirror_z"):
@@ -88,6 +94,8 @@ class ProfileFile:
             "shift",
             tuple(SHIFT.checked(f"shift in {axis}", part) for axis, part in zip("yz", self.shift)),
         )
+        if self.y_range is not None:
+            keep(self, "y_range", _checked_range(self.y_range))
         number = isinstance(self.select, Integral) and not isinstance(self.select, bool)
         if not (
             self.select is None
@@ -113,9 +121,23 @@ class ProfileFile:
         return tuple(part / MM for part in self.shift)
 
     @property
+    def y_range_mm(self):
+        """The range of y (2,) [mm]."""
+        return tuple(part / MM for part in self.y_range)
+
+    @property
     def given(self):
         """Names of the options that differ from their defaults."""
         return [field.name for field in fields(self)[1:] if getattr(self, field.name) != field.default]
+
+
+def _checked_range(given):
+    """``given`` as two rising numbers [m]."""
+    if isinstance(given, (tuple, list)) and len(given) == 2:
+        low, high = (SHIFT.checked("y_range", part) for part in given)
+        if low < high:
+            return low, high
+    raise ValueError(f"y_range is {given!r}; permitted are two rising numbers (from, to) in m")
 
 
 def parsed(name, text):
@@ -131,9 +153,9 @@ def parsed(name, text):
             value, limit, unit = float(text), math.degrees(ROTATE.high), "deg"
             if abs(value) <= limit:
                 return math.radians(value)
-        elif name == "shift":
+        elif name in ("shift", "y_range"):
             values, limit, unit = [float(part) for part in text.split(",")], SHIFT.high / MM, "mm"
-            if len(values) != 2:
+            if len(values) != 2 or name == "y_range" and not values[0] < values[1]:
                 raise ValueError
             if all(abs(value) <= limit for value in values):
                 return tuple(value * MM for value in values)

@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .flaws import LONGEST_RUN
-from .remarks import Grave
+from .options import INCLINATION
+from .remarks import Grave, Refusal
 
 #: Depths below the highest point at which the middle of the head is taken [mm]; the last three quarters of
 #: LEAST_DEPTH must exist.
@@ -29,6 +30,8 @@ CROWN = (1.0, 18.0)
 SYMMETRIC = 0.15
 #: Smaller inclinations count as upright.
 INCLINED = 1 / 150
+#: A head leans as its track within this: 50 um of noise gives 0.002, and tracks are laid to 0.003.
+LEANING = 0.003
 #: The highest point tells the gauge side where it is farther from the middle [mm].
 ASIDE = 2.0
 #: The corners tell it where their widths between the depths CORNER differ by more than ROUNDER [mm].
@@ -194,44 +197,61 @@ def _gauge_side(head):
 # --- inclination ----------------------------------------------------------------------------------
 
 
-def turned_upright(found, file, remarks):
-    """The points without the inclination that ``file`` states; if it states none, ``remarks`` says what the
-    shape tells of it."""
+def turned_upright(found, file, track, remarks):
+    """The points without the inclination that they have, and this inclination as a slope.
+
+    It is what ``file`` (:class:`~wrcontact.profiles.options.ProfileFile`) states; if it states none, that of
+    the ``track`` [1], if the head is symmetric and leans by this within LEANING. ``track`` is None where it is
+    not known.
+
+    Raises
+    ------
+    Refusal
+        if a symmetric head leans otherwise, and a track inclines it again or is not known.
+    """
     given = file.file_inclination
     if given == 0.0:
-        return found
+        return found, 0.0
     head = head_of(found.y, found.z)
+    leans = head.symmetric and abs(head.inclination) >= INCLINED
+    if given is None and not leans:
+        if not head.symmetric:
+            remarks.append(
+                "its head is not symmetric, so its shape does not tell whether it is already "
+                "inclined; read as upright; file_inclination = 0 confirms that, file_inclination = "
+                "0.025 turns it upright from 1:40"
+            )
+        return found, 0.0
+    if given is None and track == 0.0:
+        remarks.append(f"its head is {_stands(head.inclination)} in the file, and used so on this track")
+        return found, 0.0
     if given is None:
-        _remark_inclination(head, remarks)
-        return found
-    if head.symmetric and abs(head.inclination - given) >= INCLINED:
+        if track is None or abs(head.inclination - track) > LEANING:
+            raise Refusal(_undecided(head.inclination, track, file))
+        given = track
+        remarks.append(
+            f"its head is {_stands(head.inclination)} in the file, as this track inclines it; turned upright "
+            f"from {_ratio(track)}; file_inclination = 0 inclines it again"
+        )
+    elif head.symmetric and abs(head.inclination - given) >= INCLINED:
         remarks.append(
             Grave(f"its head is {_stands(head.inclination)}, although file_inclination is {given:.4g}")
         )
     angle = math.atan(given)
     c, s = math.cos(angle), math.sin(angle)
-    return replace(found, y=c * found.y - s * found.z, z=s * found.y + c * found.z)
+    return replace(found, y=c * found.y - s * found.z, z=s * found.y + c * found.z), given
 
 
-def _remark_inclination(head, remarks):
-    """Say that a rail of unknown inclination is inclined already, or that its shape does not tell it."""
-    if head.symmetric and abs(head.inclination) >= INCLINED:
-        turns = (
-            "" if head.inclination < 0.0 else f"file_inclination = {head.inclination:.4g} turns it upright, "
-        )
-        remarks.append(
-            Grave(
-                f"its head is {_stands(head.inclination)} in the file, and a rail_inclination "
-                f"that is not 0 inclines it again; {turns}file_inclination = 0 confirms that it "
-                "is upright"
-            )
-        )
-    elif not head.symmetric:
-        remarks.append(
-            "its head is not symmetric, so its shape does not tell whether it is already "
-            "inclined; read as upright; file_inclination = 0 confirms that, file_inclination = "
-            "0.025 turns it upright from 1:40"
-        )
+def _undecided(inclination, track, file):
+    """Why a symmetric head with this ``inclination`` is not used on a ``track``, and what settles it."""
+    asked = "without its track" if track is None else f"and its track inclines it by {_ratio(track)}"
+    turns = f"mirror_y = {not file.mirror_y} mirrors it, " if inclination < 0.0 else ""
+    if 0.0 < inclination <= INCLINATION.high:
+        turns = f"file_inclination = {inclination:.4g} turns it upright, "
+    return (
+        f"has a symmetric head that is {_stands(inclination)} in the file, {asked}; "
+        f"{turns}file_inclination = 0 confirms that it is upright"
+    )
 
 
 def _stands(inclination):

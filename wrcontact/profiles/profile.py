@@ -42,7 +42,8 @@ class Profile:
     "rail" (origin at the highest point of the head).  Height is positive down for both.  The constructor
     checks that consecutive zones have no hole between them and agree in height and slope; ``smooth=False``
     permits corners, for measured profiles.  ``reading`` describes the file of points that the profile comes
-    from, if any; it has no effect.
+    from, if any; it has no effect.  ``worn_face`` is how far the inner face of a rail has worn at the depth of
+    the gauge since it was laid [m]: a worn rail keeps its place on the track, and the gauge is wider.
 
     Raises
     ------
@@ -56,6 +57,7 @@ class Profile:
     smooth: bool = True
     joints: tuple = field(init=False, compare=False)
     reading: Reading | None = field(default=None, compare=False, repr=False)
+    worn_face: float = 0.0
 
     def __post_init__(self):
         if self.kind not in ("wheel", "rail"):
@@ -101,13 +103,14 @@ class Profile:
         kind : "wheel" or "rail".
         smoothing : root mean square distance [m] between the smoothing spline and the points, 0 ... 0.5e-3; 0
             goes through every point; None is the estimated noise of the points.
-        options : mirror_y, mirror_z, rotate [rad], shift (y, z) [m], file_inclination, select: what the file
+        options : mirror_y, mirror_z, rotate [rad], shift (y, z) [m], file_inclination, select, y_range [m]: what the file
             does not say itself, as in :class:`~wrcontact.ProfileFile`.
 
         Raises
         ------
         ValueError
-            if an option is not permitted or the file cannot be used.  Repairs are reported by a
+            if an option is not permitted or the file cannot be used, or if it has a symmetric rail that is
+            inclined and neither ``file_inclination`` nor a track says what is meant.  Repairs are reported by a
             :class:`~wrcontact.ProfileWarning`.
         """
         if kind not in ("wheel", "rail"):

@@ -36,6 +36,8 @@ SLICES = {".slcs": "along the rail", ".slcw": "around the wheel"}
 SECTION = re.compile(r"^[ \t]*\[[ \t]*profile[ \t]*(\d+)[ \t]*(info|points)[ \t]*\]", re.IGNORECASE)
 #: Header lines that name a profile, the first that is there.
 NAMES = ("name", "profilename", "filename", "mpdn")
+#: A header of MiniProf has fewer lines of numbers.
+MANY = 5
 INCH = 25.4  # [mm]
 #: Distance [mm] of the tread datum, the running circle, from the back of the flange, by its name.
 TREAD_DATUM = {"european": 70.0, "us1": (2 + 27 / 32) * INCH, "us2": (3 + 1 / 16) * INCH}
@@ -74,7 +76,7 @@ def read_points(text, extension, kind, select=None):
         return miniprof_points(text)
     points = plain_points(text)
     if extension in GAUGE_AT_LARGER_Y:
-        points.y = -points.y
+        points.y, points.defined = -points.y, True
     return points
 
 
@@ -85,33 +87,55 @@ def miniprof_points(text):
     """Points from MiniProf's .whl and .ban.
 
     Header lines are ``Keyword=value``.  ``ColumnDef`` (such as X,Y,A,C,N) names the columns: X is lateral and
-    Y vertical, both in mm; without it they are the first two columns.  "#" starts a comment.  A wheel may be
-    measured from the back of its flange, upwards or downwards, and from either side, a rail from either side;
-    position and directions are found from the shape.
+    Y vertical, both in mm; without it they are the first two columns.  "#" starts a comment.  X of a wheel is 0
+    at the back of its flange.  Wheels may be measured upwards or downwards, and from either side, a rail from
+    either side; the directions are found from the shape.
     """
-    columns, data = (0, 1), []
-    for line in text.splitlines():
+    columns, rows, ends = (0, 1), [], [0]
+    lines = text.splitlines()
+    for number, line in enumerate(lines, start=1):
         key, equals, value = line.partition("=")
         names = [name.strip().upper() for name in value.strip().split(",")]
         if key.strip().lower() == "columndef" and names.count("X") == names.count("Y") == 1:
             columns = names.index("X"), names.index("Y")
-        data.append("" if equals else line)
-    rows, bad = [], []
-    for number, fields in fields_of("\n".join(data)):
+        if equals or not line.strip():
+            ends.append(number)
+            lines[number - 1] = ""
+    for number, fields in fields_of("\n".join(lines)):
         values = [number_of(fields[k]) if k < len(fields) else None for k in columns]
-        if None not in values:
-            rows.append((number, *values))
-        elif rows:
-            bad.append(number)
-    if not rows:
+        rows.append((number, len(fields), None if None in values else values))
+    points, first = below_header(rows, ends)
+    if not points:
         raise Refusal(
             "contains no lines of numbers after its header; permitted are MiniProf profiles with X "
             "and Y in mm"
         )
-    points = points_of(rows, free=True)
+    bad = [number for number, _, values in rows if values is None and number > first]
+    points = points_of(points, free=True)
     if bad:
         points.remarks.append(left_out("line", bad, "without two numbers"))
     return points
+
+
+def below_header(rows, ends):
+    """Rows (line, y, z) of a MiniProf file below its header, and the line of the first.
+
+    The header may have lines of numbers: with another number of fields than most lines, or fewer than MANY
+    before one of the lines ``ends``, which are blank or ``Keyword=value``.
+
+    Parameters
+    ----------
+    rows : (line, number of fields, two values or None).
+    ends : numbers of the lines that may end the header.
+    """
+    counts = [count for _, count, values in rows if values]
+    usual = max(set(counts), key=counts.count, default=0)
+    first = min((number for number, count, values in rows if values and count == usual), default=0)
+    for end in ends:
+        before = sum(1 for number, _, values in rows if values and first <= number < end)
+        if before < MANY:
+            first = max(first, end)
+    return [(number, *values) for number, _, values in rows if values and number >= first], first
 
 
 def several_points(text, select):
@@ -171,20 +195,24 @@ def vampire_points(text, kind, select):
             f"contains a left and a right profile; select is {select!r}; permitted are 'left' and 'right'"
         )
     columns = (2, 3) if side == "right" else (0, 1)
-    rows = []
+    rows, bad = [], []
     for number, line in enumerate(lines[4:], start=5):
         values = [number_of(part) for part in COMMENT.sub("", line).replace(",", " ").split()]
         if len(values) > columns[1] and None not in values[:4]:
             rows.append((number, values[columns[0]], values[columns[1]]))
+        elif values:
+            bad.append(number)
     if not rows:
         raise Refusal(
             "contains no lines of four numbers; permitted are Vampire profiles with y and z of the "
             "left and of the right side in mm"
         )
     points = points_of(rows)
+    if bad:
+        points.remarks.append(left_out("line", bad, "without four numbers"))
     points.y = points.y if side == "right" else -points.y
     if kind == "rail":
-        points.z = -points.z
+        points.z, points.defined = -points.z, True
         return points
     points.y = points.y - 0.5 * _width(lines) - _datum(lines)
     return points

@@ -15,7 +15,8 @@ class Reading:
     """Properties of a file of points, found when it was read.
 
     ``points``, the number of points used; their median ``spacing`` and the ``widest`` one [m]; their
-    estimated ``noise`` and the applied ``smoothing`` [m]; ``remarks``, a tuple of sentences on repairs.
+    estimated ``noise`` and the applied ``smoothing`` [m]; ``remarks``, a tuple of sentences on repairs;
+    ``inclination``, the slope from which a rail was turned upright [1].
     """
 
     points: int
@@ -24,6 +25,7 @@ class Reading:
     noise: float
     smoothing: float
     remarks: tuple
+    inclination: float = 0.0
 
 
 class ProfileWarning(UserWarning):

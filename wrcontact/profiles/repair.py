@@ -10,10 +10,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from .flaws import LONGEST_RUN, Mended, check_gaps, rounded, without_outliers
+from .flaws import (
+    LONGEST_RUN,
+    OUTLIER,
+    SIDE,
+    WIDEST_GAP,
+    Mended,
+    check_gaps,
+    rounded,
+    straight_over,
+    without_outliers,
+)
 from .orientation import faced, turned_upright
 from .remarks import Refusal, counted, stretch
-from .smoothing import LEAST_NOISE, noise_of
+from .running_circle import at_running_circle, evenly
+from .smoothing import LEAST_NOISE, noise_by_place, noise_of
 
 LEAST_POINTS = 10
 #: Permitted width of a profile [mm].
@@ -27,6 +38,15 @@ WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
 SHOULDER, USUAL_SHOULDER = 2.0, 10.0
 #: A profile turns back where its y decreases by this [mm]; noise is smaller.
 TURN = 0.5
+#: Points that run back by LEAST_BACK [mm] or less are rounded or noisy. Those that run back by more than
+#: MOST_BACK [mm], or whose branches are more than MOST_APART [mm] apart, are a fold. A curve steeper than STEEP
+#: [1] over SIDE points on either side is a wall, which may wave.
+LEAST_BACK, MOST_BACK, MOST_APART, STEEP = 5e-3, 2.0, 0.5, 2.0
+#: A rail is needed down to this depth below its top, where the gauge is measured, also inclined by 1:20; a
+#: wheel up to this y on its field side [mm].
+NEEDED, FIELD = 16.0, 45.0
+#: Points left out behind a fold or a wall are told where they reach farther by this [mm].
+CUT = 0.5
 #: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to
 #: where the gauge is measured.
 UPRIGHT = 0.2
@@ -47,23 +67,18 @@ FAR = 5.0
 SAME = 1e-6
 #: Points at the same y are averaged where their z differ by less than this share of the median spacing.
 NEAR = 0.25
-#: Position of the flange tip from the running circle, height of the flange, and distance of the running
-#: circle from the flange's back [mm].
-TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
-#: A profile that rises by this behind the tip includes the back of the flange [mm].
-ROUND_BACK = 3.0
-#: Largest height of the running circle that counts as wear, not as another origin [mm].
-OFFSET = 10.0
 
 
-def mend(points, kind, file, remarks, *, keep_all=False):
-    """The repaired points (:class:`Mended`) of a file's ``points``.
+def mend(points, kind, file, track, remarks, *, keep_all=False):
+    """The repaired points (:class:`Mended`) of a file's ``points``, and the inclination [1] from which a rail
+    was turned upright.
 
     Parameters
     ----------
     points : :class:`~wrcontact.profiles.formats.Points`.
     kind : "wheel" or "rail".
     file : :class:`~wrcontact.profiles.options.ProfileFile`, what the file does not say itself.
+    track : inclination of the rails on the track [1], None where it is not known.
     remarks : list to which every repair is added.
     keep_all : whether outliers and kinks are only reported.
 
@@ -74,24 +89,34 @@ def mend(points, kind, file, remarks, *, keep_all=False):
     """
     found = Mended(points.y, points.z, points.weight)
     found = without_nothing(found, points.lines, remarks)
-    found = in_millimetres(found, kind, remarks)
+    found = in_range(in_millimetres(found, kind, file, remarks), file)
     found = moved(found, file)
     found = in_order(found, points.free, remarks)
     found = without_repetition(found, remarks)
-    found = upright(found, kind, file, points.free, remarks)
+    found = upright(found, kind, file, points, remarks)
+    inclination = 0.0
     if kind == "wheel":
         found = at_running_circle(found, file, points.free, remarks)
     else:
-        found = turned_upright(faced(found, file, points.free, remarks), file, remarks)
-    found = outward(found, kind) if kind == "wheel" else outward(gauge_face(found, remarks), kind)
+        one_head(found)  # two rails side by side are told before their common shape is looked at
+        found = faced(found, file, points.free, remarks)
+        found, inclination = turned_upright(found, file, track, remarks)
+    found = found if keep_all else without_backward(found, kind, remarks)
+    if kind == "wheel":
+        whole, found = found, outward(found, kind)
+        remarks.extend(words_on_cuts(found.y, whole.y))
+    else:
+        found = outward(gauge_face(found, remarks), kind)
     found = without_outliers(replace(found, noise=noise_of(found.y, found.z)[0]), remarks, keep=keep_all)
     found = outward(found, kind)
+    found = without_far_parts(found, kind, remarks)
     if kind == "rail":
         remark_near_end(found, remarks)
-    noise, certainty = noise_of(found.y, found.z)
+    noise, certainty = noise_at(found, remarks)
     found = replace(found, noise=noise, weight=found.weight * (certainty if noise > LEAST_NOISE else 1.0))
     check_gaps(found, remarks)
-    return rounded(found, remarks, keep=keep_all) if found.noise <= LEAST_NOISE else found
+    found = rounded(found, remarks, keep=keep_all) if found.noise <= LEAST_NOISE else found
+    return found, inclination
 
 
 def without_nothing(found, lines, remarks):
@@ -121,8 +146,10 @@ def _span(values):
     return np.subtract(*np.percentile(values, [95, 5]))
 
 
-def in_millimetres(found, kind, remarks):
+def in_millimetres(found, kind, file, remarks):
     """Convert to millimetres; the unit is found from the width."""
+    if file.y_range is not None and np.ptp(found.y) > WIDTHS[0]:
+        return found
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
     width, factor = found.y.max() - found.y.min(), 1.0
@@ -137,6 +164,21 @@ def in_millimetres(found, kind, remarks):
     if not factor * _span(found.z) <= HIGHEST:
         raise Refusal(f"is {factor * _span(found.z):g} mm high; permitted are {HIGHEST:g} mm or less")
     return replace(found, y=factor * found.y, z=factor * found.z)
+
+
+def in_range(found, file):
+    """The points whose y in the file lies within ``file.y_range``."""
+    if file.y_range is None:
+        return found
+    low, high = file.y_range_mm
+    inside = found.only((found.y >= low) & (found.y <= high))
+    if len(inside.y) < LEAST_POINTS or np.ptp(inside.y) > WIDTHS[1]:
+        raise Refusal(
+            f"has {len(inside.y)} points between y = {low:.4g} and {high:.4g} mm; permitted are "
+            f"{LEAST_POINTS} or more, within {WIDTHS[1]:g} mm; its points are at y = {found.y.min():.4g} ... "
+            f"{found.y.max():.4g} mm"
+        )
+    return inside
 
 
 def moved(found, file):
@@ -189,67 +231,68 @@ def without_repetition(found, remarks):
     return found
 
 
-def upright(found, kind, file, free, remarks):
-    """Turn z down and a wheel's flange to negative y, unless ``file`` says how they are."""
-    y, z = _evenly(found)
+def upright(found, kind, file, points, remarks):
+    """Turn z down and a wheel's flange to negative y, unless ``file`` says how they are, or for a rail the
+    format of its ``points``."""
+    y, z = evenly(found)
     low, middle, high = np.percentile(z, [2, 50, 98])
-    upwards = middle - low > high - middle if kind == "wheel" else np.mean(z[[0, 1, -2, -1]]) < middle
+    if kind == "wheel":
+        upwards = middle - low > high - middle
+    else:  # the ends of a head are its lowest points, also where a wide base has the most points
+        ends = 0.5 * (np.median(found.z[:3]) + np.median(found.z[-3:]))
+        upwards = ends < min(middle, 0.5 * (low + high))
+    if upwards and file.mirror_z is None and kind == "rail" and points.defined:
+        raise Refusal(
+            "has ends that are higher than its middle, as if z were positive upwards, and its format has z down; "
+            "mirror_z = True turns it over, mirror_z = False confirms it"
+        )
     if upwards and file.mirror_z is None:
         found, z, middle, high = replace(found, z=-found.z), -z, -middle, -low
-        if not free:
+        if not points.free:
             remarks.append("z was positive upwards; its sign is changed")
     reversed_wheel = kind == "wheel" and np.mean(y[z >= 0.4 * middle + 0.6 * high]) > 0.5 * (y[0] + y[-1])
     if reversed_wheel and file.mirror_y is None:
         found = replace(found, y=-found.y).only(slice(None, None, -1))
-        if not free:
+        if not points.free:
             remarks.append("the flange was at the larger y; mirrored")
     return found
 
 
-def _evenly(found):
-    """y and z (n,) [mm] at even steps across the profile, independent of the spacing of the points."""
-    order = np.argsort(found.y, kind="stable")
-    y = np.linspace(found.y.min(), found.y.max(), 401)
-    return y, np.interp(y, found.y[order], found.z[order])
+def without_backward(found, kind, remarks):
+    """Remove the points of a stretch that was measured twice: seen from the middle, y runs back there and on
+    again, where the curve is not steep. Both branches are removed, since neither is known to be the better.
+
+    Small steps back are noise, and a long way back is a fold.
+    """
+    noise = noise_of(found.y, found.z)[0]
+    middle, gone, most = _middle(found, kind), np.zeros(len(found.y), dtype=bool), 0.0
+    for side, part in ((1, slice(middle, None)), (-1, slice(middle, None, -1))):
+        u, z, index = side * found.y[part], found.z[part], np.arange(len(found.y))[part]
+        farthest = np.maximum.accumulate(u)
+        behind = np.flatnonzero(u < farthest)
+        for run in np.split(behind, np.flatnonzero(np.diff(behind) > 1) + 1):
+            if not len(run) or run[-1] + 1 == len(u):
+                continue
+            low, high = float(u[run].min()), float(farthest[run[0]])
+            before, after = max(run[0] - SIDE, 0), min(run[-1] + SIDE, len(u) - 1)
+            steep = abs(z[after] - z[before]) > STEEP * (u[after] - u[before])
+            if steep or not max(OUTLIER * noise, LEAST_BACK) < high - low <= MOST_BACK:
+                continue
+            first = np.arange(np.searchsorted(farthest, low), run[0])
+            if abs(z[first].mean() - z[run].mean()) <= MOST_APART:
+                gone[index[first]] = gone[index[run]] = True
+                most = max(most, high - low)
+    if gone.any():
+        remarks.append(
+            f"{counted(gone.sum(), 'point')} left out where the points run back by up to {most:.3g} mm "
+            f"({stretch(found.y[gone])})"
+        )
+    return found.only(~gone)
 
 
-def at_running_circle(found, file, free, remarks):
-    """Move a wheel so that y = 0 is its running circle, and z is within OFFSET of zero there; what ``file``
-    shifts stays."""
-    y, z = _evenly(found)
-    deepest = np.percentile(z, 99)
-    tip = np.median(y[z >= deepest])
-    if not (TIP[0] <= tip <= TIP[1] and y[-1] > 0.0):
-        if deepest - z[0] < ROUND_BACK or file.shift[0]:
-            raise Refusal(
-                f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted "
-                f"are {TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that "
-                "include the back of the flange"
-            )
-        shift = -BACK - y[0]
-        if not free:
-            remarks.append(
-                f"the running circle is assumed {BACK:g} mm from the back of the flange; y "
-                f"shifted by {shift:.4g} mm"
-            )
-        found, y = replace(found, y=found.y + shift), y + shift
-    middle = np.interp(0.0, y, z)
-    height = deepest - middle
-    if not FLANGE[0] <= height <= FLANGE[1]:
-        raise Refusal(
-            f"has a flange of {height:.4g} mm, from the running circle to the deepest point; "
-            f"permitted are {FLANGE[0]:g} ... {FLANGE[1]:g} mm"
-        )
-    if z[-1] - middle > FLANGE[0]:
-        raise Refusal(
-            f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a "
-            f"rail's head has; permitted are {FLANGE[0]:g} mm or less"
-        )
-    if (abs(middle) > OFFSET or free) and not file.shift[1]:
-        if not free:
-            remarks.append(f"z was {middle:.4g} mm at the running circle; shifted to 0")
-        found = replace(found, z=found.z - middle)
-    return found
+def _middle(found, kind):
+    """Index of a wheel's point at the running circle, or of a rail's highest point."""
+    return int(np.argmin(np.abs(found.y) if kind == "wheel" else found.z))
 
 
 def gauge_face(found, remarks):
@@ -272,19 +315,35 @@ def gauge_face(found, remarks):
     return replace(found, y=changed)
 
 
+def one_head(found):
+    """A Refusal if the points of a rail are too wide for one."""
+    width = float(np.ptp(found.y[_extent(found, "rail")]))
+    if width > WIDEST["rail"]:
+        raise Refusal(_wrong_width(width, "rail"))
+
+
+def _wrong_width(width, kind):
+    several = "; y_range = FROM,TO uses one of several profiles in a file" if width > WIDTHS[0] else ""
+    return (
+        f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... "
+        f"{WIDEST[kind]:g} mm for a {kind}{several}"
+    )
+
+
+def _extent(found, kind):
+    """Slice of the points from the middle outwards until y turns back."""
+    middle = _middle(found, kind)
+    stop = middle + _farthest(found.y[middle:], kind)
+    return slice(middle - _farthest(-found.y[middle::-1], kind), stop + 1)
+
+
 def outward(found, kind):
     """Keep the points from the middle outwards until y turns back: without flange
     back, rail neck and foot."""
-    middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
-    stop = middle + _farthest(found.y[middle:], kind)
-    start = middle - _farthest(-found.y[middle::-1], kind)
-    found = found.only(slice(start, stop + 1))
+    found = found.only(_extent(found, kind))
     width = found.y[-1] - found.y[0]
     if not WIDTHS[0] <= width <= WIDEST[kind]:
-        raise Refusal(
-            f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... "
-            f"{WIDEST[kind]:g} mm for a {kind}"
-        )
+        raise Refusal(_wrong_width(width, kind))
     top = found.y[np.argmin(found.z)]
     if kind == "rail" and min(top - found.y[0], found.y[-1] - top) < SHOULDER:
         raise Refusal(
@@ -297,6 +356,35 @@ def outward(found, kind):
     return found
 
 
+def without_far_parts(found, kind, remarks):
+    """The points without those behind a wide gap, where wheel and rail do not touch and no gauge is measured:
+    deeper than NEEDED on a rail, behind the tip of a wheel's flange, or beyond FIELD on its field side."""
+    y, z = found.y, found.z
+    start, stop = 0, len(y)
+    middle, tip = _middle(found, kind), int(np.argmax(np.where(y < 0.0, z, -np.inf)))
+    chord = np.hypot(np.diff(y), np.diff(z))
+    for i in np.flatnonzero(chord > WIDEST_GAP):
+        near = i + 1 if i < middle else i  # the end of the gap that is nearer to the middle
+        far = z[near] - z.min() > NEEDED if kind == "rail" else near <= tip or y[near] > FIELD
+        if not far or straight_over(y, z, i):
+            continue
+        where = f"{z[near] - z.min():.3g} mm below the top" if kind == "rail" else f"y = {y[near]:.4g} mm"
+        remarks.append(f"gap of {chord[i]:.3g} mm from {where} on; the points behind it are left out")
+        start, stop = (max(start, i + 1), stop) if i < middle else (start, min(stop, i + 1))
+    return found.only(slice(start, stop))
+
+
+def words_on_cuts(kept, whole):
+    """Sentences on the ends of the coordinates ``kept`` (n,) [mm], where the ``whole`` (m,) points go on."""
+    ends = (("smaller", kept.min(), whole.min(), -1.0), ("larger", kept.max(), whole.max(), 1.0))
+    for side, end, last, outwards in ends:
+        if outwards * (last - end) > CUT:
+            yield (
+                f"it folds back or is vertical at y = {end:.4g} mm; its points at {side} y, to {last:.4g} mm, "
+                "are left out"
+            )
+
+
 def remark_near_end(found, remarks):
     """Report a highest point of a rail that is close to an end of the points."""
     top = found.y[np.argmin(found.z)]
@@ -305,6 +393,20 @@ def remark_near_end(found, remarks):
         remarks.append(
             f"its highest point is {width:.3g} mm from the end of the points; there is no contact beyond it"
         )
+
+
+def noise_at(found, remarks):
+    """The largest noise [mm] and the factor (n,) by which it is smaller at each point; ``remarks`` says where it
+    differs much from place to place."""
+    noise = noise_by_place(found.y, found.z)
+    if noise is None:
+        return noise_of(found.y, found.z)
+    most, least = noise.max(), noise.min()
+    remarks.append(
+        f"its noise differs from place to place, {1e3 * least:.2g} ... {1e3 * most:.3g} um; it is largest at "
+        f"{stretch(found.y[noise > 0.5 * most])}; each place is smoothed by its own"
+    )
+    return float(most), most / noise
 
 
 def _farthest(y, kind):

@@ -15,14 +15,20 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any: ...
     def to_dict(self) -> dict[str, Any]: ...
     @property
+    def axle_torque(self) -> Any:
+        """Torque of motor or brake on the wheelset about its axle, positive where it drives forward; read where wheel_rate is 0 with free_rolling [N.m]."""
+    @property
     def free_rolling(self) -> Any:
-        """Whether a wheel_rate of 0 means speed / nominal_radius; otherwise it means wheels that do not turn [1]."""
+        """Whether a wheel_rate of 0 means wheels that turn freely or under axle_torque; otherwise it means wheels that do not turn [1]."""
     @property
     def lateral_shift(self) -> Any:
         """Lateral shift of the wheelset against the track centre, positive to the right [m]."""
     @property
     def lateral_velocity(self) -> Any:
         """How fast the lateral shift grows [m/s]."""
+    @property
+    def left_axle_torque(self) -> Any:
+        """Left wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque if independent_wheels is true [N.m]."""
     @property
     def left_friction(self) -> Any:
         """Left wheel: coefficient of friction; read where the tangential_model is not none [1]."""
@@ -52,7 +58,7 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """Left rail: velocity down [m/s]."""
     @property
     def left_wheel_rate(self) -> Any:
-        """Left wheel: rotation about the axle, positive when it rolls forward, read instead of wheel_rate if independent_wheels is true; 0 with free_rolling means speed / its nominal_radius [rad/s]."""
+        """Left wheel: rotation about the axle, positive when it rolls forward, read instead of wheel_rate if independent_wheels is true; 0 with free_rolling: the one at which its axle_torque and driving_torque cancel each other [rad/s]."""
     @property
     def load_transfer(self) -> Any:
         """Share L of the load N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left; in compliant mode used only for the equilibrium outputs [1]."""
@@ -62,6 +68,9 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
     @property
     def rail_time_step(self) -> Any:
         """Time in which rails on springs have come from the deflections before; 0: they are at rest, and dampers carry nothing [s]."""
+    @property
+    def right_axle_torque(self) -> Any:
+        """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque if independent_wheels is true [N.m]."""
     @property
     def right_friction(self) -> Any:
         """Right wheel: coefficient of friction; read where the tangential_model is not none [1]."""
@@ -91,7 +100,7 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """Right rail: velocity down [m/s]."""
     @property
     def right_wheel_rate(self) -> Any:
-        """Right wheel: rotation about the axle, positive when it rolls forward, read instead of wheel_rate if independent_wheels is true; 0 with free_rolling means speed / its nominal_radius [rad/s]."""
+        """Right wheel: rotation about the axle, positive when it rolls forward, read instead of wheel_rate if independent_wheels is true; 0 with free_rolling: the one at which its axle_torque and driving_torque cancel each other [rad/s]."""
     @property
     def roll_guess(self) -> Any:
         """Where the search for the roll angle starts; changes the cost of a step, never its answer [rad]."""
@@ -103,7 +112,7 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """How fast the roll grows in the contact_mode compliant; in other contact modes it follows from contact with both rails, and this input is not read [rad/s]."""
     @property
     def speed(self) -> Any:
-        """Speed along the track; creepages need speed or wheel_rate [m/s]."""
+        """Speed along the track; creepages need a velocity, such as this [m/s]."""
     @property
     def track_curvature(self) -> Any:
         """Curvature of the track, 1 / radius, positive in a curve to the right [1/m]."""
@@ -115,7 +124,7 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """How fast the vertical shift grows in the contact_mode compliant; in other contact modes it follows from contact with both rails, and this input is not read [m/s]."""
     @property
     def wheel_rate(self) -> Any:
-        """Rotation of the wheelset about its axle, positive when it rolls forward; 0 with free_rolling means speed / nominal_radius [rad/s]."""
+        """Rotation of the wheelset about its axle, positive when it rolls forward; 0 with free_rolling: the one at which axle_torque and driving_torque cancel each other, or speed / nominal_radius without a tangential_model [rad/s]."""
     @property
     def yaw(self) -> Any:
         """Yaw of the wheelset, positive clockwise seen from above [rad]."""

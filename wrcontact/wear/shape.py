@@ -1,7 +1,8 @@
 """What a workshop measures on a wheel, from its profile.
 
-Heights of the flange count from the running circle, y = 0; the flange's back is the end of the profile on
-the flange side.  Flange height, thickness (10 mm above the running circle) and qR (from there to 2 mm below
+Heights of the flange count from the running circle, y = 0.  The flange's back is where the end of the profile
+on the flange side is vertical, or becomes so along the circle of its rounding; a profile that ends before has
+no thickness.  Flange height, thickness (10 mm above the running circle) and qR (from there to 2 mm below
 the tip) are those of EN 15313; S1002 has a height of 28 mm and a thickness of 32.5 mm.
 """
 
@@ -17,6 +18,9 @@ from ..results.words import ShortText
 ABOVE, BELOW_TIP = 10e-3, 2e-3
 #: A wheel without a flange is lower than this [m].
 FLANGE = 15e-3
+#: The end of a profile is the flange's back, or on its rounding, if the rounding is at least as steep [1]; its
+#: circle goes through the directions at the end and ROUNDING [m] before it.
+STEEP, ROUNDING = 5.0, 2e-3
 #: Where the tread begins on the flange side, for the hollow [m].
 TREAD = -15e-3
 #: Amplitude of the equivalent conicity [m], and lateral shifts by which it is found [m].
@@ -58,7 +62,7 @@ def wheel_shape(profile, new=None, worn_area=0.0):
     y = np.arange(profile.start + 1e-6, profile.stop, STEP)
     z = profile.height(y)
     level = float(profile.height(0.0))
-    height, thickness, steepness = _flange(y, z - level, profile.start)
+    height, thickness, steepness = _flange(y, z - level, flange_back(profile))
     tread = z[y > TREAD]
     behind = np.maximum.accumulate(tread[::-1])[::-1]  # highest radius from here outwards
     inner = np.minimum.accumulate(tread)
@@ -74,6 +78,20 @@ def wheel_shape(profile, new=None, worn_area=0.0):
         float(np.max(np.abs(profile.curvature(bent)))),
         float(worn_area),
     )
+
+
+def flange_back(profile):
+    """Place y [m] of the flange's vertical back, NaN for a profile that ends before its rounding is steep.
+
+    On a circle of radius R that becomes vertical at the back, a point with the slope tan(a) is R (1 - sin a)
+    before it.
+    """
+    end = profile.start + 1e-6
+    sines = [slope / math.hypot(1.0, slope) for slope in map(float, profile.slope([end, end + ROUNDING]))]
+    if not sines[0] >= STEEP / math.hypot(1.0, STEEP):
+        return math.nan
+    beyond = ROUNDING * (1.0 - sines[0]) / max(sines[0] - sines[1], 1e-9)
+    return end - min(beyond, ROUNDING)
 
 
 def _flange(y, z, back):

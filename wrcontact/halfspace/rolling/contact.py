@@ -19,6 +19,11 @@ from .pressure import PressureField
 #: to its upstream edge.  Extrapolated forces hardly depend on it: 0 and 0.5 differ by 0.06 % of the friction
 #: limit with spin.
 SLIP_OFFSET = 0.4
+#: Bounds of falling friction that change by less than this, of the largest bound, stand.
+LAW_PRECISION = 1e-4
+LAW_LIMIT = 40
+#: Way of slip over which friction follows the slip [m].  With none the solution depends on the cells.
+MEMORY = 1e-6
 
 
 def _log_of_sum(along, across):
@@ -116,6 +121,7 @@ class RollingSolution:
     tractions : along x and y on the cells (2, ny, nx) [Pa].
     slip : of the wheel over the rail, along x and y, over the rolling speed (2, ny, nx) [1].
     slips : where friction is used up (ny, nx).
+    friction : coefficient of friction of the cells (ny, nx) [1].
     steps : Newton steps.
     """
 
@@ -123,6 +129,7 @@ class RollingSolution:
     tractions: np.ndarray
     slip: np.ndarray
     slips: np.ndarray
+    friction: np.ndarray
     steps: int
 
     @property
@@ -151,6 +158,12 @@ class RollingSolution:
     def max_shear(self):
         """Largest traction of a cell [Pa]."""
         return float(np.hypot(*self.tractions).max())
+
+    @property
+    def mean_friction(self):
+        """Mean coefficient of friction of the cells, weighted with their pressure, that of rest where it
+        sticks [-]."""
+        return float((self.friction * self.field.pressure).sum() / self.field.pressure.sum())
 
     @property
     def dissipation(self):
@@ -182,9 +195,7 @@ def refined(tractions, shape):
     )
 
 
-def rolling_contact(
-    field, *, creepage_x, creepage_y, spin, friction, shear_modulus, poisson_ratio, start=None
-):
+def rolling_contact(field, *, creepage_x, creepage_y, spin, **material):
     """The :class:`RollingSolution` on the cells of ``field``: Kalker's steady rolling problem.
 
     Both bodies are half-spaces of the same material.  Rolling towards +x; creepages are the slip of the
@@ -198,8 +209,26 @@ def rolling_contact(
     ----------
     field : :class:`PressureField`.
     creepage_x, creepage_y, spin : xi, eta [1], phi [1/m]; a number, or one for each row (ny,).
-    friction : mu [1].
+    material : as for :func:`contact_of_slip`.
+
+    Raises
+    ------
+    ValueError, ArithmeticError
+        as :func:`contact_of_slip`.
+    """
+    return contact_of_slip(field, rigid_slip(field, creepage_x, creepage_y, spin), **material)
+
+
+def contact_of_slip(field, slip, *, friction, shear_modulus, poisson_ratio, fall=None, start=None):
+    """The :class:`RollingSolution` for any slip of the rigid bodies over V, ``slip`` (2, ny, nx) [1].
+
+    Parameters
+    ----------
+    field : :class:`PressureField`.
+    friction : mu [1], that of rest where it falls.
     shear_modulus, poisson_ratio : of both bodies [Pa], [1].
+    fall : (floor, rate) of friction that falls with the slip s of each cell by itself:
+        mu ((1 - floor) exp(-rate |s|) + floor), with s over V [1]; None: it does not fall.
     start : :class:`RollingSolution` to start from, of the same patch on any number of cells.
 
     Raises
@@ -207,25 +236,44 @@ def rolling_contact(
     ValueError
         if the friction, the shear modulus or Poisson's ratio is out of its range.
     ArithmeticError
-        if the Newton steps do not converge.
+        if the Newton steps or the bounds of falling friction do not converge.
     """
-    slip = rigid_slip(field, creepage_x, creepage_y, spin)
-    return contact_of_slip(
-        field, slip, friction=friction, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio, start=start
+    check_material(friction, shear_modulus, poisson_ratio)
+    shape = field.pressure.shape
+    influence = slip_influence(shape, field.steps, float(shear_modulus), float(poisson_ratio))
+    tractions, local = np.zeros((2, *shape)), np.full(shape, float(friction))
+    if start is not None:
+        tractions = refined(start.tractions, shape)
+    steps = 0
+    for _ in range(LAW_LIMIT):
+        state, count = solve_friction(influence, slip, local * field.pressure, tractions)
+        tractions, steps = state.tractions, steps + count
+        fallen = local if fall is None else friction * falling_share(state, field, *fall)
+        change = np.abs(fallen - local).max()
+        if change <= LAW_PRECISION * friction:
+            return RollingSolution(field, tractions, state.slip, state.slips, local, steps)
+        local = fallen
+    raise ArithmeticError(
+        f"falling friction: its coefficient still changes by {change:.1e} (allowed {LAW_PRECISION * friction:.1e})"
     )
 
 
-def contact_of_slip(field, slip, *, friction, shear_modulus, poisson_ratio, start=None):
-    """The :class:`RollingSolution` for any slip of the rigid bodies over V, ``slip`` (2, ny, nx) [1].
+def falling_share(state, field, floor, rate):
+    """Friction over that of rest (ny, nx) [1], by the slip of the cells at a
+    :class:`~wrcontact.halfspace.rolling.newton.Friction`.
 
-    Other parameters and errors as for :func:`rolling_contact`.
+    From the leading edge on it follows the law over the way MEMORY of slip; where a cell sticks, it is that
+    of rest.
     """
-    check_material(friction, shear_modulus, poisson_ratio)
-    bound = friction * field.pressure
-    influence = slip_influence(bound.shape, field.steps, float(shear_modulus), float(poisson_ratio))
-    tractions = np.zeros((2, *bound.shape)) if start is None else refined(start.tractions, bound.shape)
-    state, steps = solve_friction(influence, slip, bound, tractions)
-    return RollingSolution(field, state.tractions, state.slip, state.slips, steps)
+    slip = np.where(state.slips, np.hypot(*state.slip), 0.0)
+    wanted = (1.0 - floor) * np.exp(-rate * slip) + floor
+    kept = np.exp(-slip * field.steps[1] / MEMORY)
+    share, before = np.ones(slip.shape), np.ones(len(slip))
+    for column in reversed(range(slip.shape[1])):
+        before = wanted[:, column] + kept[:, column] * (before - wanted[:, column])
+        before = np.where(state.slips[:, column], before, 1.0)
+        share[:, column] = before
+    return share
 
 
 def check_material(friction, shear_modulus, poisson_ratio):

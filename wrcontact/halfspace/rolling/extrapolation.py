@@ -75,6 +75,7 @@ class RollingForces:
     stick_share : share of the patch's area without slip, 0 ... 1.
     max_shear : largest traction of a cell of the fine grid [Pa].
     dissipation : friction power over the rolling speed, W/(m/s) = N.
+    mean_friction : mean coefficient of friction, weighted with the pressure [-].
     coarse, fine : :class:`RollingSolution` on either grid.
     """
 
@@ -84,6 +85,7 @@ class RollingForces:
     stick_share: float
     max_shear: float
     dissipation: float
+    mean_friction: float
     coarse: RollingSolution
     fine: RollingSolution
 
@@ -94,7 +96,7 @@ def extrapolated(coarse, fine):
     The grid's error is proportional to the cell: ``F = 2 F_fine - F_coarse``.  (R8)  The stick share is cut
     to 0 ... 1 and the dissipation to positive values.
     """
-    names = ("force_x", "force_y", "moment", "stick_share", "dissipation")
+    names = ("force_x", "force_y", "moment", "stick_share", "dissipation", "mean_friction")
     values = {name: 2.0 * getattr(fine, name) - getattr(coarse, name) for name in names}
     values["stick_share"] = float(np.clip(values["stick_share"], 0.0, 1.0))
     values["dissipation"] = max(values["dissipation"], 0.0)
@@ -111,7 +113,7 @@ def roll_outline(outline, *, creepage_x, creepage_y, spin, cells=COARSE_CELLS, s
         from the rolling radius of each strip; then straight lines between the stations.
     cells : of the coarse grid, each way.
     start : :class:`RollingForces` of the same outline at other creepages, to be faster.
-    material : ``friction``, ``shear_modulus`` [Pa], ``poisson_ratio``.
+    material : ``friction``, ``fall``, ``shear_modulus`` [Pa], ``poisson_ratio``.
 
     Raises
     ------

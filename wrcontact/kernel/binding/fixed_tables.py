@@ -43,10 +43,12 @@ def rolling_table():
 
 
 def corrections():
-    """The corrections for all Poisson's ratios (n,): none for no creepage and for an infinite one."""
+    """The corrections for all Poisson's ratios, none for no creepage and for an infinite one, then their slopes
+    at no creepage (n,)."""
     with np.load(CORRECTION) as found:
-        values = found["correction"] * CORRECTION_UNIT
-    return np.pad(values, [(0, 0)] * 4 + [(1, 1), (0, 0)]).ravel()
+        values, slopes = found["correction"] * CORRECTION_UNIT, found["slopes"]
+    values = np.pad(values, [(0, 0)] * 4 + [(1, 1), (0, 0)])
+    return np.concatenate([values.ravel(), slopes.ravel()])
 
 
 @lru_cache(maxsize=2)

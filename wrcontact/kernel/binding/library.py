@@ -278,8 +278,11 @@ def declare(library):
     library.wrcontact_cut_patch.argtypes = [Span]
     library.wrcontact_solve_creep_force.argtypes = [Span] * 2
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
-    library.wrcontact_derivative.argtypes, library.wrcontact_derivative.restype = [address] * 4, ctypes.c_int
-    library.wrcontact_derivative_room.argtypes, library.wrcontact_derivative_room.restype = [], ctypes.c_int64
+    if hasattr(library, "wrcontact_derivative"):  # not in that of STEP_UNITS
+        library.wrcontact_derivative.argtypes = [address] * 4
+        library.wrcontact_derivative.restype = ctypes.c_int
+        library.wrcontact_derivative_room.argtypes = []
+        library.wrcontact_derivative_room.restype = ctypes.c_int64
     if hasattr(library, "wrcontact_jacobian"):  # not in that of an FMU
         library.wrcontact_jacobian.argtypes = [address, ctypes.c_int64, address, address, address]
         library.wrcontact_jacobian.restype = ctypes.c_int

@@ -138,7 +138,7 @@ def assemble(factors, correction):
         + 3 * layout.SHAPE_ROW * layout.SHAPE_CELLS
         + 2 * layout.REACH_ROW * (layout.REACH_CELLS + 1)
         + layout.CORRECTION_RADII
-        + 3 * (layout.CORRECTION_SCALES + layout.CORRECTION_SIZE)
+        + 3 * (layout.CORRECTION_SCALES + layout.CORRECTION_SIZE + layout.CORRECTION_SLOPES)
     )
     if len(table) != wanted:
         raise TypeError(f"the table of rolling has {len(table)} numbers, its record asks for {wanted}")
@@ -149,7 +149,11 @@ def uncorrected():
     """Corrections of nothing (n,), for tools that make the true ones."""
     radii = np.linspace(0.0, 1.0, layout.CORRECTION_RADII)
     return np.concatenate(
-        [radii, np.ones(3 * layout.CORRECTION_SCALES), np.zeros(3 * layout.CORRECTION_SIZE)]
+        [
+            radii,
+            np.ones(3 * layout.CORRECTION_SCALES),
+            np.zeros(3 * (layout.CORRECTION_SIZE + layout.CORRECTION_SLOPES)),
+        ]
     )
 
 

@@ -4,6 +4,7 @@ They are followed from one trial of an elastic wheelset to the next, which stand
 search for them costs as much as the rest of a trial.
 """
 
+from math import sqrt
 from typing import Final
 
 from ..layout import (
@@ -18,6 +19,7 @@ from ..layout import (
     copy,
     seldom,
 )
+from ..surface.tables import height_slope
 from .pressed import turning_point
 
 #: Two deepest points are one region while the overlap between them has fallen by less than this share of
@@ -84,13 +86,26 @@ def deepest_entry(overlap: Overlap):
 
 
 @seldom
-def shallowest_entry(overlap: Overlap):
-    """The least deep of the list."""
-    least = 0
-    for entry in range(overlap.count):
-        if overlap.points[entry].depth < overlap.points[least].depth:
-            least = entry
-    return least
+def fallen(pair: Pair, point: DeepPoint):
+    """How far the wheel has come down since it touched at a deepest point [m]."""
+    z, slope = height_slope(pair.rail, point.rail)
+    return point.depth * sqrt(1.0 + slope * slope)
+
+
+@seldom
+def last_touched(pair: Pair, overlap: Overlap):
+    """The one of the list that was touched last.
+
+    Not the least deep one: along its normal, a flange is less deep than a tread that was touched later.
+    """
+    last = 0
+    least = fallen(pair, overlap.points[0])
+    for entry in range(1, overlap.count):
+        height = fallen(pair, overlap.points[entry])
+        if height < least:
+            last = entry
+            least = height
+    return last
 
 
 @seldom
@@ -122,8 +137,8 @@ def drop_point(overlap: Overlap, entry: int):
 
 
 @seldom
-def merge_points(overlap: Overlap):
-    """Join points with a low saddle between them, or hardly one, and keep the deepest REGION_LIMIT."""
+def merge_points(pair: Pair, overlap: Overlap):
+    """Join points with a low saddle between them, or hardly one, and keep REGION_LIMIT of them."""
     depth = overlap.points[deepest_entry(overlap)].depth
     entry = 0
     while entry < overlap.count - 1:
@@ -141,7 +156,7 @@ def merge_points(overlap: Overlap):
         else:
             entry += 1
     while overlap.count > REGION_LIMIT:
-        drop_point(overlap, shallowest_entry(overlap))
+        drop_point(overlap, last_touched(pair, overlap))
 
 
 def keep_points(overlap: Overlap, kept: DeepPoints):

@@ -69,7 +69,7 @@ def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
         list_beside_smallest_gap(pair, overlap, side)
     if overlap.count > 0:
         find_saddles(pair, overlap, place)
-        merge_points(overlap)
+        merge_points(pair, overlap)
     return overlap.count
 
 

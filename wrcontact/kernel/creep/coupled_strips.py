@@ -7,7 +7,8 @@ differ by from the complete theory comes to the sum (correction.py).  Sums over 
     int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
     int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
 
-in which the second root of eq. (Z1) is integrated exactly.
+in which the second root of eq. (Z1) is integrated exactly.  Written with (u, v) = d (e - (0, k)) nothing is
+divided by d but what lies behind the edge: so for small creepages these are Kalker's linear theory.
 
 Where a strip sticks is strip theory with a bound, made continuous.  In units of the bound's rate m the
 creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and k = -K3 phi / m.  The strip sticks from -a +
@@ -47,8 +48,9 @@ from typing import Final
 
 from ..layout import ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingStrip, Tables
 from .correction import correct_force
+from .falling import open_falling
 from .march import NOTHING, march_strips, open_marches, set_pushes, set_stick
-from .stiffness import find_stiffnesses, stiffnesses_at
+from .stiffness import patch_stiffnesses, stiffnesses_at
 from .tractions import add_strip, bound_rate, patch_area, point_weight
 
 #: E of eq. (Z4) in very long patches.
@@ -100,6 +102,8 @@ def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
     march.twist = k
     march.stick_x = 0.0
     march.stick_y = 0.0
+    march.lead_x = u
+    march.lead_y = v
     if weight > 0.0 and depth < a:
         march.depth = depth
         march.stick_x = u / (depth + NOTHING)
@@ -172,19 +176,23 @@ def smooth_step(z: float):
 
 def solve_coupled_strips(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch."""
-    find_stiffnesses(tables, rolling, patch)
-    add_strips(tables, rolling, patch)
+    patch_stiffnesses(tables, rolling, patch)
+    share = add_strips(tables, rolling, patch)
     if not rolling.bare:
-        correct_force(tables, patch)
+        correct_force(tables, patch, share)
+    patch.friction *= share
 
 
 def add_strips(tables: Tables, rolling: Rolling, patch: Patch):
-    """What the strips add up to, without correction."""
+    """What the strips add up to, without correction; friction's share of that of rest."""
     marches = rolling.marches
     ratio = patch.half_length / patch.half_width
     plane, spinning = flexibilities(patch)
     open_marches(marches, ratio)
     mean = open_stick_zones(rolling, patch, ratio)
+    falls = patch.fall_rate > 0.0
+    if falls:
+        open_falling(rolling.falling, patch)
     stuck = 0.0
     for i in range(ROLLING_STRIP_LIMIT):
         march = rolling.begun[i]
@@ -193,9 +201,13 @@ def add_strips(tables: Tables, rolling: Rolling, patch: Patch):
             set_pushes(march, marches, i, plane, spinning, ratio)
             set_stick(tables.rolling, march, marches, i)
             stuck += 2.0 * (march.half_length - march.depth) * march.weight * patch.strips[i].width
-    march_strips(tables.rolling, marches)
+    march_strips(tables.rolling, marches, rolling.falling, falls)
     finish_marches(rolling, patch)
     patch.stick_share = stuck / patch_area(patch)
+    share = 1.0
+    if falls:
+        share = 1.0 - lost_friction(rolling, patch) / (patch.friction * patch.totals.load)
+    return share
 
 
 def open_stick_zones(rolling: Rolling, patch: Patch, ratio: float):
@@ -260,3 +272,13 @@ def finish_marches(rolling: Rolling, patch: Patch):
                 unit * strip.half_length * marches.sum_moment[i],
             )
     patch.max_shear = sqrt(largest)
+
+
+def lost_friction(rolling: Rolling, patch: Patch):
+    """How much of the bound on its force a patch loses where friction falls [N]."""
+    lost = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        unit = bound_rate(patch, strip) * strip.half_length * point_weight(strip) * strip.width
+        lost += unit * rolling.falling.lost[i]
+    return lost

@@ -8,10 +8,14 @@ with the velocity of the wheelset's centre C, its rotation W but for that about 
 about the axle e2, positive when it rolls forward.  On the right wheel, with the normal n from the
 rail to the wheel and y_p = e_x x n, which points to the field side,
 
-    V_ref = (|V| + |w e2 x (P - C)|_x) / 2
+    V_ref = sqrt((|V| + |w e2 x (P - C)|_x)^2 / 4 + V_0^2),   V_0 = 1e-12 m/s
     xi = v . e_x / V_ref,   eta = v . y_p / V_ref,   phi = -(W - w e2) . n / V_ref
 
 The left wheel is mirrored.  A strip of a patch has those of its own middle, with the rail's normal there.
+
+V_0 changes no bit of a wheel that rolls.  Towards standstill, with whatever velocities across the track,
+creepages grow until the whole patch slips against them, and creep forces have their limit.  A wheelset at rest
+has no creepages, which V_0 lets them reach without a jump.
 
 The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
 circumference that it has when it carries nothing, however deep it is pressed.
@@ -22,12 +26,12 @@ from typing import Final
 
 from ..layout import ROLLING_STRIP_LIMIT, Motion, Patch, RollingStrip
 
-#: A wheel that rolls more slowly than this [m/s] stands still and has no creepages: a micrometre a second.
-STANDSTILL: Final[float] = 1e-6
+#: V_0 [m/s]: a picometre a second, far below what any run could tell from rest.
+REST: Final[float] = 1e-12
 
 
 def move_patch(motion: Motion, patch: Patch):
-    """Rolling speed and creepages of a patch; those of a patch that stands still are zero."""
+    """Rolling speed and creepages of a patch."""
     x = patch.x_track
     y = patch.y_track - motion.centre_y
     z = patch.z_track - motion.centre_z
@@ -57,19 +61,15 @@ def move_patch(motion: Motion, patch: Patch):
     patch.speed = speed
     patch.radius_share = share
     patch.backwards = motion.speed + rolling_x < 0.0
-    patch.creepage_x = 0.0
-    patch.creepage_y = 0.0
-    patch.spin = 0.0
-    if speed > STANDSTILL:
-        patch.creepage_x = along / speed
-        patch.creepage_y = -(normal_z * lateral - normal_y * vertical) / speed
-        patch.spin = (
-            -(
-                (motion.turn_y - motion.wheel_rate * motion.axle_y) * normal_y
-                + (motion.turn_z + motion.track_rate - motion.wheel_rate * motion.axle_z) * normal_z
-            )
-            / speed
+    patch.creepage_x = along / speed
+    patch.creepage_y = -(normal_z * lateral - normal_y * vertical) / speed
+    patch.spin = (
+        -(
+            (motion.turn_y - motion.wheel_rate * motion.axle_y) * normal_y
+            + (motion.turn_z + motion.track_rate - motion.wheel_rate * motion.axle_z) * normal_z
         )
+        / speed
+    )
 
 
 def move_strips(motion: Motion, patch: Patch):
@@ -139,7 +139,8 @@ def velocity_along(motion: Motion, y: float, z: float, rolling_x: float):
 
 def reference_speed(motion: Motion, rolling_x: float):
     """The rolling speed [m/s] that creepages are referred to."""
-    return 0.5 * (fabs(motion.speed) + fabs(rolling_x))
+    speed = 0.5 * (fabs(motion.speed) + fabs(rolling_x))
+    return sqrt(speed * speed + REST * REST)
 
 
 def approach_rate(motion: Motion, patch: Patch):

@@ -4,7 +4,7 @@
     k  = k0 [alpha + (1 - alpha) / (1 + beta epsilon)]            Spiryagin, Polach, Cole (2013)
 
 with f from 1 on the tread to ``flange_friction_ratio`` on the flange over the contact angle gamma, the
-sliding velocity w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4
+sliding velocity w of each point (falling.py), for Polach's formula w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4
 mu N). The flexibility of the contact is divided by k; as the models know it only beside the creepages, these
 are multiplied by k.
 
@@ -25,7 +25,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..elementary.powers import exp
-from ..layout import ROLLING_STRIP_LIMIT, Patch, Tables
+from ..layout import ROLLING_STRIP_LIMIT, TANGENTIAL_POLACH, Patch, Tables
 from .tractions import kalker_coefficients
 
 PI: Final[float] = 3.141592653589793
@@ -33,17 +33,24 @@ PI: Final[float] = 3.141592653589793
 FLANGE_RANGE: Final[float] = 0.2
 
 
-def patch_friction(tables: Tables, friction: float, angle: float, sliding: float):
-    """Coefficient of friction of a patch with the contact ``angle`` [rad] that slides with ``sliding`` [m/s],
-    where that of its side is ``friction``."""
-    found = friction
+def set_friction(tables: Tables, patch: Patch, friction: float, resting: bool):
+    """Coefficient of friction of a patch that rolls, where that of its side is ``friction``, and how it
+    falls with the creepages of its points; ``resting``: it does not fall."""
+    patch.friction = friction
+    patch.fall_rate = 0.0
     parameters = tables.parameters
     if parameters.flange_friction_ratio != 1.0:
-        found *= 1.0 + (parameters.flange_friction_ratio - 1.0) * flange_share(tables, angle)
-    if parameters.friction_fall_rate > 0.0:
+        share = flange_share(tables, patch.contact_angle)
+        patch.friction *= 1.0 + (parameters.flange_friction_ratio - 1.0) * share
+    if parameters.friction_fall_rate > 0.0 and not resting:
         fall = parameters.friction_fall
-        found *= (1.0 - fall) * exp(-parameters.friction_fall_rate * sliding) + fall
-    return found
+        if tables.tangential == TANGENTIAL_POLACH:
+            creepage = sqrt(patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)
+            sliding = patch.speed * creepage
+            patch.friction *= (1.0 - fall) * exp(-parameters.friction_fall_rate * sliding) + fall
+        else:
+            patch.fall_rate = parameters.friction_fall_rate * patch.speed
+            patch.fall_floor = fall
 
 
 def flange_share(tables: Tables, angle: float):
@@ -83,7 +90,8 @@ def slope_factor(tables: Tables, patch: Patch):
 
 
 def multiply_creepages(patch: Patch, factor: float):
-    """Multiply the creepages of a patch and of its strips by ``factor``."""
+    """Multiply the creepages of a patch and of its strips by ``factor``; friction falls as before."""
+    patch.fall_rate /= factor
     patch.creepage_x *= factor
     patch.creepage_y *= factor
     patch.spin *= factor

@@ -29,7 +29,16 @@ of all of them, and compilers do several strips at once.
 from math import pi, sqrt
 from typing import Final
 
-from ..layout import POINT_LIMIT, ROLLING_STRIP_LIMIT, RollingMarch, RollingMarches, RollingTable, clear
+from ..layout import (
+    POINT_LIMIT,
+    ROLLING_STRIP_LIMIT,
+    FallingFriction,
+    RollingMarch,
+    RollingMarches,
+    RollingTable,
+    clear,
+)
+from .falling import find_shares, restore_slips, weigh_slips
 from .tractions import cut_to
 
 #: Where a step's spin is taken, in short patches, and how much later in long ones; eq. (M4).
@@ -46,6 +55,8 @@ SHARE_RATIO: Final[float] = 1.2
 SOFT: Final[float] = 0.05
 #: Stick zones of a smaller weight leave the second march more and more as it is without them.
 FAINT: Final[float] = 1e-3
+#: The sum of the squares of all sines.
+WHOLE: Final[float] = 0.5 * float(POINT_LIMIT + 1)
 #: In place of no slip at all.
 NOTHING: Final[float] = 1e-300
 
@@ -101,22 +112,25 @@ def set_stick(table: RollingTable, march: RollingMarch, marches: RollingMarches,
     if weight > 0.0:
         depth = march.depth / march.half_length
         edge = 2.0 * depth - 1.0
-        total = 0.0
-        moment = 0.0
-        q = 0
-        while q < POINT_LIMIT and table.cosines[q] >= edge:
-            total += table.sines[q] * table.sines[q]
-            moment += table.sines[q] * table.sines[q] * table.cosines[q]
-            q += 1
+        q = POINT_LIMIT
+        behind = 0.0
+        turning = 0.0
+        while q > 0 and table.cosines[q - 1] < edge:
+            q -= 1
+            behind += table.sines[q] * table.sines[q]
+            turning += table.sines[q] * table.sines[q] * table.cosines[q]
         marches.sticks[number] = weight
         marches.stick_x[number] = march.stick_x
         marches.stick_y[number] = march.stick_y
         marches.edge[number] = edge
-        inner = 0.5 * float(POINT_LIMIT + 1) * (1.0 - depth) * (1.0 - depth)
-        across = weight * (march.stick_y - march.twist) * inner
-        marches.sum_x[number] = weight * march.stick_x * (total - inner)
-        marches.sum_y[number] = weight * march.stick_y * total - across
-        marches.sum_moment[number] = weight * march.stick_y * moment - across * depth
+        lead_x = march.lead_x / march.half_length * WHOLE
+        lead_y = march.lead_y / march.half_length * WHOLE
+        inner = (1.0 - depth) * (1.0 - depth)
+        marches.sum_x[number] = weight * (lead_x * (2.0 - depth) - march.stick_x * behind)
+        marches.sum_y[number] = weight * (
+            lead_y * (2.0 - depth) + march.twist * WHOLE - march.stick_y * behind
+        )
+        marches.sum_moment[number] = -weight * (lead_y * inner + march.stick_y * turning)
         if march.twist * march.twist > 1.0:
             add_beyond(table, march, marches, number, q)
         if q < POINT_LIMIT:
@@ -142,8 +156,9 @@ def add_beyond(table: RollingTable, march: RollingMarch, marches: RollingMarches
             marches.sum_moment[number] += weight * table.cosines[q] * (cut_y - p_y)
 
 
-def march_strips(table: RollingTable, marches: RollingMarches):
-    """Add the points of all strips, from the leading edge on, to their sums."""
+def march_strips(table: RollingTable, marches: RollingMarches, falling: FallingFriction, falls: bool):
+    """Add the points of all strips, from the leading edge on, to their sums; ``falls``: whether friction
+    does, with the slip of each point (falling.py)."""
     before = 1.0
     slipping = has_slip(marches)
     for q in range(POINT_LIMIT):
@@ -155,11 +170,21 @@ def march_strips(table: RollingTable, marches: RollingMarches):
             reach_edge(marches, strip, before, x, bound)
             strip = int(marches.next[strip])
         march_first(marches, x, bound, before - x)
+        if falls:
+            find_shares(falling, x)
         if slipping:
+            if falls:
+                weigh_slips(marches, falling, bound)
             march_second(marches, x, bound, before - x)
+            if falls:
+                restore_slips(marches, falling)
         strip = first
         while strip >= 0:
-            leave_edge(marches, strip, x, bound)
+            friction = 1.0
+            if falls:
+                friction = falling.share[strip]
+                falling.lost[strip] += bound * bound * marches.edge_share[strip] * (1.0 - friction)
+            leave_edge(marches, strip, x, bound, friction)
             slipping = True
             strip = int(marches.next[strip])
         before = x
@@ -242,17 +267,17 @@ def reach_edge(marches: RollingMarches, i: int, before: float, x: float, bound: 
     marches.sum_moment[i] += weight * x * marches.stick_y[i]
 
 
-def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
+def leave_edge(marches: RollingMarches, i: int, x: float, bound: float, friction: float):
     """Let the second march of strip ``i`` begin at the edge of its stick zone, and add the rest of its
-    traction at ``x``, the first point behind."""
+    traction at ``x``, the first point behind; ``friction`` is that there over that of rest."""
     weight = marches.sticks[i]
     near = marches.slips[i]
     p_x = 0.0
     p_y = 0.0
     if weight < 1.0:
         slip_x, slip_y = slip_traction(marches, i, bound)
-        p_x = near * slip_x
-        p_y = near * slip_y
+        p_x = near * friction * slip_x
+        p_y = near * friction * slip_y
     step = marches.edge[i] - x
     to_x, to_y = stepped(marches, i, marches.edge_x[i], marches.edge_y[i], x, step)
     to_x, to_y = cut_to(to_x, to_y, bound)
@@ -265,8 +290,8 @@ def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
     marches.second_y[i] = to_y
     slip_x, slip_y = slip_traction(marches, i, bound)
     share = marches.edge_share[i]
-    slip_x *= share
-    slip_y *= share
+    slip_x *= share * friction
+    slip_y *= share * friction
     marches.sum_x[i] += bound * slip_x
     marches.sum_y[i] += bound * slip_y
     marches.sum_moment[i] += bound * x * slip_y

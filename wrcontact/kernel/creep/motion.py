@@ -22,6 +22,7 @@ from ..layout import (
     CURVATURE_LIMIT,
     RATE_LIMIT,
     SPEED_LIMIT,
+    TORQUE_LIMIT,
     VELOCITY_LIMIT,
     WHEEL_LIMIT,
     ContactPoint,
@@ -45,6 +46,10 @@ def is_moderate(inputs: Inputs) -> bool:
         moderate = False
     if fabs(inputs.yaw_rate) > RATE_LIMIT or fabs(inputs.roll_rate) > RATE_LIMIT:
         moderate = False
+    if fabs(inputs.axle_torque) > TORQUE_LIMIT:
+        moderate = False
+    if fabs(inputs.left_axle_torque) > TORQUE_LIMIT or fabs(inputs.right_axle_torque) > TORQUE_LIMIT:
+        moderate = False
     if fabs(inputs.track_curvature) > CURVATURE_LIMIT:
         moderate = False
     if not is_rail_moderate(
@@ -67,7 +72,8 @@ def is_rail_moderate(lateral: float, vertical: float, roll: float) -> bool:
 
 def rolling_rate(inputs: Inputs, given: float, radius: float):
     """Rotation about the axle [rad/s], positive when it rolls forward, of which the input ``given`` says as
-    much; 0 may stand for that of free rolling with a nominal ``radius`` [m]."""
+    much; 0 may stand for that of a nominal ``radius`` [m], or for one that follows
+    (wheelset/free_rolling.py)."""
     rate = given
     if rate == 0.0 and inputs.free_rolling != 0.0:
         rate = inputs.speed / radius

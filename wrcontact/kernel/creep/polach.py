@@ -27,59 +27,67 @@ from ..elementary.powers import exp
 from ..layout import Patch, Tables
 from .tractions import kalker_coefficients
 
-#: Creepages below this have no force: no direction could be told.
+#: Below this slip forces are those of linear theory.
 SMALLEST: Final[float] = 1e-150
+#: A slip of this size has no direction yet: C of eq. (P1) begins as C11 for the longitudinal force and as C22
+#: for the lateral one, so that the formula has slopes at no creepage.
+AIMLESS: Final[float] = 1e-9
 
 
 def solve_polach(tables: Tables, patch: Patch):
     """Force and largest traction of a patch."""
     a = patch.half_length
-    slip = sqrt(patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)
-    across = patch.creepage_y + patch.spin * a
-    if fabs(across) < fabs(patch.creepage_y):
-        across = patch.creepage_y
-    whole = sqrt(patch.creepage_x * patch.creepage_x + across * across)
-    if whole > SMALLEST:
-        first, second, third = kalker_coefficients(tables.rolling, a / patch.half_width)
-        if slip > SMALLEST:
-            push = (
-                creep_force(tables.shear_modulus, patch, mean_coefficient(patch, first, second, slip), whole)
-                / whole
-            )
-            patch.creep_x = -push * patch.creepage_x
-            patch.creep_y = -push * patch.creepage_y
-        patch.creep_y += spin_force(tables.shear_modulus, patch, third, whole)
-        cut_force(patch)
-        patch.max_shear = largest_shear(patch)
+    reach = patch.creepage_y + patch.spin * a
+    if fabs(reach) < fabs(patch.creepage_y):
+        reach = patch.creepage_y
+    whole = sqrt(patch.creepage_x * patch.creepage_x + reach * reach)
+    first, second, third = kalker_coefficients(tables.rolling, a / patch.half_width)
+    modulus = tables.shear_modulus
+    along = mean_coefficient(patch, first, second, first)
+    across = mean_coefficient(patch, first, second, second)
+    patch.creep_x = -slope(modulus, patch, along, whole) * patch.creepage_x
+    patch.creep_y = -slope(modulus, patch, across, whole) * patch.creepage_y
+    patch.creep_y += spin_slope(modulus, patch, third, whole) * patch.spin
+    cut_force(patch)
+    patch.max_shear = largest_shear(patch)
 
 
-def mean_coefficient(patch: Patch, first: float, second: float, slip: float):
-    """Kalker's coefficient in the direction of the slip."""
-    along = first * (patch.creepage_x / slip)
-    across = second * (patch.creepage_y / slip)
-    return sqrt(along * along + across * across)
+def mean_coefficient(patch: Patch, first: float, second: float, own: float):
+    """Kalker's coefficient in the direction of the slip; where the slip is next to nothing, the ``own`` one of
+    a force's direction."""
+    x = patch.creepage_x * patch.creepage_x
+    y = patch.creepage_y * patch.creepage_y
+    floor = AIMLESS * AIMLESS
+    return sqrt((first * first * x + second * second * y + own * own * floor) / (x + y + floor))
 
 
-def creep_force(shear_modulus: float, patch: Patch, coefficient: float, whole: float):
-    """Magnitude of the force [N] of a slip ``whole``; eqs. (P1), (P2)."""
+def slope(shear_modulus: float, patch: Patch, coefficient: float, whole: float):
+    """Force over slip [N] where that is ``whole``; eqs. (P1), (P2)."""
     bound = patch.friction * patch.totals.load
-    e = 0.25 * pi * patch.half_length * patch.half_width * shear_modulus * coefficient * whole / bound
-    share = atan(e)
-    if e < 1.0:
-        share += e / (1.0 + e * e)
-    else:
-        share += 1.0 / (e + 1.0 / e)
+    rate = 0.25 * pi * patch.half_length * patch.half_width * shear_modulus * coefficient / bound
+    e = rate * whole
+    share = 2.0 * rate
+    if whole > SMALLEST:
+        share = atan(e)
+        if e < 1.0:
+            share += e / (1.0 + e * e)
+        else:
+            share += 1.0 / (e + 1.0 / e)
+        share /= whole
     return 2.0 / pi * bound * share
 
 
-def spin_force(shear_modulus: float, patch: Patch, coefficient: float, whole: float):
-    """Lateral force [N] of spin; eqs. (P3) to (P5)."""
+def spin_slope(shear_modulus: float, patch: Patch, coefficient: float, whole: float):
+    """Lateral force of spin over the spin [N m]; eqs. (P3) to (P5)."""
     a = patch.half_length
     b = patch.half_width
     bound = patch.friction * patch.totals.load
     wide = 1.0 + 6.3 * (1.0 - exp(-a / b))
-    e = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient * whole / (bound * wide)
-    return 9.0 / 16.0 * a * bound * wide * spin_share(e) * (patch.spin / whole)
+    rate = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient / (bound * wide)
+    share = -2.0 / 3.0 * rate
+    if whole > SMALLEST:
+        share = spin_share(rate * whole) / whole
+    return 9.0 / 16.0 * a * bound * wide * share
 
 
 def spin_share(e: float):

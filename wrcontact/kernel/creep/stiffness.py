@@ -41,6 +41,7 @@ from ..layout import (
     RollingBlocks,
     RollingTable,
     Tables,
+    copy,
 )
 from .tractions import shape_place, shape_value
 
@@ -76,6 +77,40 @@ def find_stiffnesses(tables: Tables, rolling: Rolling, patch: Patch):
         block.turning = turning * rolling.equations_spin[i][BLOCK_COUNT] / block.half_length
     rolling.shift = creepage_shift(rolling)
     spread_turning(blocks, mean_share(ratio))
+
+
+def patch_stiffnesses(tables: Tables, rolling: Rolling, patch: Patch):
+    """The same of a patch of which only creepages may have changed, where stiffnesses are kept: with the same
+    bits, as only the shift of eq. (K6) depends on creepages."""
+    kept = rolling.stiffnesses[rolling.place]
+    if rolling.keeping and rolling.kept:
+        copy(kept.blocks, rolling.blocks)
+        copy(kept.equations_x, rolling.equations_x)
+        renew_shift(rolling, patch)
+    else:
+        find_stiffnesses(tables, rolling, patch)
+        if rolling.keeping:
+            copy(rolling.blocks, kept.blocks)
+            copy(rolling.equations_x, kept.equations_x)
+
+
+def renew_shift(rolling: Rolling, patch: Patch):
+    """The shift of eq. (K6) for new creepages, with the equations that are eliminated already."""
+    side = BLOCK_COUNT + 1
+    for i in range(BLOCK_COUNT):
+        block = rolling.blocks[i]
+        row = rolling.equations_x[i]
+        block.slip = 0.5 * (patch.strips[2 * i].slip + patch.strips[2 * i + 1].slip)
+        row[side] = block.slip
+    for k in range(BLOCK_COUNT):
+        pivot = rolling.equations_x[k]
+        inverse = 1.0 / pivot[k]
+        for i in range(k + 1, BLOCK_COUNT):
+            row = rolling.equations_x[i]
+            factor = row[k] * inverse
+            row[side] -= factor * pivot[side]
+    substitute(rolling.equations_x, side)
+    rolling.shift = creepage_shift(rolling)
 
 
 def join_strips(rolling: Rolling, patch: Patch):
@@ -161,14 +196,19 @@ def solve_blocks(equations: BlockMatrix, sides: int):
             for j in range(k + 1, stop):
                 row[j] -= factor * pivot[j]
     for side in range(BLOCK_COUNT, stop):
-        for back in range(BLOCK_COUNT):
-            k = BLOCK_COUNT - 1 - back
-            pivot = equations[k]
-            value = pivot[side]
-            for j in range(k + 1, BLOCK_COUNT):
-                known = equations[j]
-                value -= pivot[j] * known[side]
-            pivot[side] = value / pivot[k]
+        substitute(equations, side)
+
+
+def substitute(equations: BlockMatrix, side: int):
+    """The solution for one right-hand side of eliminated equations."""
+    for back in range(BLOCK_COUNT):
+        k = BLOCK_COUNT - 1 - back
+        pivot = equations[k]
+        value = pivot[side]
+        for j in range(k + 1, BLOCK_COUNT):
+            known = equations[j]
+            value -= pivot[j] * known[side]
+        pivot[side] = value / pivot[k]
 
 
 def creepage_shift(rolling: Rolling):

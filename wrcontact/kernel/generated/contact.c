@@ -3,11 +3,11 @@
 
 /* contact/curves.py */
 static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t pair, int64_t curve);
-static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
+static OUT_OF_LINE void curves__curve_jet(double* across_out, double* down_out, double* slope_out, double* stretch_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
 static OUT_OF_LINE double curves__curve_speed(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
 static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t pair, int64_t curve, double u);
-static OUT_OF_LINE int64_t curves__open_curve(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
 static OUT_OF_LINE int64_t curves__open_origin(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double spacing);
+static OUT_OF_LINE int64_t curves__open_curve(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
 static OUT_OF_LINE double curves__panel_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double low, double high);
 static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double start, double stop);
 static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop);
@@ -22,18 +22,19 @@ static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, doubl
 static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work);
 static OUT_OF_LINE bool deep_points__is_listed(array_double_1d work, double x);
 static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work);
-static OUT_OF_LINE int64_t deep_points__shallowest_entry(array_double_1d work);
+static OUT_OF_LINE double deep_points__fallen(array_double_1d tables, array_double_1d work, int64_t pair, int64_t point);
+static OUT_OF_LINE int64_t deep_points__last_touched(array_double_1d tables, array_double_1d work, int64_t pair);
 static OUT_OF_LINE int64_t deep_points__keep_deepest(array_double_1d work);
 static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t entry);
-static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work);
+static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kept);
-static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height);
 static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height);
+static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height);
 
 /* contact/frame.py */
-static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double aside, double shift);
-static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline void frame__open_frame(double* z_out, double* slope_out, double* y_track_out, double* rail_slope_out, double* mismatch_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double aside, double shift);
+static inline void frame__normal_gap(double* gap_out, double* out_1, double* out_2, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 static inline bool frame__is_yawed(array_double_1d work);
 static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
 static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot);
@@ -42,38 +43,38 @@ static inline int64_t frame__incline_region(array_double_1d work, array_double_1
 static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 
 /* contact/overlap_samples.py */
-static ALWAYS_INLINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry);
+static ALWAYS_INLINE void overlap_samples__sample_overlap(double* gap_out, double* out_1, double* abscissa_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry);
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry);
 static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, int64_t direction, double height, int64_t first);
 
 /* contact/overlaps.py */
-static ALWAYS_INLINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
-static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t point, double x, double rise, double rate);
+static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height);
+static OUT_OF_LINE bool overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden);
 static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
-static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t point, double x, double rise, double rate);
 static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, double y);
+static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y);
-static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double x, double step);
+static ALWAYS_INLINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
+static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double x, double step);
+static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t finest);
 static OUT_OF_LINE double overlaps__wheel_beside(array_double_1d work, double parts);
 static OUT_OF_LINE bool overlaps__turns_once(array_double_1d work, double share);
 static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
-static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t finest);
-static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden);
-static OUT_OF_LINE bool overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
-static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height);
 
 /* contact/pressed.py */
 static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend);
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station);
+static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
 static OUT_OF_LINE double pressed__limited(double step, double limit);
-static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign);
+static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign);
 
 /* contact/pressed_regions.py */
-static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point);
+static OUT_OF_LINE void pressed_regions__touching_shift(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap);
 static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration);
 static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration);
@@ -82,29 +83,29 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
 static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair);
 
 /* contact/separation.py */
-static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station);
-static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station);
-static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair);
-static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind);
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static OUT_OF_LINE void separation__vertical_rise(double* out_0, double* out_1, double* out_2, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
+static OUT_OF_LINE void separation__equidistant_rise(double* out_0, double* rate_out, double* out_2, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
+static OUT_OF_LINE void separation__depth_lost(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair);
+static OUT_OF_LINE void separation__moved_separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind);
+static inline void separation__separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 
 /* contact/traces.py */
 static inline int64_t traces__start_traces(array_double_1d work, double station, double abscissa, double y);
 static inline double traces__first_abscissa(array_double_1d work, int64_t trace, double away);
-static inline int64_t traces__trace_profile(double* result_0, double* result_1, double* ordinate_bend, double* result_3, double* result_4, bool* exists, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance);
-static inline int64_t traces__trace_rail(double* ordinate, double* rate, double* bend, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
-static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
-static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline void traces__trace_profile(double* out_0, double* out_1, double* ordinate_bend_out, double* out_3, double* out_4, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance);
+static inline void traces__trace_rail(double* ordinate_out, double* rate_out, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline void traces__trace_wheel(double* ordinate_out, double* rate_out, double* bend_out, double* curvature_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline void traces__trace_outline(double* ordinate_out, double* out_1, double* ordinate_bend_out, double* curvature_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 
 /* contact/turning_cells.py */
-static ALWAYS_INLINE int64_t turning_cells__sample_bend(double* share, double* result_1, array_double_1d tables, array_double_1d work, int64_t scan, int64_t place, int64_t entry);
-static ALWAYS_INLINE double turning_cells__foot_error(array_double_1d work, int64_t entry);
-static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
-static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double first_error, double last_error, double least, double most, double width);
 static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, double before, double after, double rise);
-static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
+static ALWAYS_INLINE void turning_cells__sample_bend(double* share_out, double* out_1, array_double_1d tables, array_double_1d work, int64_t scan, int64_t place, int64_t entry);
+static ALWAYS_INLINE double turning_cells__foot_error(array_double_1d work, int64_t entry);
 static OUT_OF_LINE double turning_cells__foot_aside(array_double_1d work, int64_t entry);
+static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
 static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 
 /* contact/widths.py */
@@ -113,8 +114,8 @@ static inline double widths__width_tolerance(double estimate);
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate);
 static inline int64_t widths__keep_widths(array_double_1d work, int64_t region);
 static inline int64_t widths__start_widths(array_double_1d work, int64_t region);
-static inline double widths__side_curvature(double reached, double own, double mean);
 static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration);
+static inline double widths__side_curvature(double reached, double own, double mean);
 
 
 /* ---- From contact/curves.py; change that one.
@@ -141,10 +142,10 @@ static inline int64_t widths__measure_widths(array_double_1d tables, array_doubl
 static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t pair, int64_t curve)
 {
     int64_t profile;
-    profile = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    profile = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
     if (curve == layout__RAIL)
     {
-        profile = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+        profile = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
     }
     return profile;
 }
@@ -152,22 +153,24 @@ static OUT_OF_LINE int64_t curves__curve_profile(array_double_1d tables, int64_t
 /* Point of a curve from its origin, across and down [m], its slope [-], and along the profile abscissa
  * ``u`` the derivatives of the lateral coordinate [-] and of the slope [1/m].
  */
-static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, double* slope, double* stretch, double* bend, array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u)
+static OUT_OF_LINE void curves__curve_jet(double* across_out, double* down_out, double* slope_out, double* stretch_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u)
 {
-    double z;
-    double y_track;
-    double z_track;
-    tables__height_slope_bend(&z, slope, bend, tables, curves__curve_profile(tables, pair, curve), u);
-    (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
-    (*down) = z - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
-    (*stretch) = 1.0;
+    double z, slope, bend, across, down, stretch, y_track, z_track;
+    tables__height_slope_bend(&z, &slope, &bend, tables, curves__curve_profile(tables, pair, curve), u);
+    across = u - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y);
+    down = z - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z);
+    stretch = 1.0;
     if (curve == layout__WHEEL)
     {
-        locus__outline_jet(&y_track, &z_track, slope, stretch, bend, work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), u, z, (*slope), (*bend));
-        (*across) = y_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
-        (*down) = z_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
+        locus__outline_jet(&y_track, &z_track, &slope, &stretch, &bend, work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), u, z, slope, bend);
+        across = y_track - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y);
+        down = z_track - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z);
     }
-    return 0;
+    *across_out = across;
+    *down_out = down;
+    *slope_out = slope;
+    *stretch_out = stretch;
+    *bend_out = bend;
 }
 
 /* Arc length per profile abscissa [-]; of an outline that folds back it is negative.  A roll does not
@@ -175,15 +178,9 @@ static OUT_OF_LINE int64_t curves__curve_jet(double* across, double* down, doubl
  */
 static OUT_OF_LINE double curves__curve_speed(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u)
 {
-    double z;
-    double slope;
-    double across;
-    double down;
-    double stretch;
-    double bend;
-    double speed;
+    double speed, z, slope, across, down, stretch, bend;
     speed = 1.0;
-    if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
+    if (curve == layout__RAIL || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_YAWED) == 1.0))
     {
         tables__height_slope(&z, &slope, tables, curves__curve_profile(tables, pair, curve), u);
         speed = sqrt(1.0 + slope * slope);
@@ -201,7 +198,7 @@ static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t pair, i
 {
     int64_t profile;
     profile = curves__curve_profile(tables, pair, curve);
-    u = double_min(2, double_max(2, u, (*cspan_at(&tables, profile + layout__PROFILE_START))), (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
+    u = double_min(double_max(u, AT(tables, profile + layout__PROFILE_START)), AT(tables, profile + layout__PROFILE_STOP));
     return u;
 }
 
@@ -210,37 +207,33 @@ static OUT_OF_LINE double curves__within(array_double_1d tables, int64_t pair, i
  */
 static OUT_OF_LINE int64_t curves__open_origin(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double spacing)
 {
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
+    if ((int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work, region + layout__REGION_STATION));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work, region + layout__REGION_GAP));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION) = AT(work, region + layout__REGION_STATION);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP) = AT(work, region + layout__REGION_GAP);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = 0.0;
+        if ((int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = spacing;
         }
-        curves__open_curve(tables, work, pair, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)));
-        curves__open_curve(tables, work, pair, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)));
+        curves__open_curve(tables, work, pair, layout__RAIL, AT(work, region + layout__REGION_RAIL));
+        curves__open_curve(tables, work, pair, layout__WHEEL, AT(work, region + layout__REGION_WHEEL));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Let the origin of a curve be its point at abscissa ``u`` [m]. */
 static OUT_OF_LINE int64_t curves__open_curve(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u)
 {
     int64_t point;
-    double across;
-    double down;
-    double slope;
-    double stretch;
-    double bend;
+    double across, down, slope, stretch, bend;
     point = layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
-    (*cspan_at(&work, point + layout__POINT_Y)) = 0.0;
-    (*cspan_at(&work, point + layout__POINT_Z)) = 0.0;
+    AT(work, point + layout__POINT_Y) = 0.0;
+    AT(work, point + layout__POINT_Z) = 0.0;
     curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, curve, u);
-    (*cspan_at(&work, point + layout__POINT_Y)) = across;
-    (*cspan_at(&work, point + layout__POINT_Z)) = down;
-    return INT64_C(0);
+    AT(work, point + layout__POINT_Y) = across;
+    AT(work, point + layout__POINT_Z) = down;
+    return 0;
 }
 
 /* Arc length [m] between abscissae within one piece of the profile, by Gauss's
@@ -248,30 +241,24 @@ static OUT_OF_LINE int64_t curves__open_curve(array_double_1d tables, array_doub
  */
 static OUT_OF_LINE double curves__panel_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double low, double high)
 {
-    double middle;
-    double half;
-    double total;
-    int64_t i;
-    double side;
-    int64_t k;
-    double away;
-    double weight;
+    double middle, half, total, side, away, weight;
+    int64_t i, k;
     middle = 0.5 * (low + high);
     half = 0.5 * (high - low);
     total = 0.0;
-    for (i = -INT64_C(1); i < INT64_C(2); i += INT64_C(2))
+    for (i = -1; i < 2; i += 2)
     {
-        side = half * (double)(i);
-        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
+        side = half * (double)i;
+        for (k = 0; k < 3; k += 1)
         {
             away = curves__GAUSS_1;
             weight = curves__WEIGHT_1;
-            if (k == INT64_C(1))
+            if (k == 1)
             {
                 away = curves__GAUSS_2;
                 weight = curves__WEIGHT_2;
             }
-            if (k == INT64_C(2))
+            if (k == 2)
             {
                 away = curves__GAUSS_3;
                 weight = curves__WEIGHT_3;
@@ -289,11 +276,8 @@ static OUT_OF_LINE double curves__panel_length(array_double_1d tables, array_dou
  */
 static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double start, double stop)
 {
-    double low;
-    double high;
+    double low, high, total, end;
     int64_t piece;
-    double end;
-    double total;
     low = start;
     high = stop;
     if (stop < start)
@@ -303,13 +287,13 @@ static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_doubl
     }
     total = 0.0;
     piece = tables__find_piece(tables, curves__curve_profile(tables, pair, curve), low);
-    while(low < high)
+    while (low < high)
     {
         end = high;
         piece = piece + layout__PIECE_SIZE;
-        if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
+        if (AT(tables, piece + layout__PIECE_START) < high)
         {
-            end = (*cspan_at(&tables, piece + layout__PIECE_START));
+            end = AT(tables, piece + layout__PIECE_START);
         }
         total += curves__panel_length(tables, work, pair, curve, low, end);
         low = end;
@@ -324,9 +308,7 @@ static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_doubl
 /* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one. */
 static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop)
 {
-    double result;
-    result = tables__read_cubic(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), stop) - tables__read_cubic(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), start);
-    return result;
+    return tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), stop) - tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), start);
 }
 
 /* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
@@ -336,24 +318,19 @@ static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pa
  */
 static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length)
 {
-    int64_t rail;
-    int64_t arcs;
-    int64_t abscissae;
-    double arc;
-    double found;
-    double speed;
-    double x;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    arcs = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC)));
-    abscissae = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC)));
+    int64_t rail, arcs, abscissae;
+    double arc, x, found, speed;
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    arcs = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC);
+    abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
     arc = tables__read_cubic(tables, arcs, start) + length;
     if (arc < 0.0)
     {
-        x = (*cspan_at(&tables, rail + layout__PROFILE_START)) + arc;
+        x = AT(tables, rail + layout__PROFILE_START) + arc;
     }
-    else if (arc * (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)) > (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)))
+    else if (arc * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
-        x = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) + (arc - (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)) / (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)));
+        x = AT(tables, rail + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
     }
     else
     {
@@ -369,34 +346,31 @@ static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t 
  */
 static OUT_OF_LINE bool curves__move_arc(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double length)
 {
-    double u;
-    double remainder;
+    double u, remainder, speed, following;
     int64_t i;
-    double speed;
-    double following;
-    u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    u = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
     remainder = length;
-    for (i = INT64_C(0); i < curves__MOVE_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < curves__MOVE_ITERATIONS; i += 1)
     {
         if (fabs(remainder) < curves__MOVE_SHARP)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
-            return 1;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA) = u;
+            return true;
         }
         speed = curves__curve_speed(tables, work, pair, curve, u);
         if (!(speed > 0.0))
         {
-            return 0;
+            return false;
         }
         following = curves__within(tables, pair, curve, u + remainder / speed);
         if (following == u)
         {
-            return 0;
+            return false;
         }
         remainder -= curves__arc_length(tables, work, pair, curve, u, following);
         u = following;
     }
-    return 0;
+    return false;
 }
 
 /* Move a curve's abscissa to where a circle of radius abs(``chord``) [m] around the point cuts the curve,
@@ -404,27 +378,16 @@ static OUT_OF_LINE bool curves__move_arc(array_double_1d tables, array_double_1d
  */
 static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double chord)
 {
-    double start;
-    double from_across;
-    double from_down;
-    double slope;
-    double stretch;
-    double bend;
-    double u;
+    double start, from_across, from_down, slope, stretch, bend, u, across, down, length, along, following;
     int64_t i;
-    double across;
-    double down;
-    double length;
-    double along;
-    double following;
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    start = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
     curves__curve_jet(&from_across, &from_down, &slope, &stretch, &bend, tables, work, pair, curve, start);
     if (!(stretch > 0.0))
     {
-        return 0;
+        return false;
     }
     u = curves__within(tables, pair, curve, start + chord / (stretch * sqrt(1.0 + slope * slope)));
-    for (i = INT64_C(0); i < curves__MOVE_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < curves__MOVE_ITERATIONS; i += 1)
     {
         curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, curve, u);
         across -= from_across;
@@ -432,22 +395,22 @@ static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_
         length = sqrt(across * across + down * down);
         if (fabs(length - fabs(chord)) < curves__MOVE_SHARP)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
-            return 1;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA) = u;
+            return true;
         }
         along = (across + slope * down) * stretch;
         if (!(along * chord > 0.0))
         {
-            return 0;
+            return false;
         }
         following = curves__within(tables, pair, curve, u - (length - fabs(chord)) * length / along);
         if (following == u)
         {
-            return 0;
+            return false;
         }
         u = following;
     }
-    return 0;
+    return false;
 }
 
 /* Move a curve's abscissa from the station of the traces to ``station`` [m], by arc or by chords; whether
@@ -455,14 +418,12 @@ static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_
  */
 static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double station)
 {
-    double way;
-    double spacing;
-    double chord;
-    int64_t i;
+    double way, spacing, chord;
     bool exists;
-    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    spacing = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
-    exists = 1;
+    int64_t i, i_end;
+    way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
+    spacing = AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING);
+    exists = true;
     if (spacing == 0.0)
     {
         exists = curves__move_arc(tables, work, pair, curve, way);
@@ -474,7 +435,8 @@ static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_do
         {
             chord = -spacing;
         }
-        for (i = INT64_C(0); i < (int64_t)(fabs(way) / spacing + 0.5); i += INT64_C(1))
+        i_end = (int64_t)(fabs(way) / spacing + 0.5);
+        for (i = 0; i < i_end; i += 1)
         {
             if (exists)
             {
@@ -490,35 +452,29 @@ static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_do
  */
 static OUT_OF_LINE bool curves__move_across(array_double_1d tables, array_double_1d work, int64_t pair, double lateral)
 {
-    double u;
+    double u, across, down, slope, stretch, bend, following;
     int64_t i;
-    double across;
-    double down;
-    double slope;
-    double stretch;
-    double bend;
-    double following;
-    u = curves__within(tables, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-    for (i = INT64_C(0); i < curves__MOVE_ITERATIONS; i += INT64_C(1))
+    u = curves__within(tables, pair, layout__WHEEL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    for (i = 0; i < curves__MOVE_ITERATIONS; i += 1)
     {
         curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, layout__WHEEL, u);
         if (!(stretch > 0.0))
         {
-            return 0;
+            return false;
         }
         if (fabs(across - lateral) < curves__MOVE_SHARP)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
-            return 1;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) = u;
+            return true;
         }
         following = curves__within(tables, pair, layout__WHEEL, u - (across - lateral) / stretch);
         if (following == u)
         {
-            return 0;
+            return false;
         }
         u = following;
     }
-    return 0;
+    return false;
 }
 
 
@@ -533,60 +489,55 @@ static OUT_OF_LINE bool curves__move_across(array_double_1d tables, array_double
 /* List a deepest point at the end. */
 static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, int64_t meeting)
 {
-    int64_t count;
-    int64_t point;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
+    int64_t count, point;
+    count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     if (count < layout__DEEP_LIMIT)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * count;
-        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
-        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
-        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)(count + INT64_C(1));
+        AT(work, point + layout__DEEP_POINT_RAIL) = rail;
+        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, meeting + layout__MEETING_WHEEL);
+        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, meeting + layout__MEETING_OVERLAP);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)(count + 1);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Bring the last point listed to its place along the rail. */
 static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work)
 {
-    int64_t entry;
-    double rail;
-    double wheel;
-    double depth;
-    int64_t i_1;
-    int64_t point;
-    entry = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
-    rail = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL));
-    wheel = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_WHEEL));
-    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH));
-    while((entry > INT64_C(0)) && (rail < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)) + layout__DEEP_POINT_RAIL))))
+    int64_t entry, i_1, point;
+    double rail, wheel, depth;
+    entry = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1;
+    rail = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL);
+    wheel = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_WHEEL);
+    depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH);
+    while (entry > 0 && rail < AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1) + layout__DEEP_POINT_RAIL))
     {
-        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1)) + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1) + i_1);
         }
-        entry -= INT64_C(1);
+        entry -= 1;
     }
     point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-    (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = rail;
-    (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = wheel;
-    (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = depth;
-    return INT64_C(0);
+    AT(work, point + layout__DEEP_POINT_RAIL) = rail;
+    AT(work, point + layout__DEEP_POINT_WHEEL) = wheel;
+    AT(work, point + layout__DEEP_POINT_DEPTH) = depth;
+    return 0;
 }
 
 /* Whether the last point listed is at ``x`` [m] or beyond. */
 static OUT_OF_LINE bool deep_points__is_listed(array_double_1d work, double x)
 {
-    int64_t entry;
     bool listed;
-    listed = 0;
-    entry = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
-    if (entry >= INT64_C(0))
+    int64_t entry;
+    listed = false;
+    entry = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1;
+    if (entry >= 0)
     {
-        if (x < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL)) + deep_points__SAME_POINT)
+        if (x < AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL) + deep_points__SAME_POINT)
         {
-            listed = 1;
+            listed = true;
         }
     }
     return listed;
@@ -595,14 +546,12 @@ static OUT_OF_LINE bool deep_points__is_listed(array_double_1d work, double x)
 /* The deepest of the list. */
 static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work)
 {
-    int64_t entry_end;
-    int64_t entry;
-    int64_t best;
-    best = INT64_C(0);
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    int64_t best, entry, entry_end;
+    best = 0;
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * best + layout__DEEP_POINT_DEPTH)))
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH) > AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * best + layout__DEEP_POINT_DEPTH))
         {
             best = entry;
         }
@@ -610,129 +559,133 @@ static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work)
     return best;
 }
 
-/* The least deep of the list. */
-static OUT_OF_LINE int64_t deep_points__shallowest_entry(array_double_1d work)
+/* How far the wheel has come down since it touched at a deepest point [m]. */
+static OUT_OF_LINE double deep_points__fallen(array_double_1d tables, array_double_1d work, int64_t pair, int64_t point)
 {
-    int64_t entry_end;
-    int64_t entry;
-    int64_t least;
-    least = INT64_C(0);
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    double z, slope;
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL));
+    return AT(work, point + layout__DEEP_POINT_DEPTH) * sqrt(1.0 + slope * slope);
+}
+
+/* The one of the list that was touched last.
+ *
+ * Not the least deep one: along its normal, a flange is less deep than a tread that was touched later.
+ */
+static OUT_OF_LINE int64_t deep_points__last_touched(array_double_1d tables, array_double_1d work, int64_t pair)
+{
+    int64_t last, entry, entry_end;
+    double least, height;
+    last = 0;
+    least = deep_points__fallen(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (entry = 1; entry < entry_end; entry += 1)
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * least + layout__DEEP_POINT_DEPTH)))
+        height = deep_points__fallen(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry);
+        if (height < least)
         {
-            least = entry;
+            last = entry;
+            least = height;
         }
     }
-    return least;
+    return last;
 }
 
 /* Leave only the deepest of the list, which then has no bounds. */
 static OUT_OF_LINE int64_t deep_points__keep_deepest(array_double_1d work)
 {
     int64_t i_1;
-    for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + i_1);
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)1;
+    return 0;
 }
 
 /* Take a point off the list with its own saddle. */
 static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64_t entry)
 {
-    int64_t count;
-    int64_t i;
-    int64_t i_1;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    for (i = entry; i < count - INT64_C(1); i += INT64_C(1))
+    int64_t count, i, i_1;
+    count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (i = entry; i < count - 1; i += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * i + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (i + INT64_C(1)) + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * i + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (i + 1) + i_1);
         }
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)(count - INT64_C(1));
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)(count - 1);
+    return 0;
 }
 
 /* Leave out a deepest point; of the saddles beside it the less deep one stays. */
 static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t entry)
 {
-    int64_t point;
-    int64_t before;
-    if ((entry > INT64_C(0)) && (entry < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1)))
+    int64_t point, before;
+    if (entry > 0 && entry < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        before = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - INT64_C(1));
-        if ((*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < (*cspan_at(&work, before + layout__DEEP_POINT_BETWEEN)))
+        before = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1);
+        if (AT(work, point + layout__DEEP_POINT_BETWEEN) < AT(work, before + layout__DEEP_POINT_BETWEEN))
         {
-            (*cspan_at(&work, before + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN));
-            (*cspan_at(&work, before + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
+            AT(work, before + layout__DEEP_POINT_BETWEEN) = AT(work, point + layout__DEEP_POINT_BETWEEN);
+            AT(work, before + layout__DEEP_POINT_SADDLE) = AT(work, point + layout__DEEP_POINT_SADDLE);
         }
     }
     deep_points__remove_point(work, entry);
-    return INT64_C(0);
+    return 0;
 }
 
-/* Join points with a low saddle between them, or hardly one, and keep the deepest REGION_LIMIT. */
-static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
+/* Join points with a low saddle between them, or hardly one, and keep REGION_LIMIT of them. */
+static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    double depth;
-    int64_t entry;
-    int64_t point;
-    int64_t following;
-    double lower;
-    int64_t less;
-    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH));
-    entry = INT64_C(0);
-    while(entry < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1))
+    double depth, lower;
+    int64_t entry, point, following, less;
+    depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH);
+    entry = 0;
+    while (entry < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        lower = double_min(2, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)));
-        if ((depth - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__MERGE * depth) || (lower - (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) < deep_points__LEAST_HUMP))
+        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1);
+        lower = double_min(AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, following + layout__DEEP_POINT_DEPTH));
+        if (depth - AT(work, point + layout__DEEP_POINT_BETWEEN) < deep_points__MERGE * depth || lower - AT(work, point + layout__DEEP_POINT_BETWEEN) < deep_points__LEAST_HUMP)
         {
             less = entry;
-            if ((*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) > (*cspan_at(&work, following + layout__DEEP_POINT_DEPTH)))
+            if (AT(work, point + layout__DEEP_POINT_DEPTH) > AT(work, following + layout__DEEP_POINT_DEPTH))
             {
-                less = entry + INT64_C(1);
+                less = entry + 1;
                 /* the saddle between the two goes, the one on the far side stays */
-                (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = (*cspan_at(&work, following + layout__DEEP_POINT_SADDLE));
-                (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, following + layout__DEEP_POINT_BETWEEN));
+                AT(work, point + layout__DEEP_POINT_SADDLE) = AT(work, following + layout__DEEP_POINT_SADDLE);
+                AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, following + layout__DEEP_POINT_BETWEEN);
             }
             deep_points__remove_point(work, less);
         }
         else
         {
-            entry += INT64_C(1);
+            entry += 1;
         }
     }
-    while((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > layout__REGION_LIMIT)
+    while ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > layout__REGION_LIMIT)
     {
-        deep_points__drop_point(work, deep_points__shallowest_entry(work));
+        deep_points__drop_point(work, deep_points__last_touched(tables, work, pair));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Note the deepest points on the list for the next trial. */
 static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kept)
 {
-    int64_t entry_end;
-    int64_t entry;
-    int64_t i_1;
-    (*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))));
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    int64_t entry, i_1, entry_end;
+    AT(work, kept + layout__DEEP_POINTS_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT));
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* List the deepest points that ``kept`` ones have become under the wheel at ``place``, moved down by
@@ -740,59 +693,52 @@ static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kep
  */
 static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height)
 {
-    int64_t entry_end;
-    int64_t entry;
-    int64_t point;
-    int64_t i_1;
+    int64_t entry, point, i_1, entry_end, entry_end_2;
     double x;
     bool turned;
-    int64_t result;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))));
-    entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)));
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) = height;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)((int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT));
+    entry_end = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, point + i_1)) = (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            AT(work, point + i_1) = AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
         }
-        x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        pressed__turning_point(&x, &turned, tables, work, pair, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, x, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
-        if ((!turned) || (!((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0)))
+        x = AT(work, point + layout__DEEP_POINT_RAIL);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, x, AT(work, point + layout__DEEP_POINT_WHEEL), height, 1.0);
+        if (!turned || !(AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0))
         {
-            return INT64_C(0);
+            return 0;
         }
-        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = x;
-        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
-        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+        AT(work, point + layout__DEEP_POINT_RAIL) = x;
+        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
+        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
     }
-    entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) - INT64_C(1);
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    entry_end_2 = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) - 1;
+    for (entry = 0; entry < entry_end_2; entry += 1)
     {
-        deep_points__follow_saddle(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height);
+        deep_points__follow_saddle(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1), height);
     }
-    result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    return result;
+    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
 }
 
 /* Find the saddle between two neighbouring points from where it was. */
 static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height)
 {
-    double y;
-    double reach;
-    double x;
+    double y, reach, x;
     bool turned;
-    y = 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL)));
-    reach = double_min(2, double_min(2, deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL))), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
-    pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), y, height, -1.0);
+    y = 0.5 * (AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL));
+    reach = double_min(double_min(deep_points__FOLLOWED, AT(work, point + layout__DEEP_POINT_SADDLE) - AT(work, point + layout__DEEP_POINT_RAIL)), AT(work, following + layout__DEEP_POINT_RAIL) - AT(work, point + layout__DEEP_POINT_SADDLE));
+    pressed__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_SADDLE) - reach, AT(work, point + layout__DEEP_POINT_SADDLE) + reach, AT(work, point + layout__DEEP_POINT_SADDLE), y, height, -1.0);
     if (!turned)
     {
-        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL))), y, height, -1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), 0.5 * (AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL)), y, height, -1.0);
     }
-    (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
-    (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
-    return INT64_C(0);
+    AT(work, point + layout__DEEP_POINT_SADDLE) = x;
+    AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
+    return 0;
 }
 
 
@@ -813,54 +759,48 @@ static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_d
  * Returns what describes the point: wheel height [m] and slope [-], lateral track coordinate [m], rail slope
  * [-], and how much the slopes of rail and outline differ [-], FOLDED as in :mod:`gap`.
  */
-static inline int64_t frame__open_frame(double* z, double* slope, double* y_track, double* rail_slope, double* mismatch, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double aside, double shift)
+static inline void frame__open_frame(double* z_out, double* slope_out, double* y_track_out, double* rail_slope_out, double* mismatch_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double aside, double shift)
 {
-    double bend;
-    double z_track;
-    double outline_slope;
-    double stretch;
-    double outline_rate;
-    double abscissa;
-    double height;
-    double rail_bend;
-    double cosine;
-    double sine;
-    double along;
-    tables__height_slope_bend(z, slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
-    locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, (*z), (*slope), bend);
-    (*y_track) += aside;
-    abscissa = (*y_track) - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
-    tables__height_slope_bend(&height, rail_slope, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
-    cosine = 1.0 / sqrt(1.0 + (*rail_slope) * (*rail_slope));
-    sine = (*rail_slope) * cosine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    double z, slope, bend, y_track, z_track, outline_slope, stretch, outline_rate, abscissa, height, rail_slope, rail_bend, cosine, sine, along, mismatch;
+    tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
+    y_track += aside;
+    abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
+    tables__height_slope_bend(&height, &rail_slope, &rail_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
+    cosine = 1.0 / sqrt(1.0 + rail_slope * rail_slope);
+    sine = rail_slope * cosine;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y) = abscissa;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z) = height;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y) = y;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z) = z;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) = cosine;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) = sine;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS) = AT(work, place + layout__PLACE_COS_ROLL) * cosine + AT(work, place + layout__PLACE_SIN_ROLL) * sine;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN) = AT(work, place + layout__PLACE_COS_ROLL) * sine - AT(work, place + layout__PLACE_SIN_ROLL) * cosine;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE) = aside;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) = shift;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) = z_track + shift - height;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = 0.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = (double)false;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)false;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = shift;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = 0.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
     traces__start_traces(work, 0.0, abscissa, y);
     along = cosine + outline_slope * sine;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = rail_bend * cosine * cosine * cosine - outline_rate / (stretch * along * along * along);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature__longitudinal_curvature(work, tables, place, (*z), (*slope), bend);
-    (*mismatch) = (*rail_slope) - outline_slope;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND) = rail_bend * cosine * cosine * cosine - outline_rate / (stretch * along * along * along);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE) = curvature__longitudinal_curvature(work, tables, place, z, slope, bend);
+    mismatch = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
-        (*mismatch) = gap__FOLDED;
+        mismatch = gap__FOLDED;
     }
-    return 0;
+    *z_out = z;
+    *slope_out = slope;
+    *y_track_out = y_track;
+    *rail_slope_out = rail_slope;
+    *mismatch_out = mismatch;
 }
 
 /* Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
@@ -868,36 +808,29 @@ static inline int64_t frame__open_frame(double* z, double* slope, double* y_trac
  *
  * NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
  */
-static inline int64_t frame__normal_gap(double* gap, double* result_1, double* result_2, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void frame__normal_gap(double* gap_out, double* out_1, double* out_2, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
-    double rail_height;
-    double rail_rate;
-    double rail_bend;
-    bool on_rail;
-    double wheel_height;
-    double wheel_rate;
-    double wheel_bend;
-    bool on_wheel;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
+    double rail_height, rail_rate, rail_bend, wheel_height, wheel_rate, wheel_bend, curvature, gap;
+    bool on_rail, on_wheel;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT) += 1.0;
     traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, tables, work, pair, station, tolerance);
-    traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, curvature, &on_wheel, tables, work, pair, station, tolerance);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
-    if ((!on_rail) || (!on_wheel))
+    traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, &curvature, &on_wheel, tables, work, pair, station, tolerance);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
+    gap = wheel_height - rail_height + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED);
+    if (!on_rail || !on_wheel)
     {
-        (*gap) = frame__NO_GAP;
+        gap = frame__NO_GAP;
     }
-    (*result_1) = wheel_rate - rail_rate;
-    (*result_2) = wheel_bend - rail_bend;
-    return 0;
+    *gap_out = gap;
+    *out_1 = wheel_rate - rail_rate;
+    *out_2 = wheel_bend - rail_bend;
+    *curvature_out = curvature;
 }
 
 /* Whether the wheel of the open frame is yawed. */
 static inline bool frame__is_yawed(array_double_1d work)
 {
-    bool result;
-    result = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0;
-    return result;
+    return AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_YAWED) == 1.0;
 }
 
 /* Note where along the track every region lies: of a yawed wheel, a flange is some 20 mm ahead of the
@@ -905,42 +838,41 @@ static inline bool frame__is_yawed(array_double_1d work)
  */
 static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count)
 {
-    int64_t index;
-    int64_t region;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    int64_t index, region;
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+        AT(work, region + layout__REGION_X_TRACK) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_WHEEL));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Open the frame of a region with its own plane, kept in ``slot``. */
 static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot)
 {
     int64_t i_1;
-    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+    if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < 27; i_1 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Open the contact point's frame again. */
 static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t region)
 {
     int64_t i_1;
-    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+    if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < 27; i_1 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Give a region in the contact point's plane its inclination, the rail's ``slope`` there, and what
@@ -950,33 +882,33 @@ static inline int64_t frame__incline_region(array_double_1d work, array_double_1
 {
     double cosine;
     cosine = 1.0 / sqrt(1.0 + slope * slope);
-    (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
-    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
-    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
-    (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
-    (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
-    (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+    AT(work, region + layout__REGION_INCLINATION) = slope;
+    AT(work, region + layout__REGION_OWN) = (double)false;
+    AT(work, region + layout__REGION_ALIGNMENT) = 1.0;
+    AT(work, region + layout__REGION_OFFSET) = 0.0;
+    AT(work, region + layout__REGION_COS) = cosine;
+    AT(work, region + layout__REGION_SIN) = slope * cosine;
+    AT(work, region + layout__REGION_SHARE) = 1.0;
+    if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
-        (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, region + layout__REGION_SIN)));
+        AT(work, region + layout__REGION_SHARE) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), cosine, AT(work, region + layout__REGION_SIN));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The region of the rigid contact point itself, station and gap zero. */
 static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region)
 {
-    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
-    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
-    (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
-    (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
-    frame__incline_region(work, tables, region, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-    return INT64_C(0);
+    AT(work, region + layout__REGION_STATION) = 0.0;
+    AT(work, region + layout__REGION_GAP) = 0.0;
+    AT(work, region + layout__REGION_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
+    AT(work, region + layout__REGION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y);
+    AT(work, region + layout__REGION_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND);
+    AT(work, region + layout__REGION_CURVATURE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE);
+    AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
+    AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
+    frame__incline_region(work, tables, region, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    return 0;
 }
 
 
@@ -990,43 +922,36 @@ static inline int64_t frame__open_contact_region(array_double_1d work, array_dou
 /* Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail
  * abscissa [m].
  */
-static ALWAYS_INLINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry)
+static ALWAYS_INLINE void overlap_samples__sample_overlap(double* gap_out, double* out_1, double* abscissa_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry)
 {
     int64_t point;
-    double y;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double z_rail;
-    double m;
-    double bend;
-    double square;
-    double turn;
-    point = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
-    y = (*cspan_at(&tables, point + layout__SCAN_NODE_Y));
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
-    (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
-    tables__height_slope_bend(&z_rail, &m, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
-    (*gap) = z_rail - z_track;
+    double y, y_track, z_track, outline_slope, abscissa, z_rail, m, bend, gap, square, turn;
+    point = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
+    y = AT(tables, point + layout__SCAN_NODE_Y);
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, AT(tables, point + layout__SCAN_NODE_HEIGHT), AT(tables, point + layout__SCAN_NODE_SLOPE));
+    abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
+    tables__height_slope_bend(&z_rail, &m, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
+    gap = z_rail - z_track;
     square = 1.0 / (1.0 + m * m);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*abscissa);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) = y;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry) = abscissa;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry) = y;
     /* the slope of (height - gap) cos, divided by cos; where wheel and rail are apart, and the rail's normals */
     /* mean little, that of height - gap */
     turn = 0.0;
-    if (height > (*gap))
+    if (height > gap)
     {
-        turn = (height - (*gap)) * m * bend * square;
+        turn = (height - gap) * m * bend * square;
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)) = (double)(node);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)) = (*gap);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) = (height - (*gap)) * m * square;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_SLOPE + entry)) = m;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)) = bend;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) = turn;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = outline_slope - m - turn;
-    (*result_1) = m - outline_slope;
-    return 0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry) = (double)node;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry) = gap;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry) = (height - gap) * m * square;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_SLOPE + entry) = m;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry) = bend;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry) = turn;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry) = outline_slope - m - turn;
+    *gap_out = gap;
+    *out_1 = m - outline_slope;
+    *abscissa_out = abscissa;
 }
 
 /* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
@@ -1037,15 +962,15 @@ static ALWAYS_INLINE int64_t overlap_samples__sample_overlap(double* gap, double
  */
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry)
 {
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = 1.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) = overlap_samples__FAR_ASIDE;
-    if (direction > INT64_C(0))
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry) = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry) = 1.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry) = overlap_samples__FAR_ASIDE;
+    if (direction > 0)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = -1.0;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry) = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry) = -1.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
@@ -1053,35 +978,29 @@ static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, a
  */
 static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, int64_t direction, double height, int64_t first)
 {
-    int64_t count;
-    int64_t exponent;
-    double adjacent;
-    double gap;
-    double mismatch;
-    double abscissa;
+    int64_t count, entry, exponent, step;
+    double adjacent, gap, mismatch, abscissa;
     bool on_rail;
-    int64_t step;
-    int64_t entry;
-    count = (int64_t)((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_COUNT)));
+    count = (int64_t)AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN) + layout__SCAN_COUNT);
     entry = first;
-    exponent = layout__EXPONENTS - INT64_C(1);
+    exponent = layout__EXPONENTS - 1;
     adjacent = 1.0;
-    while((node >= INT64_C(0)) && (node < count) && (entry > INT64_C(0)) && (entry < INT64_C(2) * layout__OVERLAP_LIMIT - INT64_C(1)))
+    while (node >= 0 && node < count && entry > 0 && entry < 2 * layout__OVERLAP_LIMIT - 1)
     {
         overlap_samples__sample_overlap(&gap, &mismatch, &abscissa, tables, work, pair, place, node, height, entry);
-        (*cspan_at(&work, place + layout__PLACE_GAP_COUNT)) += 1.0;
+        AT(work, place + layout__PLACE_GAP_COUNT) += 1.0;
         on_rail = gap__above_rail(tables, pair, abscissa);
         if (!on_rail)
         {
             overlap_samples__sample_end(tables, work, pair, direction, entry);
         }
-        if (direction > INT64_C(0))
+        if (direction > 0)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + entry)) = adjacent;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + entry) = adjacent;
         }
         else
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) = adjacent;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + 1)) = adjacent;
         }
         entry += direction;
         if (!on_rail)
@@ -1089,22 +1008,22 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables,
             return entry;
         }
         adjacent = 1.0;
-        step = INT64_C(1);
+        step = 1;
         if (gap > height)
         {
-            exponent = bounds__clear_exponent(tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, direction, abscissa, gap - height, (double)(direction) * mismatch, exponent);
-            if (exponent < INT64_C(0))
+            exponent = bounds__clear_exponent(tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN), place, node, direction, abscissa, gap - height, (double)direction * mismatch, exponent);
+            if (exponent < 0)
             {
-                exponent = INT64_C(0);
+                exponent = 0;
             }
-            else if (exponent > INT64_C(0))
+            else if (exponent > 0)
             {
                 step = INT64_C(1) << exponent;
                 adjacent = 0.0;
             }
-            if (exponent < layout__EXPONENTS - INT64_C(1))
+            if (exponent < layout__EXPONENTS - 1)
             {
-                exponent += INT64_C(1);
+                exponent += 1;
             }
         }
         node += direction * step;
@@ -1128,106 +1047,97 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables,
  */
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height)
 {
-    int64_t place;
-    int64_t node;
-    int64_t start;
-    int64_t stop;
+    int64_t place, node, start, stop, entry;
     bool searched;
-    int64_t entry;
-    int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
-    node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(-INT64_C(1));
-    start = overlap_samples__walk_overlap(tables, work, pair, place, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
-    stop = overlap_samples__walk_overlap(tables, work, pair, place, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
-    searched = 0;
-    for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
+    node = bounds__node_below(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN), AT(work, side + layout__SIDE_SEARCH_BEST_Y));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) = height;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN) = (double)(-1);
+    start = overlap_samples__walk_overlap(tables, work, pair, place, node, -1, height, layout__OVERLAP_LIMIT - 1) + 1;
+    stop = overlap_samples__walk_overlap(tables, work, pair, place, node + 1, 1, height, layout__OVERLAP_LIMIT);
+    searched = false;
+    for (entry = start; entry < stop - 1; entry += 1)
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + 1)) == 1.0)
         {
             if (overlaps__list_in_cell(tables, work, pair, place, entry))
             {
-                searched = 1;
+                searched = true;
             }
         }
     }
-    if (searched || ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) == INT64_C(0)))
+    if (searched || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) == 0)
     {
         overlaps__list_beside_smallest_gap(tables, work, pair, side);
     }
-    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > 0)
     {
         overlaps__find_saddles(tables, work, pair, place);
-        deep_points__merge_points(work);
+        deep_points__merge_points(tables, work, pair);
     }
-    result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    return result;
+    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
 }
 
 /* List the deepest points between the sample ``entry`` and the next one; whether that took a search. */
 static OUT_OF_LINE bool overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
-    double rise;
-    double following;
+    double rise, following;
     bool hidden;
     int64_t turns;
-    rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
-    following = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
+    rise = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry);
+    following = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + 1));
     hidden = overlaps__may_turn(tables, work, pair, place, entry);
-    if ((!hidden) && (!((rise > 0.0) && (following <= 0.0))))
+    if (!hidden && !(rise > 0.0 && following <= 0.0))
     {
-        return 0;
+        return false;
     }
     turns = turning_cells__count_turns(tables, work, pair, place, entry);
-    if ((turns == INT64_C(1)) && turning_cells__list_from_samples(tables, work, pair, place, entry))
+    if (turns == 1 && turning_cells__list_from_samples(tables, work, pair, place, entry))
     {
-        turns = INT64_C(0);
+        turns = 0;
     }
-    if (turns > INT64_C(0))
+    if (turns > 0)
     {
         overlaps__search_cell(tables, work, pair, place, entry, hidden);
     }
-    return turns > INT64_C(0);
+    return turns > 0;
 }
 
 /* The same by a search, of a cell in which the overlap may turn unseen if ``hidden``. */
 static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden)
 {
-    int64_t finest;
+    int64_t finest, i_1, i_2;
     bool listed;
-    int64_t i_1;
-    int64_t i_2;
     overlaps__open_stretch(tables, work, pair, place, entry);
     finest = overlaps__OVERLAP_PART;
-    listed = 0;
+    listed = false;
     if (hidden)
     {
         /* the samples are straight down: what counts is the rise along the normal */
         overlaps__widen_bounds(tables, work, pair, place, entry);
-        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN))) == entry)
+        if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN) == entry)
         {
-            for (i_1 = INT64_C(0); i_1 < layout__RISE_POINT_SIZE; i_1 += INT64_C(1))
+            for (i_1 = 0; i_1 < layout__RISE_POINT_SIZE; i_1 += 1)
             {
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_END + i_1));
+                AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_END + i_1);
             }
         }
         else
         {
-            overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+            overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
         }
-        overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-        for (i_2 = INT64_C(0); i_2 < layout__RISE_POINT_SIZE; i_2 += INT64_C(1))
+        overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + 1)));
+        for (i_2 = 0; i_2 < layout__RISE_POINT_SIZE; i_2 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_END + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + i_2));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_END + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + i_2);
         }
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(entry + INT64_C(1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN) = (double)(entry + 1);
         finest = overlaps__HIDDEN_PART;
     }
-    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) > 0.0)
+    else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST) > 0.0)
     {
-        listed = overlaps__list_turning_point(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+        listed = overlaps__list_turning_point(tables, work, pair, place, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL));
     }
     else
     {
@@ -1237,12 +1147,12 @@ static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_d
     {
         if (!hidden)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), 0.0);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST) = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), 0.0);
             overlaps__widen_stretch(tables, work, pair, place);
         }
         overlaps__list_on_stretch(tables, work, pair, place, finest);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Open the stretch between the sample ``entry`` and the next one, with bounds for the overlap straight
@@ -1250,28 +1160,29 @@ static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_d
  */
 static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
-    double low;
-    double high;
+    double low, high, kept, kept_2;
     int64_t node;
     /* from foot to foot where cells beside it are judged from their samples */
-    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) + double_min(2, turning_cells__foot_aside(work, entry), 0.0);
-    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) + double_max(2, turning_cells__foot_aside(work, entry + INT64_C(1)), 0.0);
-    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, double_max(2, low, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)), 0.0);
-    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, double_min(2, high, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
-    node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
-    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
-    return INT64_C(0);
+    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry) + double_min(turning_cells__foot_aside(work, entry), 0.0);
+    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + 1)) + double_max(turning_cells__foot_aside(work, entry + 1), 0.0);
+    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, double_max(low, AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START)), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry), 0.0);
+    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, double_min(high, AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP)), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + 1)), 0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL) = 0.5 * (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + 1)));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + 1)) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry);
+    node = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry);
+    bounds__bend_bounds(&kept, &kept_2, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN), place, node, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST) = kept;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST) = kept_2;
+    return 0;
 }
 
 /* Write a place [m] with its rise [-] and the derivative of that [1/m]. */
 static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t point, double x, double rise, double rate)
 {
-    (*cspan_at(&work, point + layout__RISE_POINT_X)) = x;
-    (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = rise;
-    (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = rate;
-    return INT64_C(0);
+    AT(work, point + layout__RISE_POINT_X) = x;
+    AT(work, point + layout__RISE_POINT_RISE) = rise;
+    AT(work, point + layout__RISE_POINT_RATE) = rate;
+    return 0;
 }
 
 /* Rise of the overlap along the normal at ``point``, sought from the wheel's ``y`` [m]; zeros where there
@@ -1279,17 +1190,16 @@ static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t poi
  */
 static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, double y)
 {
-    double z_rail;
-    double slope;
-    (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = 0.0;
-    (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = 0.0;
-    if (pressed__meet_wheel(tables, work, pair, place, (*cspan_at(&work, point + layout__RISE_POINT_X)), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__NODE_SHARP))
+    double z_rail, slope;
+    AT(work, point + layout__RISE_POINT_RISE) = 0.0;
+    AT(work, point + layout__RISE_POINT_RATE) = 0.0;
+    if (pressed__meet_wheel(tables, work, pair, place, AT(work, point + layout__RISE_POINT_X), y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), pressed__NODE_SHARP))
     {
-        tables__height_slope(&z_rail, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__RISE_POINT_X)));
-        (*cspan_at(&work, point + layout__RISE_POINT_RISE)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_RISE));
-        (*cspan_at(&work, point + layout__RISE_POINT_RATE)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_RATE)) * sqrt(1.0 + slope * slope);
+        tables__height_slope(&z_rail, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__RISE_POINT_X));
+        AT(work, point + layout__RISE_POINT_RISE) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_RISE);
+        AT(work, point + layout__RISE_POINT_RATE) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_RATE) * sqrt(1.0 + slope * slope);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Widen the bounds of the stretch after the sample ``entry`` to those of the bend along the normals.
@@ -1299,29 +1209,26 @@ static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d tables, array_
  */
 static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
-    int64_t scan;
-    int64_t node;
-    double low;
-    double high;
-    double share;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
-    node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
-    if (node > INT64_C(0))
+    int64_t scan, node;
+    double low, high, share;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    node = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry);
+    if (node > 0)
     {
-        bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), low);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), high);
+        bounds__bend_bounds(&low, &high, tables, work, scan, place, node - 1, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST) = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), low);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST) = double_max(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), high);
     }
-    if (node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
+    if (node + 2 < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
     {
-        bounds__bend_bounds(&low, &high, tables, work, scan, place, node + INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), low);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), high);
+        bounds__bend_bounds(&low, &high, tables, work, scan, place, node + 1, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST) = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), low);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST) = double_max(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), high);
     }
-    share = overlaps__NORMAL_SHARE * (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) -= share;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)) += share;
-    return INT64_C(0);
+    share = overlaps__NORMAL_SHARE * AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST) -= share;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST) += share;
+    return 0;
 }
 
 /* List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
@@ -1331,8 +1238,8 @@ static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, arr
 {
     double rail;
     bool turned;
-    pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
-    if (turned && ((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0) && (!deep_points__is_listed(work, rail)))
+    pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
+    if (turned && AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0 && !deep_points__is_listed(work, rail))
     {
         deep_points__append_point(work, rail, place + layout__PLACE_MEETING);
     }
@@ -1342,28 +1249,24 @@ static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, arr
 /* Whether between the sample ``entry`` and the next one the overlap may turn unseen by both. */
 static ALWAYS_INLINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
-    double rise;
-    double following;
-    int64_t node;
-    double least;
-    double most;
-    double width;
+    double rise, following, least, most, width;
     bool answer;
-    rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
-    following = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
-    answer = 0;
-    if (double_min(2, fabs(rise), fabs(following)) < fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry))) + fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + (entry + INT64_C(1))))))
+    int64_t node;
+    rise = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry);
+    following = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + 1));
+    answer = false;
+    if (double_min(fabs(rise), fabs(following)) < fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) + fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + (entry + 1))))
     {
         /* the bounds are those of the overlap straight down */
-        answer = 1;
+        answer = true;
     }
     else if (rise * following > 0.0)
     {
-        node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
-        bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
+        node = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry);
+        bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN), place, node, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
         if (least < 0.0)
         {
-            width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
+            width = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + 1)) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry);
             answer = !bounds__only_rises_or_falls(least, most, width, -rise, -following);
         }
     }
@@ -1376,16 +1279,14 @@ static ALWAYS_INLINE bool overlaps__may_turn(array_double_1d tables, array_doubl
  */
 static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
 {
-    double step;
-    double low;
-    double high;
-    step = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X));
-    low = overlaps__bracket_end(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)), -step);
-    high = overlaps__bracket_end(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)), step);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) *= (high - low) / step;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)) = low;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) = high;
-    return INT64_C(0);
+    double step, low, high;
+    step = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X);
+    low = overlaps__bracket_end(tables, work, pair, place, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X), -step);
+    high = overlaps__bracket_end(tables, work, pair, place, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X), step);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH) *= (high - low) / step;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X) = low;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X) = high;
+    return 0;
 }
 
 /* ``x``, or the first place some ``step`` [m] further, from where the overlap rises towards the other
@@ -1393,33 +1294,29 @@ static OUT_OF_LINE int64_t overlaps__widen_stretch(array_double_1d tables, array
  */
 static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double x, double step)
 {
-    int64_t rail;
+    int64_t rail, i;
     double y;
-    int64_t i;
-    double result;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL));
-    for (i = INT64_C(0); i < overlaps__WIDENINGS; i += INT64_C(1))
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    y = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL);
+    for (i = 0; i < overlaps__WIDENINGS; i += 1)
     {
-        if (x <= (*cspan_at(&tables, rail + layout__PROFILE_START)))
+        if (x <= AT(tables, rail + layout__PROFILE_START))
         {
-            result = (*cspan_at(&tables, rail + layout__PROFILE_START));
-            return result;
+            return AT(tables, rail + layout__PROFILE_START);
         }
-        if (x >= (*cspan_at(&tables, rail + layout__PROFILE_STOP)))
+        if (x >= AT(tables, rail + layout__PROFILE_STOP))
         {
-            result = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
-            return result;
+            return AT(tables, rail + layout__PROFILE_STOP);
         }
-        if (!pressed__meet_wheel(tables, work, pair, place, x, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP))
+        if (!pressed__meet_wheel(tables, work, pair, place, x, y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), pressed__LINE_SHARP))
         {
             break;
         }
-        if ((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_RISE)) * step < 0.0)
+        if (AT(work, place + layout__PLACE_MEETING + layout__MEETING_RISE) * step < 0.0)
         {
             break;
         }
-        y = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        y = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
         x += step;
     }
     return x;
@@ -1434,62 +1331,57 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_do
 static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t finest)
 {
     double each;
-    int64_t i_1;
-    int64_t start;
-    int64_t size;
-    int64_t stop;
-    int64_t i_2;
+    int64_t i_1, start, size, stop, i_2, i_3;
     bool once;
-    int64_t i_3;
-    each = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X))) / (double)(overlaps__PARTS);
-    for (i_1 = INT64_C(0); i_1 < layout__RISE_POINT_SIZE; i_1 += INT64_C(1))
+    each = (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + layout__RISE_POINT_X) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)) / (double)overlaps__PARTS;
+    for (i_1 = 0; i_1 < layout__RISE_POINT_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + i_1);
     }
-    start = INT64_C(0);
+    start = 0;
     size = overlaps__PARTS;
-    while(start < overlaps__PARTS)
+    while (start < overlaps__PARTS)
     {
         stop = start + size;
         if (stop < overlaps__PARTS)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)) + each * (double)(stop);
-            overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, overlaps__wheel_beside(work, (double)(stop)));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X) + each * (double)stop;
+            overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER, overlaps__wheel_beside(work, (double)stop));
         }
         else
         {
-            for (i_2 = INT64_C(0); i_2 < layout__RISE_POINT_SIZE; i_2 += INT64_C(1))
+            for (i_2 = 0; i_2 < layout__RISE_POINT_SIZE; i_2 += 1)
             {
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + i_2));
+                AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST + i_2);
             }
         }
-        once = overlaps__turns_once(work, (double)(size) / (double)(overlaps__PARTS));
-        if ((size > finest) && (!once))
+        once = overlaps__turns_once(work, (double)size / (double)overlaps__PARTS);
+        if (size > finest && !once)
         {
-            size = py_floor_div_int64_t(size, INT64_C(2));
+            size = floor_div(size, 2);
         }
         else
         {
-            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_RISE)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_RISE)) <= 0.0))
+            if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_RISE) > 0.0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_RISE) <= 0.0)
             {
-                overlaps__list_turning_point(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X)), overlaps__wheel_beside(work, 0.5 * (double)(start + stop)));
+                overlaps__list_turning_point(tables, work, pair, place, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_X), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_X), overlaps__wheel_beside(work, 0.5 * (double)(start + stop)));
             }
             else if (!once)
             {
                 overlaps__list_hidden_point(tables, work, pair, place);
             }
-            for (i_3 = INT64_C(0); i_3 < layout__RISE_POINT_SIZE; i_3 += INT64_C(1))
+            for (i_3 = 0; i_3 < layout__RISE_POINT_SIZE; i_3 += 1)
             {
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_3));
+                AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_3);
             }
             start = stop;
-            while((start < overlaps__PARTS) && (size < overlaps__PARTS) && (pyc_modulo(start, (INT64_C(2) * size)) == INT64_C(0)))
+            while (start < overlaps__PARTS && size < overlaps__PARTS && modulo(start, 2 * size) == 0)
             {
-                size = INT64_C(2) * size;
+                size = 2 * size;
             }
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* About which wheel abscissa [m] belongs to the place that many ``parts`` after the first end of the
@@ -1497,9 +1389,7 @@ static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, arr
  */
 static OUT_OF_LINE double overlaps__wheel_beside(array_double_1d work, double parts)
 {
-    double result;
-    result = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) + (parts / (double)(overlaps__PARTS) - 0.5) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH));
-    return result;
+    return AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL) + (parts / (double)overlaps__PARTS - 0.5) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH);
 }
 
 /* Whether the overlap certainly has one largest value at most on the open part, a ``share`` of the
@@ -1507,19 +1397,18 @@ static OUT_OF_LINE double overlaps__wheel_beside(array_double_1d work, double pa
  */
 static OUT_OF_LINE bool overlaps__turns_once(array_double_1d work, double share)
 {
-    double before;
-    double after;
+    double before, after;
     bool answer;
-    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_RISE));
-    after = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_RISE));
-    answer = 0;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)) > 0.0)
+    before = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + layout__RISE_POINT_RISE);
+    after = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + layout__RISE_POINT_RISE);
+    answer = false;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST) > 0.0)
     {
-        answer = 1;
+        answer = true;
     }
     else if (before * after > 0.0)
     {
-        answer = bounds__only_rises_or_falls((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST)), share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)), -before, -after);
+        answer = bounds__only_rises_or_falls(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), share * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH), -before, -after);
     }
     return answer;
 }
@@ -1531,73 +1420,67 @@ static OUT_OF_LINE bool overlaps__turns_once(array_double_1d work, double share)
  */
 static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
 {
-    int64_t i_1;
-    int64_t i_2;
-    double sign;
-    int64_t i;
-    double width;
-    double step;
-    int64_t i_3;
-    int64_t i_4;
-    for (i_1 = INT64_C(0); i_1 < layout__RISE_POINT_SIZE; i_1 += INT64_C(1))
+    int64_t i_1, i_2, i, i_3, i_4;
+    double sign, width, step;
+    for (i_1 = 0; i_1 < layout__RISE_POINT_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_BEFORE + i_1);
     }
-    for (i_2 = INT64_C(0); i_2 < layout__RISE_POINT_SIZE; i_2 += INT64_C(1))
+    for (i_2 = 0; i_2 < layout__RISE_POINT_SIZE; i_2 += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_2));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_AFTER + i_2);
     }
     sign = 1.0;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) < 0.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE) < 0.0)
     {
         sign = -1.0;
     }
-    for (i = INT64_C(0); i < overlaps__HUMP_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < overlaps__HUMP_ITERATIONS; i += 1)
     {
-        if (!(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RISE)) > 0.0) && (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE)) < 0.0) && (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE)) > 0.0)))
+        if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RISE) > 0.0 && sign * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE) < 0.0 && sign * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE) > 0.0))
         {
-            return INT64_C(0);
+            return 0;
         }
-        width = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X));
-        step = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RISE)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE)) * width) / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE)));
-        if (sign * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE)) * step) > 0.0)
+        width = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_X) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X);
+        step = (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RISE) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE) * width) / (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_RATE) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE));
+        if (sign * (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RISE) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_RATE) * step) > 0.0)
         {
-            return INT64_C(0);
+            return 0;
         }
-        if (!((step > 0.0) && (step < width)))
+        if (!(step > 0.0 && step < width))
         {
             step = 0.5 * width;
         }
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X)) + step;
-        overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
-        if (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_RISE)) < 0.0)
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X) + step;
+        overlaps__measure_rise(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL));
+        if (sign * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_RISE) < 0.0)
         {
             if (sign > 0.0)
             {
-                overlaps__list_turning_point(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+                overlaps__list_turning_point(tables, work, pair, place, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + layout__RISE_POINT_X), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL));
             }
             else
             {
-                overlaps__list_turning_point(tables, work, pair, place, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_X)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)));
+                overlaps__list_turning_point(tables, work, pair, place, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_X), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + layout__RISE_POINT_X), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL));
             }
-            return INT64_C(0);
+            return 0;
         }
-        if (sign * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_RATE)) < 0.0)
+        if (sign * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + layout__RISE_POINT_RATE) < 0.0)
         {
-            for (i_3 = INT64_C(0); i_3 < layout__RISE_POINT_SIZE; i_3 += INT64_C(1))
+            for (i_3 = 0; i_3 < layout__RISE_POINT_SIZE; i_3 += 1)
             {
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + i_3));
+                AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LOW + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + i_3);
             }
         }
         else
         {
-            for (i_4 = INT64_C(0); i_4 < layout__RISE_POINT_SIZE; i_4 += INT64_C(1))
+            for (i_4 = 0; i_4 < layout__RISE_POINT_SIZE; i_4 += 1)
             {
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + i_4)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + i_4));
+                AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_HIGH + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MIDDLE + i_4);
             }
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* List the deepest point beside the smallest gap where none on the list is as deep as the overlap there:
@@ -1606,45 +1489,32 @@ static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, a
  */
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
 {
-    int64_t place;
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double x;
-    int64_t meeting;
-    bool found;
-    double deepest;
-    double step;
-    double far;
-    double low;
-    double high;
-    double rail;
-    bool turned;
+    int64_t place, meeting;
+    double z, slope, y_track, z_track, outline_slope, x, deepest, step, far, low, high, rail;
+    bool found, turned;
     place = side + layout__SIDE_SEARCH_PLACE;
-    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), z, slope);
-    x = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, side + layout__SIDE_SEARCH_BEST_Y));
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, AT(work, side + layout__SIDE_SEARCH_BEST_Y), z, slope);
+    x = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
     meeting = place + layout__PLACE_MEETING;
-    found = pressed__meet_wheel(tables, work, pair, place, x, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+    found = pressed__meet_wheel(tables, work, pair, place, x, AT(work, side + layout__SIDE_SEARCH_BEST_Y), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), pressed__LINE_SHARP);
     deepest = 0.0;
-    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > 0)
     {
-        deepest = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH));
+        deepest = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH);
     }
-    if (found && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > deepest))
+    if (found && AT(work, meeting + layout__MEETING_OVERLAP) > deepest)
     {
         step = overlaps__FIRST_STEP;
-        if ((*cspan_at(&work, meeting + layout__MEETING_RISE)) < 0.0)
+        if (AT(work, meeting + layout__MEETING_RISE) < 0.0)
         {
             step = -overlaps__FIRST_STEP;
         }
         far = x;
-        while(((*cspan_at(&work, meeting + layout__MEETING_RISE)) * step > 0.0) && (fabs(far - x) < overlaps__FAR_STEP) && found)
+        while (AT(work, meeting + layout__MEETING_RISE) * step > 0.0 && fabs(far - x) < overlaps__FAR_STEP && found)
         {
             far += step;
-            found = pressed__meet_wheel(tables, work, pair, place, far, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), pressed__LINE_SHARP);
+            found = pressed__meet_wheel(tables, work, pair, place, far, AT(work, meeting + layout__MEETING_WHEEL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), pressed__LINE_SHARP);
             step *= 2.0;
         }
         low = x;
@@ -1654,35 +1524,32 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d ta
             low = far;
             high = x;
         }
-        pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
-        if (turned && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > deepest))
+        pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), AT(work, side + layout__SIDE_SEARCH_BEST_Y), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
+        if (turned && AT(work, meeting + layout__MEETING_OVERLAP) > deepest)
         {
             deep_points__append_point(work, rail, meeting);
             deep_points__sort_last(work);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The smallest overlap between neighbouring deepest points. */
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
 {
-    int64_t entry_end;
-    int64_t entry;
-    int64_t point;
-    int64_t following;
+    int64_t entry, point, following, entry_end;
     double x;
     bool turned;
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) - INT64_C(1);
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1;
+    for (entry = 0; entry < entry_end; entry += 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL))), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
-        (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
-        (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), 0.5 * (AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL)), 0.5 * (AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL)), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), -1.0);
+        AT(work, point + layout__DEEP_POINT_SADDLE) = x;
+        AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -1719,56 +1586,29 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_
  */
 static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance)
 {
-    int64_t meeting;
-    int64_t wheel;
-    double z_rail;
-    double m;
-    double rail_bend;
-    double cosine;
-    double kappa;
-    int64_t i;
-    double z;
-    double slope;
-    double bend;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double stretch;
-    double rate;
-    double across;
-    double down;
-    double residual;
-    double along;
-    double move;
-    double sharp;
-    double overlap;
-    double rise;
-    double wheel_cos;
-    double wheel_kappa;
-    double steep;
-    double rest;
-    double turn;
+    int64_t meeting, wheel, i;
+    double z_rail, m, rail_bend, cosine, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, along, move, sharp, overlap, rise, wheel_cos, wheel_kappa, steep, rest, turn;
     meeting = place + layout__PLACE_MEETING;
-    (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = 0.0;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    tables__height_slope_bend(&z_rail, &m, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
+    AT(work, meeting + layout__MEETING_OVERLAP) = 0.0;
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    tables__height_slope_bend(&z_rail, &m, &rail_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
     cosine = 1.0 / sqrt(1.0 + m * m);
     kappa = rail_bend * cosine * cosine * cosine;
-    for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < pressed__LINE_ITERATIONS; i += 1)
     {
         tables__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, y, z, slope, bend);
-        across = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - abscissa;
+        across = y_track - AT(tables, pair + layout__PAIR_RAIL_Y) - abscissa;
         down = z_track + height - z_rail;
         residual = across + down * m;
         along = stretch * (1.0 + m * outline_slope);
-        if (!((along > 0.0) && (stretch > 0.0)))
+        if (!(along > 0.0 && stretch > 0.0))
         {
-            return 0;
+            return false;
         }
-        move = (-residual) / along;
+        move = -residual / along;
         sharp = tolerance;
-        if ((i == pressed__LINE_ITERATIONS - INT64_C(1)) && (sharp < pressed__LINE_JOINT))
+        if (i == pressed__LINE_ITERATIONS - 1 && sharp < pressed__LINE_JOINT)
         {
             sharp = pressed__LINE_JOINT;
         }
@@ -1777,7 +1617,7 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
             overlap = (down - m * across) * cosine;
             if (!(fabs(overlap) < pressed__FARTHEST))
             {
-                return 0;
+                return false;
             }
             rise = (outline_slope - m) / (1.0 + m * outline_slope);
             /* the angle between both curves changes by the wheel's curvature over its own arc less the rail's */
@@ -1785,25 +1625,25 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
             wheel_kappa = rate / stretch * wheel_cos * wheel_cos * wheel_cos;
             steep = 1.0 + rise * rise;
             /* from the wheel's point to the rail's normal: over the rail's tangent the overlap is a curve */
-            rest = (-residual) * cosine;
+            rest = -residual * cosine;
             turn = wheel_kappa * steep * sqrt(steep) * rest;
-            (*cspan_at(&work, meeting + layout__MEETING_WHEEL)) = y + move;
-            (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = overlap + rest * (rise + 0.5 * turn);
-            (*cspan_at(&work, meeting + layout__MEETING_RISE)) = rise + turn;
-            (*cspan_at(&work, meeting + layout__MEETING_RATE)) = steep * (wheel_kappa * sqrt(steep) - kappa);
-            (*cspan_at(&work, meeting + layout__MEETING_Z)) = z + slope * move;
-            (*cspan_at(&work, meeting + layout__MEETING_SLOPE)) = slope + bend * move;
-            (*cspan_at(&work, meeting + layout__MEETING_BEND)) = bend;
-            return 1;
+            AT(work, meeting + layout__MEETING_WHEEL) = y + move;
+            AT(work, meeting + layout__MEETING_OVERLAP) = overlap + rest * (rise + 0.5 * turn);
+            AT(work, meeting + layout__MEETING_RISE) = rise + turn;
+            AT(work, meeting + layout__MEETING_RATE) = steep * (wheel_kappa * sqrt(steep) - kappa);
+            AT(work, meeting + layout__MEETING_Z) = z + slope * move;
+            AT(work, meeting + layout__MEETING_SLOPE) = slope + bend * move;
+            AT(work, meeting + layout__MEETING_BEND) = bend;
+            return true;
         }
-        move = double_max(2, double_min(2, move, pressed__LINE_STEP), -pressed__LINE_STEP);
+        move = double_max(double_min(move, pressed__LINE_STEP), -pressed__LINE_STEP);
         y += move;
-        if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
+        if (!(y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
         {
-            return 0;
+            return false;
         }
     }
-    return 0;
+    return false;
 }
 
 /* Second derivative of the wheel profile [1/m] at ``y``, averaged over the frame's blur to either side
@@ -1814,21 +1654,16 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
  */
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend)
 {
-    double blur;
+    double blur, low, high, z, low_slope, high_slope;
     int64_t wheel;
-    double low;
-    double high;
-    double z;
-    double low_slope;
-    double high_slope;
-    blur = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
+    blur = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR);
     if (blur > 0.0)
     {
-        wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+        wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
         low = y - blur;
         high = y + blur;
-        low = double_max(2, low, (*cspan_at(&tables, wheel + layout__PROFILE_START)));
-        high = double_min(2, high, (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
+        low = double_max(low, AT(tables, wheel + layout__PROFILE_START));
+        high = double_min(high, AT(tables, wheel + layout__PROFILE_STOP));
         tables__height_slope(&z, &low_slope, tables, wheel, low);
         tables__height_slope(&z, &high_slope, tables, wheel, high);
         bend = (high_slope - low_slope) / (high - low);
@@ -1840,49 +1675,48 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_doubl
  * [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
  * pressed wheel.
  */
-static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station)
+static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
-    int64_t rail;
-    double way;
-    double abscissa;
-    int64_t trace;
-    double estimate;
-    int64_t meeting;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    abscissa = curves__rail_abscissa(tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way);
-    (*gap) = frame__NO_GAP;
-    (*rate) = 0.0;
-    (*bend) = 0.0;
-    (*curvature) = 1.0;
-    if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
+    int64_t rail, trace, meeting;
+    double way, abscissa, gap, rate, bend, curvature, estimate;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT) += 1.0;
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
+    abscissa = curves__rail_abscissa(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), way);
+    gap = frame__NO_GAP;
+    rate = 0.0;
+    bend = 0.0;
+    curvature = 1.0;
+    if (abscissa >= AT(tables, rail + layout__PROFILE_START) && abscissa <= AT(tables, rail + layout__PROFILE_STOP))
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, estimate, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP))
+        estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
+        if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, estimate, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP))
         {
-            meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_MEETING;
-            (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
-            (*rate) = -(*cspan_at(&work, meeting + layout__MEETING_RISE));
-            (*bend) = -(*cspan_at(&work, meeting + layout__MEETING_RATE));
-            (*curvature) = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, meeting + layout__MEETING_Z)), (*cspan_at(&work, meeting + layout__MEETING_SLOPE)), pressed__mean_bend(tables, work, pair, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work, meeting + layout__MEETING_BEND))));
+            meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
+            gap = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) - AT(work, meeting + layout__MEETING_OVERLAP);
+            rate = -AT(work, meeting + layout__MEETING_RISE);
+            bend = -AT(work, meeting + layout__MEETING_RATE);
+            curvature = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), pressed__mean_bend(tables, work, pair, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND)));
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                (*cspan_at(&work, trace + layout__TRACE_RATE)) = ((*cspan_at(&work, meeting + layout__MEETING_WHEEL)) - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA))) / way;
+                AT(work, trace + layout__TRACE_RATE) = (AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA)) / way;
             }
-            (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
+            AT(work, trace + layout__TRACE_ABSCISSA) = AT(work, meeting + layout__MEETING_WHEEL);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
         }
     }
-    return 0;
+    *gap_out = gap;
+    *rate_out = rate;
+    *bend_out = bend;
+    *curvature_out = curvature;
 }
 
 /* ``step``, no longer than ``limit`` either way. */
 static OUT_OF_LINE double pressed__limited(double step, double limit)
 {
-    step = double_max(2, double_min(2, step, limit), -limit);
+    step = double_max(double_min(step, limit), -limit);
     return step;
 }
 
@@ -1893,59 +1727,48 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
  * Where curvatures jump Newton's method can alternate between two places.  Where a step has not halved the
  * slope, the bracket is halved.
  */
-static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
+static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
 {
-    int64_t meeting;
-    double before;
-    bool moved_low;
-    bool moved_high;
-    int64_t i;
-    double following;
-    double z_rail;
-    double slope;
-    double rail_bend;
-    double stretch;
-    double kappa;
-    double rate;
-    double move;
-    double rise;
+    int64_t meeting, i;
+    double before, following, z_rail, slope, rail_bend, stretch, kappa, rate, move, rise;
+    bool moved_low, moved_high;
     meeting = place + layout__PLACE_MEETING;
     before = 0.0;
-    moved_low = 0;
-    moved_high = 0;
-    for (i = INT64_C(0); i < pressed__DEEP_ITERATIONS; i += INT64_C(1))
+    moved_low = false;
+    moved_high = false;
+    for (i = 0; i < pressed__DEEP_ITERATIONS; i += 1)
     {
         if (!pressed__meet_wheel(tables, work, pair, place, x, y, height, pressed__LINE_SHARP))
         {
-            (*result_0_0001) = x;
-            (*result_1_0001) = 0;
-            return 0;
+            *x_out = x;
+            *out_1 = false;
+            return;
         }
-        y = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
-        if (sign * (*cspan_at(&work, meeting + layout__MEETING_RISE)) > 0.0)
+        y = AT(work, meeting + layout__MEETING_WHEEL);
+        if (sign * AT(work, meeting + layout__MEETING_RISE) > 0.0)
         {
             low = x;
-            moved_low = 1;
+            moved_low = true;
         }
         else
         {
             high = x;
-            moved_high = 1;
+            moved_high = true;
         }
         following = 0.5 * (low + high);
-        tables__height_slope_bend(&z_rail, &slope, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x);
+        tables__height_slope_bend(&z_rail, &slope, &rail_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x);
         stretch = sqrt(1.0 + slope * slope);
         kappa = rail_bend / (stretch * stretch * stretch);
         /* with what the rate leaves out: the normals converge into the rail, and meet less of the wheel */
-        rate = (*cspan_at(&work, meeting + layout__MEETING_RATE)) - ((*cspan_at(&work, meeting + layout__MEETING_RATE)) + kappa) * kappa * double_max(2, (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)), 0.0);
+        rate = AT(work, meeting + layout__MEETING_RATE) - (AT(work, meeting + layout__MEETING_RATE) + kappa) * kappa * double_max(AT(work, meeting + layout__MEETING_OVERLAP), 0.0);
         if (sign * rate < 0.0)
         {
-            move = (-(*cspan_at(&work, meeting + layout__MEETING_RISE))) / (rate * stretch);
+            move = -AT(work, meeting + layout__MEETING_RISE) / (rate * stretch);
             if (fabs(move) < pressed__DEEP_SHARP)
             {
                 break;
             }
-            if ((x + move > low) && (x + move < high) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
+            if (x + move > low && x + move < high && (i == 0 || fabs(AT(work, meeting + layout__MEETING_RISE)) < 0.5 * before))
             {
                 following = x + move;
             }
@@ -1955,12 +1778,11 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* r
             break;
         }
         x = following;
-        before = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
+        before = fabs(AT(work, meeting + layout__MEETING_RISE));
     }
-    rise = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
-    (*result_0_0001) = x;
-    (*result_1_0001) = (rise < pressed__ZERO_RISE) || ((rise < pressed__LEVEL_RISE) && moved_low && moved_high);
-    return 0;
+    rise = fabs(AT(work, meeting + layout__MEETING_RISE));
+    *x_out = x;
+    *out_1 = rise < pressed__ZERO_RISE || (rise < pressed__LEVEL_RISE && moved_low && moved_high);
 }
 
 
@@ -1970,21 +1792,14 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* r
  */
 
 /* Lateral and vertical shift [m] that let the wheel just touch at a deepest point. */
-static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point)
+static OUT_OF_LINE void pressed_regions__touching_shift(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point)
 {
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double z_rail;
-    double m;
-    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), z, slope);
-    tables__height_slope(&z_rail, &m, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
-    (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - y_track;
-    (*result_1) = z_rail - z_track;
-    return 0;
+    double z, slope, y_track, z_track, outline_slope, z_rail, m;
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, point + layout__DEEP_POINT_WHEEL));
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, AT(work, point + layout__DEEP_POINT_WHEEL), z, slope);
+    tables__height_slope(&z_rail, &m, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL));
+    *out_0 = AT(work, point + layout__DEEP_POINT_RAIL) + AT(tables, pair + layout__PAIR_RAIL_Y) - y_track;
+    *out_1 = z_rail - z_track;
 }
 
 /* Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own
@@ -1992,11 +1807,11 @@ static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, dou
  */
 static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap)
 {
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = depth;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(1);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = gap;
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = height;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = depth;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = (double)true;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = gap;
+    return 0;
 }
 
 /* Press the wheel of the open frame, which just touches, straight down until its contact point is
@@ -2006,10 +1821,10 @@ static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, a
 {
     double height;
     int64_t count;
-    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) + penetration / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     count = overlaps__find_overlaps(tables, work, pair, side, height);
     pressed_regions__press_frame(work, height, penetration, 0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(1);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)true;
     return count;
 }
 
@@ -2020,50 +1835,44 @@ static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, a
 static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration)
 {
     double height;
-    int64_t i_1;
-    int64_t index;
-    int64_t region;
-    int64_t i_2;
-    int64_t i_3;
-    int64_t i_4;
-    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    int64_t i_1, index, region, i_2, i_3, i_4;
+    height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) + penetration / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     pressed_regions__press_frame(work, height, penetration, 0.0);
-    for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        for (i_2 = INT64_C(0); i_2 < INT64_C(27); i_2 += INT64_C(1))
+        for (i_2 = 0; i_2 < 27; i_2 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2);
         }
-        pressed_regions__press_frame(work, height, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_GAP)));
-        for (i_3 = INT64_C(0); i_3 < layout__FRAME_SIZE; i_3 += INT64_C(1))
+        pressed_regions__press_frame(work, height, AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP), AT(work, region + layout__REGION_GAP));
+        for (i_3 = 0; i_3 < layout__FRAME_SIZE; i_3 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
         }
     }
-    for (i_4 = INT64_C(0); i_4 < INT64_C(27); i_4 += INT64_C(1))
+    for (i_4 = 0; i_4 < 27; i_4 += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_4));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_4);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Start a region at a deepest point, inclined as the rail there. */
 static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
 {
-    double z_rail;
-    double m;
-    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    tables__height_slope(&z_rail, &m, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
+    double z_rail, m;
+    AT(work, region + layout__REGION_STATION) = 0.0;
+    AT(work, region + layout__REGION_GAP) = 0.0;
+    AT(work, region + layout__REGION_RAIL) = AT(work, point + layout__DEEP_POINT_RAIL);
+    AT(work, region + layout__REGION_WHEEL) = AT(work, point + layout__DEEP_POINT_WHEEL);
+    tables__height_slope(&z_rail, &m, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL));
     frame__incline_region(work, tables, region, m);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Open the frame of a region beside the contact point's, whose frame is open; what it gets of the
@@ -2071,32 +1880,22 @@ static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d 
  */
 static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
 {
-    double cosine;
-    double abscissa;
-    double height;
-    double depth;
+    double cosine, abscissa, height, depth, aside, shift, unread, unread_2, unread_3, unread_4, unread_5;
     bool sunk;
-    double aside;
-    double shift;
-    double Dummy_0000_0;
-    double Dummy_0000_1;
-    double Dummy_0000_2;
-    double Dummy_0000_3;
-    double Dummy_0000_4;
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
-    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    sunk = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0;
-    pressed_regions__touching_shift(&aside, &shift, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
-    frame__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
-    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
-    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
-    (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    (*cspan_at(&work, region + layout__REGION_OFFSET)) = curves__rail_length(tables, pair, abscissa, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
-    pressed_regions__press_frame(work, height, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(sunk);
-    return INT64_C(0);
+    cosine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    abscissa = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
+    height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT);
+    depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+    sunk = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0;
+    pressed_regions__touching_shift(&aside, &shift, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
+    frame__open_frame(&unread, &unread_2, &unread_3, &unread_4, &unread_5, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, point + layout__DEEP_POINT_WHEEL), aside, shift);
+    AT(work, region + layout__REGION_OWN) = (double)true;
+    AT(work, region + layout__REGION_ALIGNMENT) = AT(work, region + layout__REGION_COS) / cosine;
+    AT(work, region + layout__REGION_GAP) = AT(work, region + layout__REGION_ALIGNMENT) * depth - AT(work, point + layout__DEEP_POINT_DEPTH);
+    AT(work, region + layout__REGION_OFFSET) = curves__rail_length(tables, pair, abscissa, AT(work, point + layout__DEEP_POINT_RAIL));
+    pressed_regions__press_frame(work, height, AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)sunk;
+    return 0;
 }
 
 /* Open a region for every deepest point on the list, each with its own frame; their number.  The open
@@ -2105,57 +1904,47 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
  */
 static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    int64_t contact;
-    int64_t i_1;
-    int64_t index;
-    int64_t region;
-    int64_t point;
-    double gap;
-    double rate;
-    double bend;
-    double curvature;
-    int64_t i_2;
-    int64_t i_3;
-    int64_t count;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
+    int64_t count, contact, i_1, index, region, point, i_2, i_3;
+    double gap, rate, bend, curvature;
+    count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     contact = deep_points__deepest_entry(work);
-    for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
         pressed_regions__open_pressed_region(tables, work, pair, region, point);
-        if ((index != contact) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
+        if (index != contact || AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
         {
             pressed_regions__give_own_frame(tables, work, pair, region, point);
         }
-        traces__start_traces(work, 0.0, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)));
+        traces__start_traces(work, 0.0, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL));
         pressed__pressed_gap(&gap, &rate, &bend, &curvature, tables, work, pair, 0.0);
-        (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
-        (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-        (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
-        (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
-        if (index > INT64_C(0))
+        AT(work, region + layout__REGION_BEND) = bend;
+        AT(work, region + layout__REGION_CURVATURE) = curvature;
+        AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
+        AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
+        if (index > 0)
         {
-            (*cspan_at(&work, region + layout__REGION_LOW)) = curves__rail_length(tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
+            AT(work, region + layout__REGION_LOW) = curves__rail_length(tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE));
         }
-        if (index < count - INT64_C(1))
+        if (index < count - 1)
         {
-            (*cspan_at(&work, region + layout__REGION_HIGH)) = curves__rail_length(tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
+            AT(work, region + layout__REGION_HIGH) = curves__rail_length(tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_SADDLE));
         }
-        for (i_2 = INT64_C(0); i_2 < layout__FRAME_SIZE; i_2 += INT64_C(1))
+        for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
-        for (i_3 = INT64_C(0); i_3 < INT64_C(27); i_3 += INT64_C(1))
+        for (i_3 = 0; i_3 < 27; i_3 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3);
         }
     }
-    if (count > INT64_C(1))
+    if (count > 1)
     {
         frame__locate_along_track(tables, work, pair, count);
     }
@@ -2183,34 +1972,25 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
 /* Vertical distance at ``station`` [m], its rate [-] and bend [1/m] over the stations, and whether it
  * exists.
  */
-static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* result_1, double* result_2, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station)
+static OUT_OF_LINE void separation__vertical_rise(double* out_0, double* out_1, double* out_2, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
-    double per_station;
-    double lateral;
-    double across;
-    double rail_down;
-    double rail_slope;
-    double along;
-    double rail_bend;
-    double down;
-    double slope;
-    double stretch;
-    double bend;
-    per_station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    lateral = (station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station;
-    (*exists) = curves__move_across(tables, work, pair, lateral);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
-    if (curves__within(tables, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
+    double per_station, lateral, across, rail_down, rail_slope, along, rail_bend, down, slope, stretch, bend;
+    bool exists;
+    per_station = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    lateral = (station - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) * per_station;
+    exists = curves__move_across(tables, work, pair, lateral);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y) + lateral;
+    if (curves__within(tables, pair, layout__RAIL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) != AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))
     {
-        (*exists) = 0;
+        exists = false;
     }
-    curves__curve_jet(&across, &rail_down, &rail_slope, &along, &rail_bend, tables, work, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&across, &rail_down, &rail_slope, &along, &rail_bend, tables, work, pair, layout__RAIL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, layout__WHEEL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     bend = rail_bend - bend / stretch;
-    (*result_0) = rail_down - down;
-    (*result_1) = (rail_slope - slope) * per_station;
-    (*result_2) = bend * per_station * per_station;
-    return 0;
+    *out_0 = rail_down - down;
+    *out_1 = (rail_slope - slope) * per_station;
+    *out_2 = bend * per_station * per_station;
+    *exists_out = exists;
 }
 
 /* Distance along the mean of the normals between the points at ``station`` [m] on both curves, signed,
@@ -2222,33 +2002,17 @@ static OUT_OF_LINE int64_t separation__vertical_rise(double* result_0, double* r
  *
  * of which the last term is of third order in s.
  */
-static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double* rate, double* result_2, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station)
+static OUT_OF_LINE void separation__equidistant_rise(double* out_0, double* rate_out, double* out_2, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
-    bool on_rail;
-    bool on_wheel;
-    double across;
-    double down;
-    double slope;
-    double stretch;
-    double bend;
-    double rail_cos;
-    double rail_sin;
-    double rail_curvature;
-    double wheel_across;
-    double wheel_down;
-    double wheel_cos;
-    double wheel_sin;
-    double wheel_curvature;
-    double cosine;
-    double sine;
-    double size;
+    bool on_rail, on_wheel, exists;
+    double across, down, slope, stretch, bend, rail_cos, rail_sin, rail_curvature, wheel_across, wheel_down, wheel_cos, wheel_sin, wheel_curvature, cosine, sine, size, rate;
     on_rail = curves__move_to_station(tables, work, pair, layout__RAIL, station);
     on_wheel = curves__move_to_station(tables, work, pair, layout__WHEEL, station);
-    curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&across, &down, &slope, &stretch, &bend, tables, work, pair, layout__RAIL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     rail_cos = 1.0 / sqrt(1.0 + slope * slope);
     rail_sin = slope * rail_cos;
     rail_curvature = bend * rail_cos * rail_cos * rail_cos;
-    curves__curve_jet(&wheel_across, &wheel_down, &slope, &stretch, &bend, tables, work, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    curves__curve_jet(&wheel_across, &wheel_down, &slope, &stretch, &bend, tables, work, pair, layout__WHEEL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     wheel_cos = 1.0 / sqrt(1.0 + slope * slope);
     wheel_sin = slope * wheel_cos;
     wheel_curvature = bend / stretch * wheel_cos * wheel_cos * wheel_cos;
@@ -2259,72 +2023,65 @@ static OUT_OF_LINE int64_t separation__equidistant_rise(double* result_0, double
     size = sqrt(cosine * cosine + sine * sine);
     cosine /= size;
     sine /= size;
-    (*exists) = on_rail && on_wheel && (stretch > 0.0);
-    (*rate) = (wheel_cos - rail_cos) * sine - (wheel_sin - rail_sin) * cosine;
-    (*rate) += 0.5 * (across * cosine + down * sine) * (wheel_curvature + rail_curvature);
-    (*result_0) = across * sine - down * cosine;
-    (*result_2) = rail_curvature - wheel_curvature;
-    return 0;
+    exists = on_rail && on_wheel && stretch > 0.0;
+    rate = (wheel_cos - rail_cos) * sine - (wheel_sin - rail_sin) * cosine;
+    rate += 0.5 * (across * cosine + down * sine) * (wheel_curvature + rail_curvature);
+    *out_0 = across * sine - down * cosine;
+    *rate_out = rate;
+    *out_2 = rail_curvature - wheel_curvature;
+    *exists_out = exists;
 }
 
 /* How much less deep a pressed wheel is at the rail's trace than at the contact point, since it is
  * pressed along the region's normal: depth (1 - cos(angle between the normals)) [m]; and its rate [-].
  */
-static OUT_OF_LINE int64_t separation__depth_lost(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair)
+static OUT_OF_LINE void separation__depth_lost(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    double height;
-    double slope;
-    double bend;
-    double cosine;
-    double along;
-    double across;
-    tables__height_slope_bend(&height, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    double height, slope, bend, cosine, along, across;
+    tables__height_slope_bend(&height, &slope, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     cosine = 1.0 / sqrt(1.0 + slope * slope);
-    along = cosine * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-    across = cosine * (slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-    (*result_0) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * (1.0 - along);
-    (*result_1) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across * bend * cosine * cosine * cosine;
-    return 0;
+    along = cosine * (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    across = cosine * (slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    *out_0 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * (1.0 - along);
+    *out_1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * across * bend * cosine * cosine * cosine;
 }
 
 /* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
  * region's minimum.
  */
-static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind)
+static OUT_OF_LINE void separation__moved_separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind)
 {
+    double gap, rate, bend, lost, more, y, z, slope, wheel_bend, curvature;
     bool exists;
-    double lost;
-    double more;
-    double y;
-    double z;
-    double slope;
-    double wheel_bend;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT)) += 1.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT) += 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
-        separation__vertical_rise(gap, rate, bend, &exists, tables, work, pair, station);
+        separation__vertical_rise(&gap, &rate, &bend, &exists, tables, work, pair, station);
     }
     else
     {
-        separation__equidistant_rise(gap, rate, bend, &exists, tables, work, pair, station);
+        separation__equidistant_rise(&gap, &rate, &bend, &exists, tables, work, pair, station);
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    (*gap) += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
+    gap += AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP);
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && kind != layout__SEPARATION_VERTICAL)
     {
         separation__depth_lost(&lost, &more, tables, work, pair);
-        (*gap) += lost;
-        (*rate) += more;
+        gap += lost;
+        rate += more;
     }
     if (!exists)
     {
-        (*gap) = frame__NO_GAP;
+        gap = frame__NO_GAP;
     }
-    y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    tables__height_slope_bend(&z, &slope, &wheel_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+    y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
+    tables__height_slope_bend(&z, &slope, &wheel_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
     wheel_bend = pressed__mean_bend(tables, work, pair, y, wheel_bend);
-    (*curvature) = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, slope, wheel_bend);
-    return 0;
+    curvature = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), z, slope, wheel_bend);
+    *gap_out = gap;
+    *rate_out = rate;
+    *bend_out = bend;
+    *curvature_out = curvature;
 }
 
 /* Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m],
@@ -2332,23 +2089,27 @@ static OUT_OF_LINE int64_t separation__moved_separation(double* gap, double* rat
  *
  * ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
  */
-static inline int64_t separation__separation(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void separation__separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     int64_t kind;
-    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
-    if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
+    double gap, rate, bend, curvature;
+    kind = (int64_t)AT(tables, layout__TABLES_SEPARATION);
+    if (kind == layout__SEPARATION_NORMAL && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0))
     {
-        frame__normal_gap(gap, rate, bend, curvature, tables, work, pair, station, tolerance);
+        frame__normal_gap(&gap, &rate, &bend, &curvature, tables, work, pair, station, tolerance);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        pressed__pressed_gap(gap, rate, bend, curvature, tables, work, pair, station);
+        pressed__pressed_gap(&gap, &rate, &bend, &curvature, tables, work, pair, station);
     }
     else
     {
-        separation__moved_separation(gap, rate, bend, curvature, tables, work, pair, station, kind);
+        separation__moved_separation(&gap, &rate, &bend, &curvature, tables, work, pair, station, kind);
     }
-    return 0;
+    *gap_out = gap;
+    *rate_out = rate;
+    *bend_out = bend;
+    *curvature_out = curvature;
 }
 
 
@@ -2366,24 +2127,24 @@ static inline int64_t separation__separation(double* gap, double* rate, double* 
 /* Let the traces begin at ``station`` with rail abscissa ``abscissa`` and wheel abscissa ``y`` [m]. */
 static inline int64_t traces__start_traces(array_double_1d work, double station, double abscissa, double y)
 {
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = y;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = 0.0;
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND) = 0.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) = y;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = 0.0;
+    return 0;
 }
 
 /* Estimated profile abscissa [m] at a distance ``away`` from the station of the trace [m]. */
 static inline double traces__first_abscissa(array_double_1d work, int64_t trace, double away)
 {
     double u;
-    u = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + away * (*cspan_at(&work, trace + layout__TRACE_RATE));
+    u = AT(work, trace + layout__TRACE_ABSCISSA) + away * AT(work, trace + layout__TRACE_RATE);
     if (fabs(away) < traces__EXTRAPOLATED)
     {
-        u += 0.5 * away * away * (*cspan_at(&work, trace + layout__TRACE_BEND));
+        u += 0.5 * away * away * AT(work, trace + layout__TRACE_BEND);
     }
     return u;
 }
@@ -2394,66 +2155,62 @@ static inline double traces__first_abscissa(array_double_1d work, int64_t trace,
  * point : the profile's point at station zero.
  * plane : inclination of the contact plane in the profile's coordinates.
  */
-static inline int64_t traces__trace_profile(double* result_0, double* result_1, double* ordinate_bend, double* result_3, double* result_4, bool* exists, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance)
+static inline void traces__trace_profile(double* out_0, double* out_1, double* ordinate_bend_out, double* out_3, double* out_4, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance)
 {
-    double u;
-    double excess;
-    double forward;
-    double height;
-    double slope;
-    double bend;
+    double u, excess, forward, height, slope, bend, along, rate, ordinate_bend, ordinate, move;
+    bool exists;
     int64_t i;
-    double along;
-    double rate;
-    double ordinate;
-    double move;
-    u = traces__first_abscissa(work, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    (*exists) = 0;
+    u = traces__first_abscissa(work, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    exists = false;
     excess = 0.0;
     forward = 1.0;
     height = 0.0;
     slope = 0.0;
     bend = 0.0;
-    for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < traces__TRACE_ITERATIONS; i += 1)
     {
-        u = double_min(2, double_max(2, u, (*cspan_at(&tables, profile + layout__PROFILE_START))), (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
+        u = double_min(double_max(u, AT(tables, profile + layout__PROFILE_START)), AT(tables, profile + layout__PROFILE_STOP));
         tables__height_slope_bend(&height, &slope, &bend, tables, profile, u);
-        forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
-        excess = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + (height - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
+        forward = AT(work, plane + layout__DIRECTION_COS) + slope * AT(work, plane + layout__DIRECTION_SIN);
+        excess = (u - AT(work, point + layout__POINT_Y)) * AT(work, plane + layout__DIRECTION_COS) + (height - AT(work, point + layout__POINT_Z)) * AT(work, plane + layout__DIRECTION_SIN) - station;
         if (fabs(excess) < tolerance)
         {
             if (forward > 0.0)
             {
-                (*exists) = 1;
+                exists = true;
             }
             break;
         }
         u -= excess / forward;
     }
     along = 1.0 / forward;
-    rate = ((*cspan_at(&work, plane + layout__DIRECTION_SIN)) - slope * (*cspan_at(&work, plane + layout__DIRECTION_COS))) * along;
-    (*ordinate_bend) = (-bend) * along * along * along;
-    (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = u - excess * along;
-    (*cspan_at(&work, trace + layout__TRACE_RATE)) = along;
-    (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
-    ordinate = (u - (*cspan_at(&work, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - (height - (*cspan_at(&work, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_COS));
-    move = (-excess) * along;
-    (*result_0) = ordinate - excess * (rate - 0.5 * excess * (*ordinate_bend));
-    (*result_1) = rate - excess * (*ordinate_bend);
-    (*result_3) = slope + move * bend;
-    (*result_4) = height + move * slope;
-    return 0;
+    rate = (AT(work, plane + layout__DIRECTION_SIN) - slope * AT(work, plane + layout__DIRECTION_COS)) * along;
+    ordinate_bend = -bend * along * along * along;
+    AT(work, trace + layout__TRACE_ABSCISSA) = u - excess * along;
+    AT(work, trace + layout__TRACE_RATE) = along;
+    AT(work, trace + layout__TRACE_BEND) = ordinate_bend * AT(work, plane + layout__DIRECTION_SIN);
+    ordinate = (u - AT(work, point + layout__POINT_Y)) * AT(work, plane + layout__DIRECTION_SIN) - (height - AT(work, point + layout__POINT_Z)) * AT(work, plane + layout__DIRECTION_COS);
+    move = -excess * along;
+    *out_0 = ordinate - excess * (rate - 0.5 * excess * ordinate_bend);
+    *out_1 = rate - excess * ordinate_bend;
+    *ordinate_bend_out = ordinate_bend;
+    *out_3 = slope + move * bend;
+    *out_4 = height + move * slope;
+    *exists_out = exists;
 }
 
 /* Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and whether
  * it exists.
  */
-static inline int64_t traces__trace_rail(double* ordinate, double* rate, double* bend, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void traces__trace_rail(double* ordinate_out, double* rate_out, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
-    double slope;
-    double height;
-    traces__trace_profile(ordinate, rate, bend, &slope, &height, exists, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, tolerance);
-    return 0;
+    double ordinate, rate, bend, slope, height;
+    bool exists;
+    traces__trace_profile(&ordinate, &rate, &bend, &slope, &height, &exists, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, tolerance);
+    *ordinate_out = ordinate;
+    *rate_out = rate;
+    *bend_out = bend;
+    *exists_out = exists;
 }
 
 /* Height of the wheel over the contact plane [m], its rate [-], bend [1/m] and the wheel's 1/R_x [1/m] at
@@ -2461,64 +2218,45 @@ static inline int64_t traces__trace_rail(double* ordinate, double* rate, double*
  *
  * Without yaw the outline is the profile, turned by the roll.
  */
-static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void traces__trace_wheel(double* ordinate_out, double* rate_out, double* bend_out, double* curvature_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     int64_t place;
-    double lifted;
-    double slope;
-    double z;
-    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
-    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
+    double lifted, ordinate, rate, bend, slope, z, curvature;
+    bool exists;
+    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
+    if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
-        lifted = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-        traces__trace_profile(ordinate, rate, bend, &slope, &z, exists, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, tolerance);
-        (*ordinate) -= (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*curvature) = curvature__longitudinal_curvature(work, tables, place, z, slope, (*bend));
+        lifted = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+        traces__trace_profile(&ordinate, &rate, &bend, &slope, &z, &exists, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, tolerance);
+        ordinate -= AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+        curvature = curvature__longitudinal_curvature(work, tables, place, z, slope, bend);
     }
     else
     {
-        traces__trace_outline(ordinate, rate, bend, curvature, exists, tables, work, pair, station, tolerance);
+        traces__trace_outline(&ordinate, &rate, &bend, &curvature, &exists, tables, work, pair, station, tolerance);
     }
-    return 0;
+    *ordinate_out = ordinate;
+    *rate_out = rate;
+    *bend_out = bend;
+    *curvature_out = curvature;
+    *exists_out = exists;
 }
 
 /* ``trace_wheel`` with yaw. */
-static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void traces__trace_outline(double* ordinate_out, double* out_1, double* ordinate_bend_out, double* curvature_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
-    int64_t wheel;
-    int64_t place;
-    int64_t trace;
-    double cosine;
-    double sine;
-    double left;
-    double above;
-    double y;
-    double excess;
-    double along;
-    double across;
-    double up;
-    double stretch;
-    double z;
-    double slope;
-    double bend;
-    double outline_slope;
-    double outline_rate;
-    int64_t i;
-    double y_track;
-    double z_track;
-    double per_along;
-    double per_stretch;
-    double rate;
-    double move;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
+    int64_t wheel, place, trace, i;
+    double cosine, sine, left, above, y, excess, along, across, up, stretch, z, slope, bend, outline_slope, outline_rate, y_track, z_track, per_along, per_stretch, rate, ordinate_bend, move, curvature, ordinate;
+    bool exists;
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    left = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
-    above = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    y = traces__first_abscissa(work, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    (*exists) = 0;
+    cosine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    sine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+    left = AT(tables, pair + layout__PAIR_RAIL_Y) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE);
+    above = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z);
+    y = traces__first_abscissa(work, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    exists = false;
     excess = 0.0;
     along = 1.0;
     across = 0.0;
@@ -2529,9 +2267,9 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     bend = 0.0;
     outline_slope = 0.0;
     outline_rate = 0.0;
-    for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < traces__TRACE_ITERATIONS; i += 1)
     {
-        y = double_min(2, double_max(2, y, (*cspan_at(&tables, wheel + layout__PROFILE_START))), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
+        y = double_min(double_max(y, AT(tables, wheel + layout__PROFILE_START)), AT(tables, wheel + layout__PROFILE_STOP));
         tables__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
         across = y_track - left;
@@ -2542,7 +2280,7 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
         {
             if (stretch * along > 0.0)
             {
-                (*exists) = 1;
+                exists = true;
             }
             break;
         }
@@ -2551,15 +2289,18 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     per_along = 1.0 / along;
     per_stretch = 1.0 / stretch;
     rate = (sine - outline_slope * cosine) * per_along;
-    (*ordinate_bend) = (-outline_rate) * per_stretch * per_along * per_along * per_along;
-    move = (-excess) * per_along * per_stretch;
-    (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y + move;
-    (*cspan_at(&work, trace + layout__TRACE_RATE)) = per_along * per_stretch;
-    (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * sine * per_stretch;
-    (*curvature) = curvature__longitudinal_curvature(work, tables, place, z + move * slope, slope + move * bend, bend);
-    (*ordinate) = across * sine - up * cosine - excess * (rate - 0.5 * excess * (*ordinate_bend));
-    (*result_1) = rate - excess * (*ordinate_bend);
-    return 0;
+    ordinate_bend = -outline_rate * per_stretch * per_along * per_along * per_along;
+    move = -excess * per_along * per_stretch;
+    AT(work, trace + layout__TRACE_ABSCISSA) = y + move;
+    AT(work, trace + layout__TRACE_RATE) = per_along * per_stretch;
+    AT(work, trace + layout__TRACE_BEND) = ordinate_bend * sine * per_stretch;
+    curvature = curvature__longitudinal_curvature(work, tables, place, z + move * slope, slope + move * bend, bend);
+    ordinate = across * sine - up * cosine - excess * (rate - 0.5 * excess * ordinate_bend);
+    *ordinate_out = ordinate;
+    *out_1 = rate - excess * ordinate_bend;
+    *ordinate_bend_out = ordinate_bend;
+    *curvature_out = curvature;
+    *exists_out = exists;
 }
 
 
@@ -2581,44 +2322,36 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
 /* How many deepest points lie between the sample ``entry`` and the next one: 0, 1 or UNCLEAR. */
 static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
-    int64_t scan;
-    double x;
-    int64_t rail;
-    double before;
-    double after;
-    double least;
-    double most;
-    double rise;
-    int64_t turns;
-    double gap;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
-    x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
-    rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, x));
+    int64_t scan, rail, turns;
+    double x, before, after, least, most, rise, gap;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    x = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry);
+    rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, x));
     if (!turning_cells__open_cell(tables, work, scan, rail, place, entry))
     {
         return turning_cells__UNCLEAR;
     }
     turning_cells__bound_departure(tables, work, scan, rail, place, entry);
-    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)));
-    after = before + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP));
-    least = double_min(2, double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))), double_min(2, before, after)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE));
-    most = double_max(2, double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))), double_max(2, before, after)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE));
-    rise = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + before) + (1.0 - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT))) * (after + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))));
-    if (!(fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) - rise) <= 2.0 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH))))
+    before = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT) * (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND));
+    after = before + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP);
+    least = double_min(double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)), double_min(before, after)) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE);
+    most = double_max(double_max(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)), double_max(before, after)) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE);
+    rise = 0.5 * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH) * (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT) * (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND) + before) + (1.0 - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) * (after + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)));
+    if (!(fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST) - rise) <= 2.0 * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)))
     {
         return turning_cells__UNCLEAR;
     }
-    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), least, most, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
-    if ((turns == turning_cells__UNCLEAR) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) != 0.0))
+    turns = turning_cells__part_turns(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR), least, most, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH));
+    if (turns == turning_cells__UNCLEAR && AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP) != 0.0)
     {
         turns = turning_cells__joined_turns(work, before, after, rise);
     }
-    if (turns > INT64_C(0))
+    if (turns > 0)
     {
-        gap = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + (entry + INT64_C(1)))));
-        if (gap - 0.125 * double_max(2, most, 0.0) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)))
+        gap = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + (entry + 1)));
+        if (gap - 0.125 * double_max(most, 0.0) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH) > AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT))
         {
-            turns = INT64_C(0);
+            turns = 0;
         }
     }
     return turns;
@@ -2633,25 +2366,25 @@ static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, 
     turns = turning_cells__UNCLEAR;
     if (most <= 0.0)
     {
-        turns = INT64_C(0);
+        turns = 0;
     }
-    else if ((first > first_error) && (last > last_error))
+    else if (first > first_error && last > last_error)
     {
         if (bounds__only_rises_or_falls(least, most, width, first - first_error, last - last_error))
         {
-            turns = INT64_C(0);
+            turns = 0;
         }
     }
-    else if ((first < -first_error) && (last < -last_error))
+    else if (first < -first_error && last < -last_error)
     {
         if (bounds__only_rises_or_falls(least, most, width, first + first_error, last + last_error))
         {
-            turns = INT64_C(0);
+            turns = 0;
         }
     }
-    else if ((first < -first_error) && (last > last_error) && (least > 0.0))
+    else if (first < -first_error && last > last_error && least > 0.0)
     {
-        turns = INT64_C(1);
+        turns = 1;
     }
     return turns;
 }
@@ -2661,21 +2394,19 @@ static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, 
  */
 static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, double before, double after, double rise)
 {
-    double share;
-    double middle;
-    double error;
+    double share, middle, error;
     int64_t turns;
-    share = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT));
-    middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) + 0.5 * share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + before);
-    middle += share * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) - rise);
-    error = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) + 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH));
+    share = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT);
+    middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST) + 0.5 * share * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH) * (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND) + before);
+    middle += share * (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST) - rise);
+    error = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR) + 0.5 * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH);
     if (!(fabs(middle) > error))
     {
         return turning_cells__UNCLEAR;
     }
-    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), middle, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), error, double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
-    turns += turning_cells__part_turns(middle, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), error, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), double_min(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), (1.0 - share) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
-    return int64_t_min(2, turns, turning_cells__UNCLEAR);
+    turns = turning_cells__part_turns(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST), middle, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR), error, double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND), before) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE), double_max(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND), before) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE), share * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH));
+    turns += turning_cells__part_turns(middle, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST), error, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR), double_min(after, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE), double_max(after, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE), (1.0 - share) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH));
+    return int64_min(turns, turning_cells__UNCLEAR);
 }
 
 /* Write F, F' and a joint between the sample ``entry``, above the cell ``rail``, and the next one to the
@@ -2683,73 +2414,62 @@ static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, dou
  */
 static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry)
 {
-    double x;
-    double length;
-    double aside;
-    double next_aside;
-    double share;
-    double low;
-    double high;
+    double x, length, aside, next_aside, share, low, high, at, kept, kept_2, kept_3;
     int64_t index;
-    double at;
-    x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
-    length = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - x;
-    aside = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
-    next_aside = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))));
-    if (!((length > 0.0) && (length < turning_cells__WIDEST_CELL) && (double_max(2, fabs(aside), fabs(next_aside)) < turning_cells__FARTHEST_FOOT) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) - double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + (entry + INT64_C(1))))) < turning_cells__DEEPEST)))
+    x = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry);
+    length = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + 1)) - x;
+    aside = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry);
+    next_aside = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + 1));
+    if (!(length > 0.0 && length < turning_cells__WIDEST_CELL && double_max(fabs(aside), fabs(next_aside)) < turning_cells__FARTHEST_FOOT && AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) - double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + (entry + 1))) < turning_cells__DEEPEST))
     {
-        return 0;
+        return false;
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) = -(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) = -(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
-    turning_cells__sample_bend(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_SHARE), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND), tables, work, scan, place, entry);
-    turning_cells__sample_bend(&share, cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND), tables, work, scan, place, entry + INT64_C(1));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) = turning_cells__SLOPE_STEP + double_max(2, turning_cells__foot_error(work, entry), turning_cells__foot_error(work, entry + INT64_C(1)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) = 1.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) = 0.0;
-    low = x + double_min(2, aside, 0.0);
-    high = x + length + double_max(2, next_aside, 0.0);
-    index = (int64_t)((*cspan_at(&tables, rail + layout__RAIL_CELL_JOINT)));
-    while((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_PLACE)) < low)
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + 1)) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST) = -AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST) = -AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + 1));
+    turning_cells__sample_bend(&kept, &kept_2, tables, work, scan, place, entry);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_SHARE) = kept;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND) = kept_2;
+    turning_cells__sample_bend(&share, &kept_3, tables, work, scan, place, entry + 1);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND) = kept_3;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR) = turning_cells__SLOPE_STEP + double_max(turning_cells__foot_error(work, entry), turning_cells__foot_error(work, entry + 1));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT) = 1.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP) = 0.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP) = 0.0;
+    low = x + double_min(aside, 0.0);
+    high = x + length + double_max(next_aside, 0.0);
+    index = (int64_t)AT(tables, rail + layout__RAIL_CELL_JOINT);
+    while (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_PLACE) < low)
     {
-        index += INT64_C(1);
+        index += 1;
     }
-    at = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_PLACE));
+    at = AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_PLACE);
     if (at <= high)
     {
-        if (!((at > x + double_max(2, aside, 0.0)) && (at < x + length + double_min(2, next_aside, 0.0)) && ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * (index + INT64_C(1)) + layout__RAIL_JOINT_PLACE)) > high)))
+        if (!(at > x + double_max(aside, 0.0) && at < x + length + double_min(next_aside, 0.0) && AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * (index + 1) + layout__RAIL_JOINT_PLACE) > high))
         {
-            return 0;
+            return false;
         }
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_JUMP));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_SHARE));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) = (at - x - aside) / (length + next_aside - aside);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP) = AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_JUMP);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_SHARE);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT) = (at - x - aside) / (length + next_aside - aside);
     }
-    return 1;
+    return true;
 }
 
 /* x' [-] and F' [1/m] at the sample ``entry``. */
-static ALWAYS_INLINE int64_t turning_cells__sample_bend(double* share, double* result_1, array_double_1d tables, array_double_1d work, int64_t scan, int64_t place, int64_t entry)
+static ALWAYS_INLINE void turning_cells__sample_bend(double* share_out, double* out_1, array_double_1d tables, array_double_1d work, int64_t scan, int64_t place, int64_t entry)
 {
     int64_t node;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double stretch;
-    double rate;
-    double m;
-    double bend;
-    double depth;
-    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
-    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, (*cspan_at(&tables, node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, node + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, node + layout__SCAN_NODE_SLOPE)), (*cspan_at(&tables, node + layout__SCAN_NODE_BEND)));
-    m = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_SLOPE + entry));
-    bend = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
-    depth = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), 0.0);
-    (*share) = stretch * (1.0 + (m * (outline_slope - m) + depth * bend) / (1.0 + m * m));
-    (*result_1) = (*share) * bend - rate;
-    return 0;
+    double y_track, z_track, outline_slope, stretch, rate, m, bend, depth, share;
+    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry);
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, AT(tables, node + layout__SCAN_NODE_Y), AT(tables, node + layout__SCAN_NODE_HEIGHT), AT(tables, node + layout__SCAN_NODE_SLOPE), AT(tables, node + layout__SCAN_NODE_BEND));
+    m = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_SLOPE + entry);
+    bend = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry);
+    depth = double_max(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry), 0.0);
+    share = stretch * (1.0 + (m * (outline_slope - m) + depth * bend) / (1.0 + m * m));
+    *share_out = share;
+    *out_1 = share * bend - rate;
 }
 
 /* By how much F may differ from the one of the sample ``entry``, which has changed on the way to the foot
@@ -2757,11 +2477,10 @@ static ALWAYS_INLINE int64_t turning_cells__sample_bend(double* share, double* r
  */
 static ALWAYS_INLINE double turning_cells__foot_error(array_double_1d work, int64_t entry)
 {
-    double change;
-    double error;
-    change = fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
+    double change, error;
+    change = fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
     error = turning_cells__FOOT_SHARE * change;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) == 0.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry) == 0.0)
     {
         error += change;
     }
@@ -2772,7 +2491,7 @@ static ALWAYS_INLINE double turning_cells__foot_error(array_double_1d work, int6
 static OUT_OF_LINE double turning_cells__foot_aside(array_double_1d work, int64_t entry)
 {
     double aside;
-    aside = (1.0 + turning_cells__FOOT_SHARE) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
+    aside = (1.0 + turning_cells__FOOT_SHARE) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry);
     if (fabs(aside) > (1.0 + turning_cells__FOOT_SHARE) * turning_cells__FARTHEST_FOOT)
     {
         aside = 0.0;
@@ -2784,21 +2503,16 @@ static OUT_OF_LINE double turning_cells__foot_aside(array_double_1d work, int64_
 static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry)
 {
     int64_t node;
-    double length;
-    double aside;
-    double change;
-    double rest;
-    double departure;
-    double slid;
-    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
-    length = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
-    aside = double_max(2, fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry))), fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))))));
-    change = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
+    double length, aside, change, rest, departure, slid;
+    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry);
+    length = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + 1)) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry);
+    aside = double_max(fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)), fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + 1))));
+    change = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + (entry + 1)) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry);
     /* a foot may lie beyond the chord's ends */
-    rest = (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) + length * (0.2 * length * (*cspan_at(&tables, rail + layout__RAIL_CELL_WAVE)) + 0.4 * (*cspan_at(&tables, rail + layout__RAIL_CELL_KINKS)));
+    rest = AT(tables, node + layout__SCAN_NODE_DEPARTURE) + length * (0.2 * length * AT(tables, rail + layout__RAIL_CELL_WAVE) + 0.4 * AT(tables, rail + layout__RAIL_CELL_KINKS));
     rising_cell__departure_from_line(&departure, &slid, tables, work, place, node, rest);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) = departure + (slid + aside / length) * fabs(change) + 2.0 * turning_cells__DEEPEST * fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE) = departure + (slid + aside / length) * fabs(change) + 2.0 * turning_cells__DEEPEST * fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
+    return 0;
 }
 
 /* List the one deepest point in the open cell after the sample ``entry``, sought from where the cubic
@@ -2806,42 +2520,31 @@ static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables
  */
 static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
-    double rise;
-    double start;
-    double end;
-    double t;
-    int64_t i;
-    double rest;
-    double curve;
-    double slope;
-    double low;
-    double high;
-    double slack;
-    double x;
-    int64_t meeting;
+    double rise, start, end, t, rest, curve, slope, low, high, slack, x;
+    int64_t i, meeting;
     bool turned;
-    rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST));
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) - rise;
-    end = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) - rise;
-    t = (-(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST))) / rise;
-    for (i = INT64_C(0); i < turning_cells__CUBIC_ITERATIONS; i += INT64_C(1))
+    rise = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST);
+    start = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH) - rise;
+    end = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH) - rise;
+    t = -AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST) / rise;
+    for (i = 0; i < turning_cells__CUBIC_ITERATIONS; i += 1)
     {
         rest = 1.0 - t;
         curve = rest * start - t * end;
         slope = rise + (rest - t) * curve - t * rest * (start + end);
         if (slope > 0.0)
         {
-            t -= ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) + t * (rise + rest * curve)) / slope;
+            t -= (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST) + t * (rise + rest * curve)) / slope;
         }
-        t = double_min(2, double_max(2, t, 0.0), 1.0);
+        t = double_min(double_max(t, 0.0), 1.0);
     }
-    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
-    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))));
-    slack = turning_cells__FOOT_SHARE * double_max(2, fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry))), fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))))));
-    pressed__turning_point(&x, &turned, tables, work, pair, place, low - slack, high + slack, low + t * (high - low), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry);
+    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + 1)) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + 1));
+    slack = turning_cells__FOOT_SHARE * double_max(fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)), fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + 1))));
+    pressed__turning_point(&x, &turned, tables, work, pair, place, low - slack, high + slack, low + t * (high - low), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry) + t * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
     meeting = place + layout__PLACE_MEETING;
-    turned = turned && ((*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0);
-    if (turned && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > 0.0) && (!deep_points__is_listed(work, x)))
+    turned = turned && AT(work, meeting + layout__MEETING_RATE) < 0.0;
+    if (turned && AT(work, meeting + layout__MEETING_OVERLAP) > 0.0 && !deep_points__is_listed(work, x))
     {
         deep_points__append_point(work, x, meeting);
     }
@@ -2859,10 +2562,10 @@ static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables,
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction)
 {
     double limit;
-    limit = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
+    limit = AT(work, region + layout__REGION_HIGH) - AT(work, region + layout__REGION_STATION);
     if (direction < 0.0)
     {
-        limit = (*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW));
+        limit = AT(work, region + layout__REGION_STATION) - AT(work, region + layout__REGION_LOW);
     }
     return limit;
 }
@@ -2871,7 +2574,7 @@ static inline double widths__width_limit(array_double_1d work, int64_t region, d
 static inline double widths__width_tolerance(double estimate)
 {
     double tolerance;
-    tolerance = double_min(2, widths__TRACE_OF_WIDTH * estimate, widths__WIDTH_TRACE);
+    tolerance = double_min(widths__TRACE_OF_WIDTH * estimate, widths__WIDTH_TRACE);
     return tolerance;
 }
 
@@ -2883,51 +2586,33 @@ static inline double widths__width_tolerance(double estimate)
  */
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate)
 {
-    double limit;
-    double tolerance;
-    double root;
-    double low;
-    double high;
-    double width;
-    double station;
-    double abscissa;
-    double y;
-    double near;
+    double limit, tolerance, root, low, high, width, station, abscissa, y, near, gap, rate, bend, curvature, rise, following, sharp, square, newton;
     int64_t i;
-    double gap;
-    double rate;
-    double bend;
-    double curvature;
-    double rise;
-    double following;
-    double sharp;
-    double square;
-    double newton;
     limit = widths__width_limit(work, region, direction);
-    traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
     curves__open_origin(tables, work, pair, region, 0.0);
     tolerance = widths__width_tolerance(estimate);
     root = sqrt(level);
     low = 0.0;
     high = -1.0;
     width = estimate;
-    (*cspan_at(&work, region + layout__REGION_REACHED)) = 0.0;
-    station = (*cspan_at(&work, region + layout__REGION_STATION));
-    abscissa = (*cspan_at(&work, region + layout__REGION_RAIL));
-    y = (*cspan_at(&work, region + layout__REGION_WHEEL));
+    AT(work, region + layout__REGION_REACHED) = 0.0;
+    station = AT(work, region + layout__REGION_STATION);
+    abscissa = AT(work, region + layout__REGION_RAIL);
+    y = AT(work, region + layout__REGION_WHEEL);
     near = widths__WIDTH_SHARP;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
     {
         near = widths__SUNK_SHARP;
     }
-    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
         near = widths__PRESSED_SHARP;
     }
-    for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < widths__WIDTH_ITERATIONS; i += 1)
     {
-        width = double_min(2, width, limit);
-        separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, tolerance);
+        width = double_min(width, limit);
+        separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, AT(work, region + layout__REGION_STATION) + direction * width, tolerance);
         if (gap >= frame__NO_GAP)
         {
             /* beyond an end the traces are lost */
@@ -2935,15 +2620,15 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
         }
         else
         {
-            station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-            abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+            station = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
+            abscissa = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA);
+            y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
         }
-        rise = gap - (*cspan_at(&work, region + layout__REGION_GAP));
+        rise = gap - AT(work, region + layout__REGION_GAP);
         if (rise < level)
         {
             low = width;
-            (*cspan_at(&work, region + layout__REGION_REACHED)) = rise;
+            AT(work, region + layout__REGION_REACHED) = rise;
             if (width >= limit)
             {
                 return limit;
@@ -2959,11 +2644,11 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
         {
             following = 0.5 * (low + high);
         }
-        if ((rise > 0.0) && (rate * direction > 0.0))
+        if (rise > 0.0 && rate * direction > 0.0)
         {
             square = sqrt(rise);
             newton = width + (root - square) * 2.0 * square / (rate * direction);
-            if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
+            if (newton > low && newton < 4.0 * width && (high < 0.0 || newton < high))
             {
                 following = newton;
                 sharp = near;
@@ -2973,7 +2658,7 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
         {
             if (sharp == near)
             {
-                (*cspan_at(&work, region + layout__REGION_REACHED)) = level;
+                AT(work, region + layout__REGION_REACHED) = level;
             }
             return following;
         }
@@ -2985,27 +2670,26 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
 /* Note the half-widths of a region about the contact point. */
 static inline int64_t widths__keep_widths(array_double_1d work, int64_t region)
 {
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    return 0;
 }
 
 /* Let a region whose minimum lies within the ``first`` widths begin with them. */
 static inline int64_t widths__start_widths(array_double_1d work, int64_t region)
 {
-    double low;
-    double high;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work, region + layout__REGION_OFFSET));
-    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work, region + layout__REGION_OFFSET));
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) > 0.0) && (low > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) && (high > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))))
+    double low, high;
+    AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
+    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
+    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))
     {
-        (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
-        (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-        (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION);
+        AT(work, region + layout__REGION_WIDTH_LOW) = low;
+        AT(work, region + layout__REGION_WIDTH_HIGH) = high;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on
@@ -3013,53 +2697,47 @@ static inline int64_t widths__start_widths(array_double_1d work, int64_t region)
  */
 static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration)
 {
-    double bend;
-    double low;
-    double high;
-    double grown;
-    double high_reached;
-    double slant;
-    double start;
+    double bend, low, high, grown, high_reached, slant, start;
     bool yawed;
     /* the first guess: the gap's own second derivative, as far as it is a usual one */
-    bend = double_min(2, double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE))), widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    bend = double_min(double_max(AT(work, region + layout__REGION_BEND), widths__LEAST_BEND * AT(work, region + layout__REGION_CURVATURE)), widths__MOST_BEND * AT(work, region + layout__REGION_CURVATURE));
     low = sqrt(2.0 * local_penetration / bend);
     high = low;
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
+    if (AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0)
     {
-        grown = sqrt(local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
-        low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
-        high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
+        grown = sqrt(local_penetration / AT(work, region + layout__REGION_WIDTH_PENETRATION));
+        low = AT(work, region + layout__REGION_WIDTH_LOW) * grown;
+        high = AT(work, region + layout__REGION_WIDTH_HIGH) * grown;
     }
     high = widths__zone_width(tables, work, pair, region, 1.0, local_penetration, high);
-    high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
+    high_reached = AT(work, region + layout__REGION_REACHED);
     slant = 0.0;
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    start = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
     yawed = frame__is_yawed(work);
     if (yawed)
     {
-        slant = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        slant = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     }
-    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
+    if (!(AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0))
     {
         low = high;
     }
     low = widths__zone_width(tables, work, pair, region, -1.0, local_penetration, low);
     if (yawed)
     {
-        slant -= locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
+        slant -= locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        if (start > AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))
         {
-            (*cspan_at(&work, region + layout__REGION_SLANT)) = slant / (start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
+            AT(work, region + layout__REGION_SLANT) = slant / (start - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
         }
     }
-    (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = widths__side_curvature(high_reached, high, 0.5 * (low + high));
-    (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = widths__side_curvature((*cspan_at(&work, region + layout__REGION_REACHED)), low, 0.5 * (low + high));
-    (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
-    (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * (high - low);
-    return INT64_C(0);
+    AT(work, region + layout__REGION_SIDE_HIGH) = widths__side_curvature(high_reached, high, 0.5 * (low + high));
+    AT(work, region + layout__REGION_SIDE_LOW) = widths__side_curvature(AT(work, region + layout__REGION_REACHED), low, 0.5 * (low + high));
+    AT(work, region + layout__REGION_WIDTH_HIGH) = high;
+    AT(work, region + layout__REGION_WIDTH_LOW) = low;
+    AT(work, region + layout__REGION_WIDTH_PENETRATION) = local_penetration;
+    AT(work, region + layout__REGION_MIDDLE) = AT(work, region + layout__REGION_STATION) + 0.5 * (high - low);
+    return 0;
 }
 
 /* g / w^2 [1/m] where the gap has risen to g = ``reached`` [m] at the half-width w = ``own`` [m],
@@ -3067,12 +2745,11 @@ static inline int64_t widths__measure_widths(array_double_1d tables, array_doubl
  */
 static inline double widths__side_curvature(double reached, double own, double mean)
 {
-    double ratio;
-    double curvature;
+    double curvature, ratio;
     curvature = 0.0;
     if (own > 0.0)
     {
-        ratio = double_min(2, mean / own, widths__NARROWER);
+        ratio = double_min(mean / own, widths__NARROWER);
         curvature = reached / (own * own) * ratio * ratio;
     }
     return curvature;

@@ -2,97 +2,112 @@
 #include "constants.h"
 
 /* creep/correction.py */
+static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch, double share);
+static inline void correction__saturation(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t patch, int64_t cell, double share);
 static inline double correction__scale_at(array_double_1d tables, int64_t table, int64_t at, double share);
-static inline int64_t correction__saturation(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t patch, int64_t cell, double share);
-static inline int64_t correction__radius_cell(int64_t* cell, double* result_1, array_double_1d tables, int64_t table, double place);
-static inline int64_t correction__node_at(int64_t* at, double* on_elevation, double* on_azimuth, double* on_radius, array_double_1d tables, int64_t table, double along, double across, double turning);
+static inline void correction__node_at(int64_t* at_out, double* on_elevation_out, double* on_azimuth_out, double* on_radius_out, double* faint_out, array_double_1d tables, int64_t table, double along, double across, double turning);
+static inline double correction__slope_at(array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share);
+static inline void correction__radius_cell(int64_t* cell_out, double* out_1, array_double_1d tables, int64_t table, double place);
+static inline void correction__middle_bend(int64_t* beyond_out, double* bend_out, int64_t at, double on_azimuth);
+static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double bend, int64_t beyond, double on_radius);
+static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double bend, int64_t beyond, double on_radius);
+static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double bend, int64_t beyond, double on_radius);
 static inline double correction__on_line(array_double_1d tables, int64_t table, int64_t at, double on_radius);
-static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double on_radius);
-static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double on_radius);
-static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double on_radius);
-static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* creep/coupled_strips.py */
-static inline double coupled_strips__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio);
-static inline double coupled_strips__smooth_step(double z);
-static inline int64_t coupled_strips__slip_depth(double* depth, double* weight, double square, double v, double k, double a);
 static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int64_t march, double shift, double width, double ratio);
+static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t march, double mean, double ratio);
+static inline double coupled_strips__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio);
+static inline void coupled_strips__slip_depth(double* depth_out, double* weight_out, double square, double v, double k, double a);
 static inline double coupled_strips__later_share(double depth, double ratio);
 static inline double coupled_strips__edge_weight(array_double_1d work, int64_t march);
-static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t march, double mean, double ratio);
-static inline int64_t coupled_strips__flexibilities(double* result_0, double* result_1, array_double_1d work, int64_t patch);
-static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t march, int64_t strip, int64_t index);
-static inline double coupled_strips__open_stick_zones(array_double_1d work, int64_t patch, double ratio);
-static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch);
-static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline double coupled_strips__smooth_step(double z);
 static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline double coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline double coupled_strips__open_stick_zones(array_double_1d work, int64_t patch, double ratio);
+static inline void coupled_strips__flexibilities(double* out_0, double* out_1, array_double_1d work, int64_t patch);
+static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t march, int64_t strip, int64_t index);
+static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch);
+static inline double coupled_strips__lost_friction(array_double_1d work, int64_t patch);
 
 /* creep/creep_force.py */
-static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t patch);
 static inline int64_t creep_force__solve_creep_force(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t patch);
 
 /* creep/creepage.py */
-static inline int64_t creepage__rolling_velocity(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, int64_t motion, double x, double y, double z, double radius);
+static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t creepage__move_strip(array_double_1d work, int64_t motion, int64_t strip, double x_track, double inverse);
+static inline void creepage__rolling_velocity(double* out_0, double* out_1, double* out_2, double* out_3, array_double_1d work, int64_t motion, double x, double y, double z, double radius);
 static inline double creepage__velocity_along(array_double_1d work, int64_t motion, double y, double z, double rolling_x);
 static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x);
-static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch);
-static inline int64_t creepage__move_strip(array_double_1d work, int64_t motion, int64_t strip, double x_track, double inverse);
-static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion, int64_t patch);
 static inline double creepage__approach_rate(array_double_1d work, int64_t motion, int64_t patch);
 
 /* creep/cut.py */
+static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch);
+static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch);
 static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch);
 static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop);
 static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch);
-static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
 static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch);
+static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
 static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch);
 static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch);
-static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch);
-static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch);
+
+/* creep/falling.py */
+static inline int64_t falling__open_falling(array_double_1d work, int64_t patch);
+static inline int64_t falling__find_shares(array_double_1d work, double x);
+static inline double falling__point_share(array_double_1d work, int64_t patch, int64_t strip, double x);
+static inline double falling__decay(double t);
+static inline int64_t falling__weigh_slips(array_double_1d work, double bound);
+static inline int64_t falling__restore_slips(array_double_1d work);
 
 /* creep/fastrip.py */
+static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t march);
 static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t patch, int64_t strip);
 static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, double push, double lateral, double spin);
-static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_double_1d work, int64_t march, double x, double bound);
-static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip);
-static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline double fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip);
+static inline int64_t fastrip__open_stick(array_double_1d work, int64_t march);
+static inline int64_t fastrip__march_on(array_double_1d work, int64_t march, double x, double bound);
+static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t march, double bound);
+static inline void fastrip__stick_traction(double* out_0, double* out_1, array_double_1d work, int64_t march, double x, double bound);
 
 /* creep/fastsim.py */
-static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t patch);
-static inline double fastsim__strip_push(array_double_1d work, int64_t patch, int64_t strip, double along, double turning);
-static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning);
 static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline void fastsim__stiffnesses(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t patch);
+static inline double fastsim__strip_push(array_double_1d work, int64_t patch, int64_t strip, double along, double turning);
+static inline void fastsim__march_strip(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning);
+static inline double fastsim__sticking(double free_x, double free_y, double push_x, double push_y, double bound);
 
 /* creep/friction.py */
+static inline int64_t friction__set_friction(array_double_1d work, array_double_1d tables, int64_t patch, double friction, bool resting);
 static inline double friction__flange_share(array_double_1d tables, double angle);
-static inline double friction__patch_friction(array_double_1d tables, double friction, double angle, double sliding);
 static inline double friction__slope_factor(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t patch, double factor);
 static inline bool friction__is_frictional(double friction, double limit);
-static inline double friction__creep_gain(array_double_1d work, int64_t patch);
 static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t patch);
+static inline double friction__creep_gain(array_double_1d work, int64_t patch);
 
 /* creep/march.py */
 static inline int64_t march__open_marches(array_double_1d work, double ratio);
 static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int64_t number, double plane, double spinning, double ratio);
-static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number, int64_t last);
 static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number);
+static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number, int64_t last);
+static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, bool falls);
 static inline bool march__has_slip(array_double_1d work);
-static inline double march__sqrt_of(double value);
-static inline int64_t march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step);
-static inline int64_t march__note_largest(array_double_1d work, int64_t i, double p_x, double p_y);
-static inline int64_t march__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound);
 static inline int64_t march__march_first(array_double_1d work, double x, double bound, double step);
 static inline int64_t march__march_second(array_double_1d work, double x, double bound, double step);
-static inline int64_t march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t i, double bound);
-static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound);
-static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table);
+static inline int64_t march__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound);
+static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound, double friction);
+static inline void march__stepped(double* out_0, double* out_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step);
+static inline void march__slip_traction(double* out_0, double* out_1, array_double_1d work, int64_t i, double bound);
+static inline int64_t march__note_largest(array_double_1d work, int64_t i, double p_x, double p_y);
+static inline double march__sqrt_of(double value);
 
 /* creep/motion.py */
-static inline bool motion__is_rail_moderate(double lateral, double vertical, double roll);
 static inline bool motion__is_moderate(array_double_1d work, int64_t inputs);
+static inline bool motion__is_rail_moderate(double lateral, double vertical, double roll);
 static inline double motion__rolling_rate(array_double_1d work, int64_t inputs, double given, double radius);
 static inline bool motion__are_independent(array_double_1d tables);
 static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d tables, int64_t left, int64_t right, int64_t inputs);
@@ -109,37 +124,57 @@ static inline double motion__constraint_residual(array_double_1d work, int64_t m
 static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t left, int64_t right);
 
 /* creep/polach.py */
-static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double slip);
-static inline double polach__creep_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
+static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double own);
+static inline double polach__slope(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
+static inline double polach__spin_slope(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
 static inline double polach__spin_share(double e);
-static inline double polach__spin_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
 static inline int64_t polach__cut_force(array_double_1d work, int64_t patch);
 static inline double polach__largest_shear(array_double_1d work, int64_t patch);
-static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables, int64_t patch);
 
 /* creep/stiffness.py */
+static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t stiffness__patch_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t stiffness__renew_shift(array_double_1d work, int64_t patch);
 static inline int64_t stiffness__join_strips(array_double_1d work, int64_t patch);
-static inline double stiffness__reach_cubic(array_double_1d tables, int64_t table, int64_t at, double u);
-static inline int64_t stiffness__reaches(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double distance);
-static inline int64_t stiffness__reach_beside(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t j, double near, double far);
 static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table);
+static inline int64_t stiffness__reach_beside(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t j, double near, double far);
+static inline void stiffness__reaches(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double distance);
+static inline double stiffness__reach_cubic(array_double_1d tables, int64_t table, int64_t at, double u);
 static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations, int64_t sides);
+static inline int64_t stiffness__substitute(array_double_1d work, int64_t equations, int64_t side);
 static inline double stiffness__creepage_shift(array_double_1d work);
 static inline double stiffness__mean_share(double ratio);
+static inline int64_t stiffness__spread_turning(array_double_1d work, int64_t blocks, double share);
 static inline double stiffness__not_below(double value, double least);
-static inline int64_t stiffness__spread_turning(array_double_1d work, double share);
-static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
-static inline int64_t stiffness__stiffnesses_at(double* along, double* across, double* turning, array_double_1d work, int64_t index, double station);
+static inline void stiffness__stiffnesses_at(double* along_out, double* across_out, double* turning_out, array_double_1d work, int64_t blocks, int64_t index, double station);
 
 /* creep/tractions.py */
 static inline double tractions__shape_place(double axis_ratio);
 static inline double tractions__shape_value(array_double_1d tables, int64_t table, int64_t column, double place);
-static inline int64_t tractions__kalker_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double axis_ratio);
+static inline void tractions__kalker_coefficients(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double axis_ratio);
 static inline double tractions__bound_rate(array_double_1d work, int64_t patch, int64_t strip);
-static inline int64_t tractions__cut_to(double* result_0, double* result_1, double along, double across, double bound);
+static inline void tractions__cut_to(double* along_out, double* across_out, double along, double across, double bound);
 static inline int64_t tractions__add_strip(array_double_1d work, int64_t patch, int64_t strip, double along, double across, double moment);
 static inline double tractions__patch_area(array_double_1d work, int64_t patch);
 static inline double tractions__point_weight(array_double_1d work, int64_t strip);
+
+/* creep/turning.py */
+static inline void turning__heading_velocity(double* out_0, double* out_1, array_double_1d work, int64_t motion, double x, double y_track, double z_track);
+static inline int64_t turning__begin_turning(array_double_1d work, double wanted, double speed);
+static inline int64_t turning__enclose_rates(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t turning__add_stand_in(array_double_1d work, array_double_1d tables, int64_t motion, int64_t patch, double friction);
+static inline int64_t turning__widen_enclosure(array_double_1d work);
+static inline int64_t turning__begin_search(array_double_1d work, double start);
+static inline void turning__patch_stand_in(double* torque_out, double* slope_out, array_double_1d work, int64_t own, double speed, double rate);
+static inline void turning__stand_in(double* torque_out, double* slope_out, array_double_1d work, double rate);
+static inline void turning__corrected(double* out_0, double* slope_out, array_double_1d work, double rate);
+static inline double turning__stand_in_rate(array_double_1d work);
+static inline double turning__next_rate(array_double_1d work);
+static inline int64_t turning__note_torque(array_double_1d work, double rate, double torque);
+static inline bool turning__is_balanced(array_double_1d work);
+static inline bool turning__is_beyond(array_double_1d work);
+static inline bool turning__is_at_jump(array_double_1d work);
 
 
 /* ---- From creep/correction.py; change that one.
@@ -156,33 +191,29 @@ static inline double tractions__point_weight(array_double_1d work, int64_t strip
  * the force over mu N, the moment over mu N sqrt(ab) and the stick share that are missing; between its nodes
  * they follow straight lines along each coordinate.  The force is then cut to mu N, the stick share to 0 ... 1.
  *
+ * Three kinks would lie where a wheelset that runs straight has its creepages, and are none: from the origin on
+ * the first step of z = R / (1 + R), up to z1, is a parabola, T (z/z1)^2 with the table's T, beside which
+ *
+ *     L s (1 - z/z1) / (1 + R)                                                                      (D2)
+ *
+ * counts, with L what the strips lack of linear theory per saturation s; so is the first step of the elevation for all but the longitudinal force, which are even
+ * in s1; and beside s2 = 0 the azimuth's straight lines are bent until they meet with one slope.
+ *
  * s3 is zero on both sides of the azimuth's ends, where the table's values change over into their mirror images;
  * so the correction is continuous all over.
  */
 
-/* Add to a patch's force, moment and stick share what is missing. */
-static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch)
+/* Add to a patch's force, moment and stick share what is missing; its friction has fallen to a ``share``
+ * of that of rest.
+ */
+static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch, double share)
 {
-    int64_t table;
-    double bound;
-    double mean_axis;
-    int64_t ratio;
-    double on_ratio;
-    double along;
-    double across;
-    double turning;
-    double sign_x;
-    double sign_y;
-    int64_t at;
-    double on_elevation;
-    double on_azimuth;
-    double on_radius;
-    double force_x;
-    double force_y;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING)));
-    bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    mean_axis = sqrt((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-    tables__table_cell(&ratio, &on_ratio, (powers__log((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH))) - correction__LN_FIRST_RATIO) * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)));
+    int64_t table, ratio, at, beyond;
+    double bound, mean_axis, on_ratio, along, across, turning, sign_x, sign_y, on_elevation, on_azimuth, on_radius, faint, scale, bend, turned, force_x, force_y;
+    table = (int64_t)AT(tables, layout__TABLES_ROLLING);
+    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * share;
+    mean_axis = sqrt(AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH));
+    tables__table_cell(&ratio, &on_ratio, (powers__log(AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH)) - correction__LN_FIRST_RATIO) * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - 1));
     correction__saturation(&along, &across, &turning, work, tables, patch, ratio, on_ratio);
     sign_x = 1.0;
     if (along < 0.0)
@@ -197,123 +228,172 @@ static inline int64_t correction__correct_force(array_double_1d work, array_doub
         across = -across;
         turning = -turning;
     }
-    correction__node_at(&at, &on_elevation, &on_azimuth, &on_radius, tables, table, along, across, turning);
+    correction__node_at(&at, &on_elevation, &on_azimuth, &on_radius, &faint, tables, table, along, across, turning);
+    if (faint > 0.0)
+    {
+        scale = faint * bound;
+        AT(work, patch + layout__PATCH_CREEP_X) += scale * sign_x * correction__slope_at(tables, table, 0, ratio, on_ratio) * along;
+        AT(work, patch + layout__PATCH_CREEP_Y) += scale * sign_y * (correction__slope_at(tables, table, 1, ratio, on_ratio) * across + correction__slope_at(tables, table, 2, ratio, on_ratio) * turning);
+        AT(work, patch + layout__PATCH_CREEP_MOMENT) += scale * sign_y * mean_axis * (correction__slope_at(tables, table, 3, ratio, on_ratio) * across + correction__slope_at(tables, table, 4, ratio, on_ratio) * turning);
+    }
     at += ratio * correction__RATIO_STRIDE;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) += sign_x * bound * correction__missing(tables, table, at, on_ratio, on_elevation, on_azimuth, on_radius);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) += sign_y * bound * correction__missing(tables, table, at + INT64_C(1), on_ratio, on_elevation, on_azimuth, on_radius);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) += sign_y * bound * mean_axis * correction__missing(tables, table, at + INT64_C(2), on_ratio, on_elevation, on_azimuth, on_radius);
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) += correction__missing(tables, table, at + INT64_C(3), on_ratio, on_elevation, on_azimuth, on_radius);
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = double_min(2, double_max(2, (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)), 0.0), 1.0);
-    tractions__cut_to(&force_x, &force_y, (*cspan_at(&work, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)), bound);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = force_x;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = force_y;
-    return INT64_C(0);
+    correction__middle_bend(&beyond, &bend, at, on_azimuth);
+    AT(work, patch + layout__PATCH_CREEP_X) += sign_x * bound * correction__missing(tables, table, at, on_ratio, on_elevation, on_azimuth, bend, beyond, on_radius);
+    if (modulo(at, correction__RATIO_STRIDE) < correction__ELEVATION_STRIDE)
+    {
+        on_elevation *= on_elevation;
+    }
+    AT(work, patch + layout__PATCH_CREEP_Y) += sign_y * bound * correction__missing(tables, table, at + 1, on_ratio, on_elevation, on_azimuth, bend, beyond, on_radius);
+    turned = correction__missing(tables, table, at + 2, on_ratio, on_elevation, on_azimuth, bend, beyond, on_radius);
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) += sign_y * bound * mean_axis * turned;
+    AT(work, patch + layout__PATCH_STICK_SHARE) += correction__missing(tables, table, at + 3, on_ratio, on_elevation, on_azimuth, bend, beyond, on_radius);
+    AT(work, patch + layout__PATCH_STICK_SHARE) = double_min(double_max(AT(work, patch + layout__PATCH_STICK_SHARE), 0.0), 1.0);
+    tractions__cut_to(&force_x, &force_y, AT(work, patch + layout__PATCH_CREEP_X), AT(work, patch + layout__PATCH_CREEP_Y), bound);
+    AT(work, patch + layout__PATCH_CREEP_X) = force_x;
+    AT(work, patch + layout__PATCH_CREEP_Y) = force_y;
+    return 0;
 }
 
 /* s1, s2, s3 of eq. (D1), with the coefficients that the table was made with; ``cell`` and ``share`` are
  * the patch's place among the table's ratios a/b.
  */
-static inline int64_t correction__saturation(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t patch, int64_t cell, double share)
+static inline void correction__saturation(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t patch, int64_t cell, double share)
 {
-    double ratio;
-    double area;
-    double first;
-    double second;
-    double third;
-    double scale;
-    double wide;
+    double ratio, area, first, second, third, scale, wide;
     int64_t at;
-    ratio = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    area = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio);
-    scale = (-area) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) / ((*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-    wide = sqrt(1.0 + 0.66 * powers__exp((-2.7) * powers__log(ratio)));
-    at = INT64_C(3) * cell;
-    (*result_0) = scale * first * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    (*result_1) = scale * second * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    (*result_2) = scale * sqrt(area) * third * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(2), share) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) * wide;
-    return 0;
+    ratio = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    area = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
+    tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio);
+    scale = -area * AT(tables, layout__TABLES_SHEAR_MODULUS) / (AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    wide = sqrt(1.0 + 0.66 * powers__exp(-2.7 * powers__log(ratio)));
+    at = 3 * cell;
+    *out_0 = scale * first * correction__scale_at(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), at, share) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    *out_1 = scale * second * correction__scale_at(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), at + 1, share) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    *out_2 = scale * sqrt(area) * third * correction__scale_at(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), at + 2, share) * AT(work, patch + layout__PATCH_SPIN) * wide;
 }
 
 /* A scale of the table between two ratios. */
 static inline double correction__scale_at(array_double_1d tables, int64_t table, int64_t at, double share)
 {
-    double result;
-    result = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + at)) + share * ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + (at + INT64_C(3)))) - (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + at)));
-    return result;
+    return AT(tables, table + layout__ROLLING_TABLE_SCALES + at) + share * (AT(tables, table + layout__ROLLING_TABLE_SCALES + (at + 3)) - AT(tables, table + layout__ROLLING_TABLE_SCALES + at));
 }
 
-/* Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies;
- * ``along`` and ``turning`` are not negative.
+/* Where the cell of a saturation begins in the corrections of a ratio, where in it that lies, and how much
+ * the slopes at no creepage count; ``along`` and ``turning`` are not negative.
  */
-static inline int64_t correction__node_at(int64_t* at, double* on_elevation, double* on_azimuth, double* on_radius, array_double_1d tables, int64_t table, double along, double across, double turning)
+static inline void correction__node_at(int64_t* at_out, double* on_elevation_out, double* on_azimuth_out, double* on_radius_out, double* faint_out, array_double_1d tables, int64_t table, double along, double across, double turning)
 {
-    double flat;
-    double radius;
-    double place;
-    int64_t elevation;
-    int64_t azimuth;
-    int64_t cell;
+    double flat, radius, place, on_elevation, on_azimuth, on_radius, faint;
+    int64_t elevation, azimuth, cell, at;
     flat = sqrt(across * across + turning * turning);
     radius = sqrt(flat * flat + along * along);
     place = circle__atan2(along, flat) * correction__PER_RADIAN;
-    tables__table_cell(&elevation, on_elevation, place + double_min(2, place, 1.0), (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)));
-    tables__table_cell(&azimuth, on_azimuth, circle__atan2(fabs(turning), across) / M_PI * (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)));
-    correction__radius_cell(&cell, on_radius, tables, table, radius / (1.0 + radius));
-    (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
-    return 0;
+    tables__table_cell(&elevation, &on_elevation, place + double_min(place, 1.0), (double)(layout__CORRECTION_ELEVATIONS - 1));
+    tables__table_cell(&azimuth, &on_azimuth, circle__atan2(fabs(turning), across) / M_PI * (double)(layout__CORRECTION_AZIMUTHS - 1), (double)(layout__CORRECTION_AZIMUTHS - 1));
+    correction__radius_cell(&cell, &on_radius, tables, table, radius / (1.0 + radius));
+    faint = 0.0;
+    if (cell == 0)
+    {
+        faint = (1.0 - on_radius) / (1.0 + radius);
+        on_radius *= on_radius;
+    }
+    at = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
+    *at_out = at;
+    *on_elevation_out = on_elevation;
+    *on_azimuth_out = on_azimuth;
+    *on_radius_out = on_radius;
+    *faint_out = faint;
+}
+
+/* One of the slopes at no creepage, between two ratios. */
+static inline double correction__slope_at(array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share)
+{
+    int64_t at;
+    at = layout__CORRECTION_AXES * ratio + axis;
+    return AT(tables, table + layout__ROLLING_TABLE_SLOPES + at) + share * (AT(tables, table + layout__ROLLING_TABLE_SLOPES + (at + layout__CORRECTION_AXES)) - AT(tables, table + layout__ROLLING_TABLE_SLOPES + at));
 }
 
 /* The cell that holds R / (1 + R) = ``place``, and where in it. */
-static inline int64_t correction__radius_cell(int64_t* cell, double* result_1, array_double_1d tables, int64_t table, double place)
+static inline void correction__radius_cell(int64_t* cell_out, double* out_1, array_double_1d tables, int64_t table, double place)
 {
-    (*cell) = INT64_C(0);
-    while(((*cell) < layout__CORRECTION_RADII - INT64_C(2)) && (place >= (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + ((*cell) + INT64_C(1))))))
+    int64_t cell;
+    cell = 0;
+    while (cell < layout__CORRECTION_RADII - 2 && place >= AT(tables, table + layout__ROLLING_TABLE_RADII + (cell + 1)))
     {
-        (*cell) += INT64_C(1);
+        cell += 1;
     }
-    (*result_1) = (place - (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + (*cell)))) / ((*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + ((*cell) + INT64_C(1)))) - (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + (*cell))));
-    return 0;
+    *cell_out = cell;
+    *out_1 = (place - AT(tables, table + layout__ROLLING_TABLE_RADII + cell)) / (AT(tables, table + layout__ROLLING_TABLE_RADII + (cell + 1)) - AT(tables, table + layout__ROLLING_TABLE_RADII + cell));
 }
 
-/* A number of the table, linear along all four coordinates of the cell that begins ``at``. */
-static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double on_radius)
+/* Where the third node lies that the azimuth's straight line in the cell ``at`` is bent by, and how much:
+ * beside s2 = 0, where both lines get the mean of their slopes; elsewhere by nothing.
+ */
+static inline void correction__middle_bend(int64_t* beyond_out, double* bend_out, int64_t at, double on_azimuth)
 {
-    double low;
-    double result;
-    low = correction__on_plane(tables, table, at, on_elevation, on_azimuth, on_radius);
-    result = low + on_ratio * (correction__on_plane(tables, table, at + correction__RATIO_STRIDE, on_elevation, on_azimuth, on_radius) - low);
-    return result;
+    int64_t azimuth, beyond;
+    double bend;
+    azimuth = floor_div(modulo(at, correction__ELEVATION_STRIDE), layout__CORRECTION_LINE);
+    beyond = 0;
+    bend = 0.0;
+    if (azimuth == correction__MIDDLE_AZIMUTH)
+    {
+        beyond = -layout__CORRECTION_LINE;
+        bend = 0.5 * on_azimuth * (on_azimuth - 1.0);
+    }
+    else if (azimuth == correction__MIDDLE_AZIMUTH - 1)
+    {
+        beyond = 2 * layout__CORRECTION_LINE;
+        bend = 0.5 * on_azimuth * (on_azimuth - 1.0);
+    }
+    *beyond_out = beyond;
+    *bend_out = bend;
+}
+
+/* A number of the table, linear along all four coordinates of the cell that begins ``at``, but for the
+ * ``bend`` of the azimuth.
+ */
+static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double bend, int64_t beyond, double on_radius)
+{
+    double low, high;
+    low = correction__on_plane(tables, table, at, on_elevation, on_azimuth, bend, beyond, on_radius);
+    high = correction__on_plane(tables, table, at + correction__RATIO_STRIDE, on_elevation, on_azimuth, bend, beyond, on_radius);
+    return low + on_ratio * (high - low);
 }
 
 /* The same for one ratio. */
-static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double on_radius)
+static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double bend, int64_t beyond, double on_radius)
 {
-    double low;
-    double result;
-    low = correction__on_cone(tables, table, at, on_azimuth, on_radius);
-    result = low + on_elevation * (correction__on_cone(tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, on_radius) - low);
-    return result;
+    double low, high;
+    low = correction__on_cone(tables, table, at, on_azimuth, bend, beyond, on_radius);
+    high = correction__on_cone(tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, bend, beyond, on_radius);
+    return low + on_elevation * (high - low);
 }
 
 /* The same for one elevation. */
-static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double on_radius)
+static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double bend, int64_t beyond, double on_radius)
 {
-    double low;
-    double result;
+    double low, high, found;
     low = correction__on_line(tables, table, at, on_radius);
-    result = low + on_azimuth * (correction__on_line(tables, table, at + layout__CORRECTION_LINE, on_radius) - low);
-    return result;
+    high = correction__on_line(tables, table, at + layout__CORRECTION_LINE, on_radius);
+    found = low + on_azimuth * (high - low);
+    if (beyond < 0)
+    {
+        found += bend * (correction__on_line(tables, table, at + beyond, on_radius) - low - (low - high));
+    }
+    else if (beyond > 0)
+    {
+        found += bend * (correction__on_line(tables, table, at + beyond, on_radius) - high - (high - low));
+    }
+    return found;
 }
 
 /* The same for one azimuth. */
 static inline double correction__on_line(array_double_1d tables, int64_t table, int64_t at, double on_radius)
 {
     double low;
-    double result;
-    low = (*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + at));
-    result = low + on_radius * ((*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + (at + layout__CORRECTION_COLUMNS))) - low);
-    return result;
+    low = AT(tables, table + layout__ROLLING_TABLE_CORRECTIONS + at);
+    return low + on_radius * (AT(tables, table + layout__ROLLING_TABLE_CORRECTIONS + (at + layout__CORRECTION_COLUMNS)) - low);
 }
 
 
@@ -328,7 +408,8 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  *     int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
  *     int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
  *
- * in which the second root of eq. (Z1) is integrated exactly.
+ * in which the second root of eq. (Z1) is integrated exactly.  Written with (u, v) = d (e - (0, k)) nothing is
+ * divided by d but what lies behind the edge: so for small creepages these are Kalker's linear theory.
  *
  * Where a strip sticks is strip theory with a bound, made continuous.  In units of the bound's rate m the
  * creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and k = -K3 phi / m.  The strip sticks from -a +
@@ -369,28 +450,25 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  */
 static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int64_t march, double shift, double width, double ratio)
 {
-    double a;
-    double inverse;
-    double depth;
-    double weight;
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    inverse = 1.0 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG))) * ((*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + shift) * inverse;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * inverse;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * inverse;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) = coupled_strips__spread_square(work, march, width * inverse, (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), ratio);
-    coupled_strips__slip_depth(&depth, &weight, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), a);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight;
+    double a, inverse, depth, weight;
+    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    inverse = 1.0 / AT(work, march + layout__ROLLING_MARCH_RATE);
+    AT(work, march + layout__ROLLING_MARCH_STICK_X) = -AT(work, march + layout__ROLLING_MARCH_ALONG) * (AT(work, march + layout__ROLLING_MARCH_SLIP) + shift) * inverse;
+    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = -AT(work, march + layout__ROLLING_MARCH_ACROSS) * AT(work, march + layout__ROLLING_MARCH_LATERAL) * inverse;
+    AT(work, march + layout__ROLLING_MARCH_TWIST) = -AT(work, march + layout__ROLLING_MARCH_TURNING) * AT(work, march + layout__ROLLING_MARCH_SPIN) * inverse;
+    AT(work, march + layout__ROLLING_MARCH_SPREAD) = coupled_strips__spread_square(work, march, width * inverse, AT(work, march + layout__ROLLING_MARCH_TWIST), ratio);
+    coupled_strips__slip_depth(&depth, &weight, AT(work, march + layout__ROLLING_MARCH_STICK_X) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + AT(work, march + layout__ROLLING_MARCH_SPREAD), AT(work, march + layout__ROLLING_MARCH_STICK_Y), AT(work, march + layout__ROLLING_MARCH_TWIST), a);
+    AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
+    AT(work, march + layout__ROLLING_MARCH_WEIGHT) = weight;
     if (depth < a)
     {
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * (1.0 - 0.5 * depth / a);
+        AT(work, march + layout__ROLLING_MARCH_CARRIED) = weight * (1.0 - 0.5 * depth / a);
     }
     else
     {
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * (0.5 * a / depth);
+        AT(work, march + layout__ROLLING_MARCH_CARRIED) = weight * (0.5 * a / depth);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Depth, direction and weight of a strip's stick zone, into its march; ``mean`` is the patch's share of
@@ -398,94 +476,82 @@ static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int6
  */
 static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t march, double mean, double ratio)
 {
-    double a;
-    double share;
-    double yielding;
-    double push;
-    double u;
-    double v;
-    double k;
-    double depth;
-    double weight;
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    share = coupled_strips__later_share((*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a, ratio);
-    yielding = coupled_strips__YIELD / (1.0 + coupled_strips__YIELD_TWIST * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)));
-    push = share * (1.0 + yielding * ((*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean) / (double_max(2, (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)), mean) + march__NOTHING));
-    u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-    v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-    k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
-    coupled_strips__slip_depth(&depth, &weight, u * u + share * share * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), v, k, a);
-    weight = double_min(2, weight, (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = a;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    if ((weight > 0.0) && (depth < a))
+    double a, share, yielding, push, u, v, k, depth, weight;
+    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    share = coupled_strips__later_share(AT(work, march + layout__ROLLING_MARCH_DEPTH) / a, ratio);
+    yielding = coupled_strips__YIELD / (1.0 + coupled_strips__YIELD_TWIST * AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST));
+    push = share * (1.0 + yielding * (AT(work, march + layout__ROLLING_MARCH_CARRIED) - mean) / (double_max(AT(work, march + layout__ROLLING_MARCH_CARRIED), mean) + march__NOTHING));
+    u = push * AT(work, march + layout__ROLLING_MARCH_STICK_X);
+    v = push * AT(work, march + layout__ROLLING_MARCH_STICK_Y);
+    k = share * AT(work, march + layout__ROLLING_MARCH_TWIST);
+    coupled_strips__slip_depth(&depth, &weight, u * u + share * share * AT(work, march + layout__ROLLING_MARCH_SPREAD), v, k, a);
+    weight = double_min(weight, AT(work, march + layout__ROLLING_MARCH_WEIGHT));
+    AT(work, march + layout__ROLLING_MARCH_DEPTH) = a;
+    AT(work, march + layout__ROLLING_MARCH_WEIGHT) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
+    AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
+    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
+    if (weight > 0.0 && depth < a)
     {
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = u / (depth + march__NOTHING);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + march__NOTHING) + k;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight * coupled_strips__smooth_step((1.0 - depth / a) / coupled_strips__FADE) * coupled_strips__edge_weight(work, march);
+        AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
+        AT(work, march + layout__ROLLING_MARCH_STICK_X) = u / (depth + march__NOTHING);
+        AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v / (depth + march__NOTHING) + k;
+        AT(work, march + layout__ROLLING_MARCH_WEIGHT) = weight * coupled_strips__smooth_step((1.0 - depth / a) / coupled_strips__FADE) * coupled_strips__edge_weight(work, march);
     }
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - a;
-    return INT64_C(0);
+    AT(work, march + layout__ROLLING_MARCH_EDGE) = 2.0 * AT(work, march + layout__ROLLING_MARCH_DEPTH) - a;
+    return 0;
 }
 
 /* s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m. */
 static inline double coupled_strips__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio)
 {
-    double over_width;
-    double twist;
-    double long_0001;
-    double floor;
-    over_width = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * scale;
-    twist = double_min(2, fabs(k), coupled_strips__FLOOR_TWIST);
-    long_0001 = double_min(2, ratio / coupled_strips__FLOOR_RATIO, 1.0);
-    floor = coupled_strips__SPREAD_FLOOR * long_0001 * twist * twist * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    double over_width, twist, long_, floor;
+    over_width = AT(work, march + layout__ROLLING_MARCH_ALONG) * AT(work, march + layout__ROLLING_MARCH_SPIN) * scale;
+    twist = double_min(fabs(k), coupled_strips__FLOOR_TWIST);
+    long_ = double_min(ratio / coupled_strips__FLOOR_RATIO, 1.0);
+    floor = coupled_strips__SPREAD_FLOOR * long_ * twist * twist * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
     return over_width * over_width / 6.0 + floor * floor;
 }
 
 /* d of eq. (Z2) [m] for ``square`` = U, and the first factor of eq. (Z5); a weight of 0 is no stick
  * zone.
  */
-static inline int64_t coupled_strips__slip_depth(double* depth, double* weight, double square, double v, double k, double a)
+static inline void coupled_strips__slip_depth(double* depth_out, double* weight_out, double square, double v, double k, double a)
 {
-    double rest;
-    double cross;
-    double spread;
-    double root;
+    double rest, cross, spread, depth, weight, root;
     rest = 1.0 - k * k;
     cross = v * k;
     spread = v * v + rest * square;
-    (*depth) = 2.0 * a;
-    (*weight) = 0.0;
-    if ((spread > 0.0) || ((rest > 0.0) && (spread == 0.0)))
+    depth = 2.0 * a;
+    weight = 0.0;
+    if (spread > 0.0 || (rest > 0.0 && spread == 0.0))
     {
         root = sqrt(spread);
         if (cross <= 0.0)
         {
-            (*depth) = (square + v * v) / (root - cross + march__NOTHING);
-            (*weight) = 1.0;
+            depth = (square + v * v) / (root - cross + march__NOTHING);
+            weight = 1.0;
             if (rest < 0.0)
             {
-                (*weight) = coupled_strips__smooth_step(spread / (v * v + march__NOTHING));
+                weight = coupled_strips__smooth_step(spread / (v * v + march__NOTHING));
             }
         }
         else if (rest > 0.0)
         {
-            (*depth) = (cross + root) / rest;
-            (*weight) = 1.0;
+            depth = (cross + root) / rest;
+            weight = 1.0;
         }
     }
-    return 0;
+    *depth_out = depth;
+    *weight_out = weight;
 }
 
 /* The factor of eq. (Z4) for d/a = ``depth``. */
 static inline double coupled_strips__later_share(double depth, double ratio)
 {
-    double filled;
-    double share;
+    double filled, share;
     filled = 1.0;
     share = 1.0;
     if (depth < 1.0)
@@ -502,16 +568,13 @@ static inline double coupled_strips__later_share(double depth, double ratio)
 /* The second factor of eq. (Z5). */
 static inline double coupled_strips__edge_weight(array_double_1d work, int64_t march)
 {
-    double t;
-    double along;
-    double across;
-    double weight;
+    double weight, t, along, across;
     weight = 1.0;
-    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
+    if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
     {
-        t = sqrt(1.0 - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)));
-        along = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (1.0 - t);
-        across = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (1.0 - t) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t;
+        t = sqrt(1.0 - AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        along = AT(work, march + layout__ROLLING_MARCH_STICK_X) * (1.0 - t);
+        across = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * (1.0 - t) + AT(work, march + layout__ROLLING_MARCH_TWIST) * t;
         weight = 1.0 - coupled_strips__smooth_step(sqrt(along * along + across * across) - 1.0);
     }
     return weight;
@@ -536,140 +599,149 @@ static inline double coupled_strips__smooth_step(double z)
 /* Force, moment, stick share and largest traction of a patch. */
 static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    stiffness__find_stiffnesses(work, tables, patch);
-    coupled_strips__add_strips(work, tables, patch);
-    if (!((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) == 1.0))
+    double share;
+    stiffness__patch_stiffnesses(work, tables, patch);
+    share = coupled_strips__add_strips(work, tables, patch);
+    if (!(AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) == 1.0))
     {
-        correction__correct_force(work, tables, patch);
+        correction__correct_force(work, tables, patch, share);
     }
-    return INT64_C(0);
+    AT(work, patch + layout__PATCH_FRICTION) *= share;
+    return 0;
 }
 
-/* What the strips add up to, without correction. */
-static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch)
+/* What the strips add up to, without correction; friction's share of that of rest. */
+static inline double coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double ratio;
-    double plane;
-    double spinning;
-    double mean;
-    double stuck;
-    int64_t i;
-    int64_t march;
-    ratio = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    double ratio, plane, spinning, mean, stuck, share;
+    bool falls;
+    int64_t i, march;
+    ratio = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     coupled_strips__flexibilities(&plane, &spinning, work, patch);
     march__open_marches(work, ratio);
     mean = coupled_strips__open_stick_zones(work, patch, ratio);
+    falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
+    if (falls)
+    {
+        falling__open_falling(work, patch);
+    }
     stuck = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
-        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
+        if (AT(work, march + layout__ROLLING_MARCH_RATE) > 0.0)
         {
             coupled_strips__find_stick_zone(work, march, mean, ratio);
             march__set_pushes(work, march, i, plane, spinning, ratio);
-            march__set_stick(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march, i);
-            stuck += 2.0 * ((*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+            march__set_stick(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), march, i);
+            stuck += 2.0 * (AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH)) * AT(work, march + layout__ROLLING_MARCH_WEIGHT) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    march__march_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
+    march__march_strips(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), falls);
     coupled_strips__finish_marches(work, patch);
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = stuck / tractions__patch_area(work, patch);
-    return INT64_C(0);
+    AT(work, patch + layout__PATCH_STICK_SHARE) = stuck / tractions__patch_area(work, patch);
+    share = 1.0;
+    if (falls)
+    {
+        share = 1.0 - coupled_strips__lost_friction(work, patch) / (AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    }
+    return share;
 }
 
 /* The strips' stick zones as they first are; the mean of their shares of linear theory. */
 static inline double coupled_strips__open_stick_zones(array_double_1d work, int64_t patch, double ratio)
 {
-    double carried;
-    double whole;
-    int64_t i;
-    int64_t strip;
-    int64_t march;
-    double weight;
+    double carried, whole, weight;
+    int64_t i, strip, march;
     carried = 0.0;
     whole = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) = tractions__bound_rate(work, patch, strip);
-        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
+        AT(work, march + layout__ROLLING_MARCH_RATE) = tractions__bound_rate(work, patch, strip);
+        if (AT(work, march + layout__ROLLING_MARCH_RATE) > 0.0)
         {
             coupled_strips__begin_march(work, march, strip, i);
-            coupled_strips__open_stick_zone(work, march, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), ratio);
-            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            coupled_strips__open_stick_zone(work, march, AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT), AT(work, strip + layout__ROLLING_STRIP_WIDTH), ratio);
+            weight = AT(work, march + layout__ROLLING_MARCH_ALONG) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
             whole += weight;
-            carried += weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
+            carried += weight * AT(work, march + layout__ROLLING_MARCH_CARRIED);
         }
     }
     return carried / (whole + march__NOTHING);
 }
 
 /* i1/K1 and i3/K3 [1/m] of eq. (M3). */
-static inline int64_t coupled_strips__flexibilities(double* result_0, double* result_1, array_double_1d work, int64_t patch)
+static inline void coupled_strips__flexibilities(double* out_0, double* out_1, array_double_1d work, int64_t patch)
 {
-    double first;
-    double second;
-    double third;
-    int64_t i;
-    int64_t strip;
-    double area;
+    double first, second, third, area;
+    int64_t i, strip;
     first = 0.0;
     second = 0.0;
     third = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        area = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        area = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         first += area;
-        second += area * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        third += area * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        second += area * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        third += area * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
     }
-    (*result_0) = 0.5 * M_PI * first / second;
-    (*result_1) = 0.75 * M_PI * second / third;
-    return 0;
+    *out_0 = 0.5 * M_PI * first / second;
+    *out_1 = 0.75 * M_PI * second / third;
 }
 
 /* Creepages and stiffnesses of a strip, into its ``march``. */
 static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t march, int64_t strip, int64_t index)
 {
-    double along;
-    double across;
-    double turning;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
-    stiffness__stiffnesses_at(&along, &across, &turning, work, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = along;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = across;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = turning;
-    return INT64_C(0);
+    double along, across, turning;
+    AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+    AT(work, march + layout__ROLLING_MARCH_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    AT(work, march + layout__ROLLING_MARCH_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
+    AT(work, march + layout__ROLLING_MARCH_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
+    stiffness__stiffnesses_at(&along, &across, &turning, work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, index, AT(work, strip + layout__ROLLING_STRIP_STATION));
+    AT(work, march + layout__ROLLING_MARCH_ALONG) = along;
+    AT(work, march + layout__ROLLING_MARCH_ACROSS) = across;
+    AT(work, march + layout__ROLLING_MARCH_TURNING) = turning;
+    return 0;
 }
 
 /* Add the strips' forces, eqs. (T1), (T2), and find the largest traction. */
 static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch)
 {
-    double largest;
-    int64_t i;
-    int64_t strip;
-    double unit;
-    double square;
+    double largest, unit, square;
+    int64_t i, strip;
     largest = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        unit = tractions__bound_rate(work, patch, strip) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        square = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit * unit;
-        largest = double_max(2, largest, square);
+        unit = tractions__bound_rate(work, patch, strip) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        square = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) * unit * unit;
+        largest = double_max(largest, square);
         if (unit > 0.0)
         {
             unit *= tractions__point_weight(work, strip);
-            tractions__add_strip(work, patch, strip, unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), unit * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)));
+            tractions__add_strip(work, patch, strip, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i), unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i), unit * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i));
         }
     }
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = sqrt(largest);
-    return INT64_C(0);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(largest);
+    return 0;
+}
+
+/* How much of the bound on its force a patch loses where friction falls [N]. */
+static inline double coupled_strips__lost_friction(array_double_1d work, int64_t patch)
+{
+    double lost, unit;
+    int64_t i, strip;
+    lost = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        unit = tractions__bound_rate(work, patch, strip) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * tractions__point_weight(work, strip) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        lost += unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i);
+    }
+    return lost;
 }
 
 
@@ -686,59 +758,58 @@ static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64
 static inline int64_t creep_force__solve_creep_force(array_double_1d work, array_double_1d tables, int64_t patch)
 {
     cut__clear_creep(work, patch);
-    if (((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_FRICTION)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) > 0.0))
+    if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_FRICTION) > 0.0 && AT(work, patch + layout__PATCH_HALF_LENGTH) > 0.0)
     {
-        if ((*cspan_at(&work, patch + layout__PATCH_BACKWARDS)) == 1.0)
+        if (AT(work, patch + layout__PATCH_BACKWARDS) == 1.0)
         {
             creep_force__mirror_rolling(work, patch);
         }
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_STRIPS)
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_STRIPS)
         {
             coupled_strips__solve_coupled_strips(work, tables, patch);
         }
-        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTSIM)
+        else if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_FASTSIM)
         {
             fastsim__solve_fastsim(work, tables, patch);
         }
-        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTRIP)
+        else if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_FASTRIP)
         {
             fastrip__solve_fastrip(work, tables, patch);
         }
-        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_POLACH)
+        else if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_POLACH)
         {
             polach__solve_polach(work, tables, patch);
         }
-        if (!((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) == 1.0))
+        if (!(AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) == 1.0))
         {
             friction__keep_dissipating(work, patch);
         }
-        if ((*cspan_at(&work, patch + layout__PATCH_BACKWARDS)) == 1.0)
+        if (AT(work, patch + layout__PATCH_BACKWARDS) == 1.0)
         {
             creep_force__mirror_rolling(work, patch);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The mirror image of a patch, what is known of it and what is found, in the plane across the rail. */
 static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = -(*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = -(*cspan_at(&work, patch + layout__PATCH_SPIN));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = -(*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = -(*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    int64_t i, strip;
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = -AT(work, patch + layout__PATCH_CREEPAGE_X);
+    AT(work, patch + layout__PATCH_SPIN) = -AT(work, patch + layout__PATCH_SPIN);
+    AT(work, patch + layout__PATCH_CREEP_X) = -AT(work, patch + layout__PATCH_CREEP_X);
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = -AT(work, patch + layout__PATCH_CREEP_MOMENT);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
+        AT(work, strip + layout__ROLLING_STRIP_X) = -AT(work, strip + layout__ROLLING_STRIP_X);
+        AT(work, strip + layout__ROLLING_STRIP_SLIP) = -AT(work, strip + layout__ROLLING_STRIP_SLIP);
+        AT(work, strip + layout__ROLLING_STRIP_SPIN) = -AT(work, strip + layout__ROLLING_STRIP_SPIN);
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = -AT(work, strip + layout__ROLLING_STRIP_FORCE_X);
+        AT(work, strip + layout__ROLLING_STRIP_MOMENT) = -AT(work, strip + layout__ROLLING_STRIP_MOMENT);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -754,56 +825,42 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
  * about the axle e2, positive when it rolls forward.  On the right wheel, with the normal n from the
  * rail to the wheel and y_p = e_x x n, which points to the field side,
  *
- *     V_ref = (|V| + |w e2 x (P - C)|_x) / 2
+ *     V_ref = sqrt((|V| + |w e2 x (P - C)|_x)^2 / 4 + V_0^2),   V_0 = 1e-12 m/s
  *     xi = v . e_x / V_ref,   eta = v . y_p / V_ref,   phi = -(W - w e2) . n / V_ref
  *
  * The left wheel is mirrored.  A strip of a patch has those of its own middle, with the rail's normal there.
+ *
+ * V_0 changes no bit of a wheel that rolls.  Towards standstill, with whatever velocities across the track,
+ * creepages grow until the whole patch slips against them, and creep forces have their limit.  A wheelset at rest
+ * has no creepages, which V_0 lets them reach without a jump.
  *
  * The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
  * circumference that it has when it carries nothing, however deep it is pressed.
  */
 
-/* Rolling speed and creepages of a patch; those of a patch that stands still are zero. */
+/* Rolling speed and creepages of a patch. */
 static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch)
 {
-    double x;
-    double y;
-    double z;
+    double x, y, z, rolling_x, rolling_y, rolling_z, share, along, lateral, vertical, normal_y, normal_z, speed;
     int64_t rail;
-    double rolling_x;
-    double rolling_y;
-    double rolling_z;
-    double share;
-    double along;
-    double lateral;
-    double vertical;
-    double normal_y;
-    double normal_z;
-    double speed;
-    x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK));
-    y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    x = AT(work, patch + layout__PATCH_X_TRACK);
+    y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
     rail = motion + layout__MOTION_RAIL;
-    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, x, y, z, (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)));
+    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, x, y, z, AT(work, patch + layout__PATCH_ROLLING_RADIUS));
     along = creepage__velocity_along(work, motion, y, z, rolling_x);
-    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * x - (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z - rolling_y - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)));
-    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)));
-    normal_y = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
-    normal_z = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
+    lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TRACK_RATE) * x + AT(work, motion + layout__MOTION_TURN_Z) * x - AT(work, motion + layout__MOTION_TURN_X) * z - rolling_y - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * (AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, rail + layout__RAIL_MOTION_Z));
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * (AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, rail + layout__RAIL_MOTION_Y));
+    normal_y = -AT(work, patch + layout__PATCH_ANGLE_SIN);
+    normal_z = -AT(work, patch + layout__PATCH_ANGLE_COS);
     speed = creepage__reference_speed(work, motion, rolling_x);
-    (*cspan_at(&work, patch + layout__PATCH_SPEED)) = speed;
-    (*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) = share;
-    (*cspan_at(&work, patch + layout__PATCH_BACKWARDS)) = (double)((*cspan_at(&work, motion + layout__MOTION_SPEED)) + rolling_x < 0.0);
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
-    if (speed > creepage__STANDSTILL)
-    {
-        (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = along / speed;
-        (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = (-(normal_z * lateral - normal_y * vertical)) / speed;
-        (*cspan_at(&work, patch + layout__PATCH_SPIN)) = (-(((*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y))) * normal_y + ((*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z))) * normal_z)) / speed;
-    }
-    return INT64_C(0);
+    AT(work, patch + layout__PATCH_SPEED) = speed;
+    AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
+    AT(work, patch + layout__PATCH_BACKWARDS) = (double)(AT(work, motion + layout__MOTION_SPEED) + rolling_x < 0.0);
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = along / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = -(normal_z * lateral - normal_y * vertical) / speed;
+    AT(work, patch + layout__PATCH_SPIN) = -((AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y)) * normal_y + (AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z)) * normal_z) / speed;
+    return 0;
 }
 
 /* Creepages and spin of the strips of a patch that rolls. */
@@ -811,12 +868,12 @@ static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion
 {
     double inverse;
     int64_t index;
-    inverse = 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    inverse = 1.0 / AT(work, patch + layout__PATCH_SPEED);
+    for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
     {
-        creepage__move_strip(work, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), inverse);
+        creepage__move_strip(work, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, AT(work, patch + layout__PATCH_X_TRACK), inverse);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Creepages and spin of a strip, with its own rolling radius and its own normal; its patch is at
@@ -825,71 +882,53 @@ static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion
 static inline int64_t creepage__move_strip(array_double_1d work, int64_t motion, int64_t strip, double x_track, double inverse)
 {
     int64_t rail;
-    double x;
-    double y;
-    double z;
-    double rolling_x;
-    double rolling_y;
-    double rolling_z;
-    double share;
-    double turn_z;
-    double along;
-    double roll;
-    double lateral;
-    double vertical;
+    double x, y, z, rolling_x, rolling_y, rolling_z, share, turn_z, along, roll, lateral, vertical;
     rail = motion + layout__MOTION_RAIL;
-    x = x_track + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, x, y, z, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
-    turn_z = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
-    along = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - turn_z * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - rolling_x;
-    roll = (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
-    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z))) + turn_z * x - roll * z - rolling_y;
-    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y))) + roll * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z;
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = along * inverse;
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical) * inverse;
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * (turn_z - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z))) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * ((*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)))) * inverse;
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
-    return INT64_C(0);
+    x = x_track + AT(work, strip + layout__ROLLING_STRIP_X);
+    y = AT(work, strip + layout__ROLLING_STRIP_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
+    creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, x, y, z, AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS));
+    turn_z = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE);
+    along = AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * AT(work, motion + layout__MOTION_CENTRE_Y) - turn_z * y + AT(work, motion + layout__MOTION_TURN_Y) * z - rolling_x;
+    roll = AT(work, motion + layout__MOTION_TURN_X) - AT(work, rail + layout__RAIL_MOTION_ROLL);
+    lateral = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * (AT(work, motion + layout__MOTION_CENTRE_Z) - AT(work, rail + layout__RAIL_MOTION_Z)) + turn_z * x - roll * z - rolling_y;
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * (AT(work, motion + layout__MOTION_CENTRE_Y) - AT(work, rail + layout__RAIL_MOTION_Y)) + roll * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z;
+    AT(work, strip + layout__ROLLING_STRIP_SLIP) = along * inverse;
+    AT(work, strip + layout__ROLLING_STRIP_LATERAL) = (AT(work, strip + layout__ROLLING_STRIP_COS) * lateral + AT(work, strip + layout__ROLLING_STRIP_SIN) * vertical) * inverse;
+    AT(work, strip + layout__ROLLING_STRIP_SPIN) = (AT(work, strip + layout__ROLLING_STRIP_COS) * (turn_z - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z)) - AT(work, strip + layout__ROLLING_STRIP_SIN) * (AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y))) * inverse;
+    AT(work, strip + layout__ROLLING_STRIP_RADIUS_SHARE) = share;
+    return 0;
 }
 
 /* Velocity w e2 x (P - C) [m/s] of a place (x, y, z) from the wheelset's centre, where the wheel has the
  * rolling ``radius`` [m]; its three components, and the radius over the distance from the axle.
  */
-static inline int64_t creepage__rolling_velocity(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, int64_t motion, double x, double y, double z, double radius)
+static inline void creepage__rolling_velocity(double* out_0, double* out_1, double* out_2, double* out_3, array_double_1d work, int64_t motion, double x, double y, double z, double radius)
 {
-    double around_x;
-    double around_y;
-    double around_z;
-    double distance;
-    double rolling;
-    around_x = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * z - (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * y;
-    around_y = (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * x - (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * z;
-    around_z = (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * y - (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * x;
+    double around_x, around_y, around_z, distance, rolling;
+    around_x = AT(work, motion + layout__MOTION_AXLE_Y) * z - AT(work, motion + layout__MOTION_AXLE_Z) * y;
+    around_y = AT(work, motion + layout__MOTION_AXLE_Z) * x - AT(work, motion + layout__MOTION_AXLE_X) * z;
+    around_z = AT(work, motion + layout__MOTION_AXLE_X) * y - AT(work, motion + layout__MOTION_AXLE_Y) * x;
     distance = sqrt(around_x * around_x + around_y * around_y + around_z * around_z);
-    rolling = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * radius / distance;
-    (*result_0) = rolling * around_x;
-    (*result_1) = rolling * around_y;
-    (*result_2) = rolling * around_z;
-    (*result_3) = radius / distance;
-    return 0;
+    rolling = AT(work, motion + layout__MOTION_WHEEL_RATE) * radius / distance;
+    *out_0 = rolling * around_x;
+    *out_1 = rolling * around_y;
+    *out_2 = rolling * around_z;
+    *out_3 = radius / distance;
 }
 
 /* Velocity of the wheel's surface along the track [m/s] at a place y, z from the wheelset's centre. */
 static inline double creepage__velocity_along(array_double_1d work, int64_t motion, double y, double z, double rolling_x)
 {
-    double result;
-    result = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (y + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y))) + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * y - rolling_x;
-    return result;
+    return AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * (y + AT(work, motion + layout__MOTION_CENTRE_Y)) + AT(work, motion + layout__MOTION_TURN_Y) * z - AT(work, motion + layout__MOTION_TURN_Z) * y - rolling_x;
 }
 
 /* The rolling speed [m/s] that creepages are referred to. */
 static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x)
 {
-    double result;
-    result = 0.5 * (fabs((*cspan_at(&work, motion + layout__MOTION_SPEED))) + fabs(rolling_x));
-    return result;
+    double speed;
+    speed = 0.5 * (fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x));
+    return sqrt(speed * speed + creepage__REST * creepage__REST);
 }
 
 /* Speed [m/s] at which wheel and rail approach each other along a patch's normal, at its centre of load.
@@ -899,18 +938,13 @@ static inline double creepage__reference_speed(array_double_1d work, int64_t mot
 static inline double creepage__approach_rate(array_double_1d work, int64_t motion, int64_t patch)
 {
     int64_t rail;
-    double y;
-    double z;
-    double lateral;
-    double vertical;
-    double result;
+    double y, z, lateral, vertical;
     rail = motion + layout__MOTION_RAIL;
-    y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)));
-    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)));
-    result = (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical;
-    return result;
+    y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
+    lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TURN_Z) * AT(work, patch + layout__PATCH_X_TRACK) - AT(work, motion + layout__MOTION_TURN_X) * z - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * (AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, rail + layout__RAIL_MOTION_Z));
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * AT(work, patch + layout__PATCH_X_TRACK) - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * (AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, rail + layout__RAIL_MOTION_Y));
+    return AT(work, patch + layout__PATCH_ANGLE_SIN) * lateral + AT(work, patch + layout__PATCH_ANGLE_COS) * vertical;
 }
 
 
@@ -938,10 +972,10 @@ static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch)
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
     cut__describe_ellipse(work, patch);
-    cut__divide_patch(work, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)));
-    if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
+    cut__divide_patch(work, patch, AT(work, totals + layout__PATCH_TOTALS_START), AT(work, totals + layout__PATCH_TOTALS_STOP));
+    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
     {
-        if ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RULE))) == layout__RULE_ELLIPSE)
+        if ((int64_t)AT(work, patch + layout__PATCH_RULE) == layout__RULE_ELLIPSE)
         {
             cut__cut_ellipse(work, patch);
         }
@@ -952,27 +986,26 @@ static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch)
     }
     cut__finish_strips(work, patch);
     cut__plane_slips(work, patch);
-    return INT64_C(0);
+    return 0;
 }
 
 /* No creep force. */
 static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    int64_t i, strip;
+    AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
+    AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
+    AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = 0.0;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) = 0.0;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = 0.0;
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = 0.0;
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = 0.0;
+        AT(work, strip + layout__ROLLING_STRIP_MOMENT) = 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Semi-axes of the ellipse with the patch's area and length over width. */
@@ -981,15 +1014,15 @@ static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch)
     int64_t totals;
     double ratio;
     totals = patch + layout__PATCH_TOTALS;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = 0.0;
-    if (((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0) && ((*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > 0.0))
+    AT(work, patch + layout__PATCH_HALF_LENGTH) = 0.0;
+    AT(work, patch + layout__PATCH_HALF_WIDTH) = 0.0;
+    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) > 0.0)
     {
-        ratio = double_min(2, double_max(2, 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)), cut__SHORTEST_PATCH), cut__LONGEST_PATCH);
-        (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = sqrt((*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio);
-        (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = sqrt((*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI / ratio);
+        ratio = double_min(double_max(2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) / AT(work, totals + layout__PATCH_TOTALS_WIDTH), cut__SHORTEST_PATCH), cut__LONGEST_PATCH);
+        AT(work, patch + layout__PATCH_HALF_LENGTH) = sqrt(AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI * ratio);
+        AT(work, patch + layout__PATCH_HALF_WIDTH) = sqrt(AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI / ratio);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Edges of the strips between both stations [m]; eq. (C1).  The cosines follow from each other:
@@ -997,38 +1030,32 @@ static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch)
  */
 static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop)
 {
-    double middle;
-    double half;
-    double before;
-    double here;
-    double edge;
-    int64_t i;
-    int64_t strip;
-    double after;
+    double middle, half, before, here, edge, after;
+    int64_t i, strip;
     middle = 0.5 * (start + stop);
     half = 0.5 * (stop - start);
     before = cut__COSINE;
     here = 1.0;
     edge = start;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         after = 2.0 * cut__COSINE * here - before;
         before = here;
         here = after;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) = edge;
+        AT(work, strip + layout__ROLLING_STRIP_START) = edge;
         edge = middle - half * here;
-        if (i == layout__ROLLING_STRIP_LIMIT - INT64_C(1))
+        if (i == layout__ROLLING_STRIP_LIMIT - 1)
         {
             edge = stop;
         }
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) = edge;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * ((*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) + edge);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) = edge - (*cspan_at(&work, strip + layout__ROLLING_STRIP_START));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = 0.0;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = 0.0;
+        AT(work, strip + layout__ROLLING_STRIP_STOP) = edge;
+        AT(work, strip + layout__ROLLING_STRIP_STATION) = 0.5 * (AT(work, strip + layout__ROLLING_STRIP_START) + edge);
+        AT(work, strip + layout__ROLLING_STRIP_WIDTH) = edge - AT(work, strip + layout__ROLLING_STRIP_START);
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = 0.0;
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Integrals over each strip of a^2 and of a shape of the line load, 1 - (s/b)^2, into its half-length
@@ -1036,27 +1063,21 @@ static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, dou
  */
 static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch)
 {
-    int64_t totals;
-    double square;
-    double third;
-    int64_t i;
-    int64_t strip;
-    double low;
-    double high;
-    double share;
+    int64_t totals, i, strip;
+    double square, third, low, high, share;
     totals = patch + layout__PATCH_TOTALS;
-    square = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    third = 1.0 / (3.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)));
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    square = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    third = 1.0 / (3.0 * AT(work, totals + layout__PATCH_TOTALS_STOP) * AT(work, totals + layout__PATCH_TOTALS_STOP));
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        low = (*cspan_at(&work, strip + layout__ROLLING_STRIP_START));
-        high = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP));
-        share = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) * (1.0 - third * (low * low + low * high + high * high));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = square * share;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = share;
+        low = AT(work, strip + layout__ROLLING_STRIP_START);
+        high = AT(work, strip + layout__ROLLING_STRIP_STOP);
+        share = AT(work, strip + layout__ROLLING_STRIP_WIDTH) * (1.0 - third * (low * low + low * high + high * high));
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = square * share;
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = share;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Integrals over each strip of a^2 and of the line load, into its half-length and its line load, from the
@@ -1064,35 +1085,29 @@ static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch)
  */
 static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch)
 {
-    double low;
-    double low_square;
-    double low_load;
-    int64_t at;
-    int64_t k_end;
-    int64_t k;
-    int64_t node;
-    bool inside;
-    bool loaded;
-    low = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    double low, low_square, low_load;
+    int64_t at, k, node, k_end;
+    bool inside, loaded;
+    low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
     low_square = 0.0;
     low_load = 0.0;
-    at = INT64_C(0);
-    k_end = (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))); k < k_end; k += INT64_C(1))
+    at = 0;
+    k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
+    for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
     {
         node = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
-        inside = ((*cspan_at(&work, node + layout__SOLVED_STRIP_STATION)) > low) && ((*cspan_at(&work, node + layout__SOLVED_STRIP_STATION)) < (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)));
-        loaded = ((*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > 0.0) && ((*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD)) > 0.0);
-        if (inside && loaded && ((*cspan_at(&work, node + layout__SOLVED_STRIP_WIDTH)) > 0.0))
+        inside = AT(work, node + layout__SOLVED_STRIP_STATION) > low && AT(work, node + layout__SOLVED_STRIP_STATION) < AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP);
+        loaded = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) > 0.0 && AT(work, node + layout__SOLVED_STRIP_LINE_LOAD) > 0.0;
+        if (inside && loaded && AT(work, node + layout__SOLVED_STRIP_WIDTH) > 0.0)
         {
-            at = cut__add_piece(work, patch, at, low, low_square, low_load, (*cspan_at(&work, node + layout__SOLVED_STRIP_STATION)), (*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD)));
-            low = (*cspan_at(&work, node + layout__SOLVED_STRIP_STATION));
-            low_square = (*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-            low_load = (*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD));
+            at = cut__add_piece(work, patch, at, low, low_square, low_load, AT(work, node + layout__SOLVED_STRIP_STATION), AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, node + layout__SOLVED_STRIP_LINE_LOAD));
+            low = AT(work, node + layout__SOLVED_STRIP_STATION);
+            low_square = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
+            low_load = AT(work, node + layout__SOLVED_STRIP_LINE_LOAD);
         }
     }
-    cut__add_piece(work, patch, at, low, low_square, low_load, (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)), 0.0, 0.0);
-    return INT64_C(0);
+    cut__add_piece(work, patch, at, low, low_square, low_load, AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), 0.0, 0.0);
+    return 0;
 }
 
 /* Add a piece between two stations [m], over which a^2 and the line load follow straight lines, to the
@@ -1100,31 +1115,26 @@ static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch)
  */
 static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load)
 {
-    double width;
-    double square_slope;
-    double load_slope;
-    double start;
+    double width, square_slope, load_slope, start, stop, middle;
     int64_t strip;
-    double stop;
-    double middle;
     width = high - low;
     square_slope = (high_square - low_square) / width;
     load_slope = (high_load - low_load) / width;
     start = low;
-    while(start < high)
+    while (start < high)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * at;
         stop = high;
-        if (((*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) < high) && (at < layout__ROLLING_STRIP_LIMIT - INT64_C(1)))
+        if (AT(work, strip + layout__ROLLING_STRIP_STOP) < high && at < layout__ROLLING_STRIP_LIMIT - 1)
         {
-            stop = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP));
+            stop = AT(work, strip + layout__ROLLING_STRIP_STOP);
         }
         middle = 0.5 * (start + stop) - low;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) += (stop - start) * (low_square + square_slope * middle);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) += (stop - start) * (low_load + load_slope * middle);
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) += (stop - start) * (low_square + square_slope * middle);
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) += (stop - start) * (low_load + load_slope * middle);
         if (stop < high)
         {
-            at += INT64_C(1);
+            at += 1;
         }
         start = stop;
     }
@@ -1134,47 +1144,151 @@ static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_
 /* Half-lengths and line loads from their integrals, and places from the centre of load. */
 static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch)
 {
-    double carried;
-    int64_t i;
-    double scale;
-    int64_t strip;
+    double carried, scale;
+    int64_t i, strip;
     carried = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        carried += (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+        carried += AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
     }
     scale = 0.0;
     if (carried > 0.0)
     {
-        scale = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) / carried;
+        scale = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) / carried;
     }
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = (*cspan_at(&work, patch + layout__PATCH_SLANT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) > 0.0)
+        AT(work, strip + layout__ROLLING_STRIP_Y) = AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID);
+        AT(work, strip + layout__ROLLING_STRIP_X) = AT(work, patch + layout__PATCH_SLANT) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        if (AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
         {
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = sqrt((*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)));
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) *= scale / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = sqrt(AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
+            AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) *= scale / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Creepages and spin of each strip where the patch is plane and all of it turns at one rate. */
 static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    int64_t i, strip;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
+        AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
+        AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, patch + layout__PATCH_SPIN);
     }
-    return INT64_C(0);
+    return 0;
+}
+
+
+/* ---- From creep/falling.py; change that one.
+ *
+ * Friction that falls with the sliding velocity of each point.
+ *
+ * What slips at the point x of a strip has the share
+ *
+ *     f = (1 - A) exp(-t) + A,   t = (B V_ref / k) sqrt(w_x^2 + (w_y + phi x)^2)                   (L1)
+ *
+ * of the friction of rest, with the strip's creepages and spin and the k of a reduced slope, by which they are
+ * multiplied.  Stick zones, marches and directions are those of the friction of rest: only tractions of slip
+ * count f times.  So the force is continuous, and no equation has several solutions.  The coefficient of
+ * friction of the patch is then the mean over its points, weighted with their pressure, in which what sticks
+ * counts with the friction of rest.
+ *
+ * The correction of strips counts in proportion to that mean.
+ */
+
+/* Exponents of all strips of a patch, eq. (L1). */
+static inline int64_t falling__open_falling(array_double_1d work, int64_t patch)
+{
+    int64_t i, strip;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR) = AT(work, patch + layout__PATCH_FALL_FLOOR);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_LATERAL);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = 0.0;
+    }
+    return 0;
+}
+
+/* f of all strips at the place ``x`` over a, eq. (L1). */
+static inline int64_t falling__find_shares(array_double_1d work, double x)
+{
+    double floor, along, across;
+    int64_t i;
+    floor = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i);
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * x;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i) = floor + (1.0 - floor) * falling__decay(sqrt(along * along + across * across));
+    }
+    return 0;
+}
+
+/* f at the place ``x`` [m] of a ``strip``. */
+static inline double falling__point_share(array_double_1d work, int64_t patch, int64_t strip, double x)
+{
+    double along, across, slide;
+    along = AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    across = AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * x;
+    slide = AT(work, patch + layout__PATCH_FALL_RATE) * sqrt(along * along + across * across);
+    return AT(work, patch + layout__PATCH_FALL_FLOOR) + (1.0 - AT(work, patch + layout__PATCH_FALL_FLOOR)) * falling__decay(slide);
+}
+
+/* exp(-t) for t >= 0, within 1e-14, without a branch: compilers do several at once. */
+static inline double falling__decay(double t)
+{
+    double z, p;
+    z = double_min(t, falling__LARGEST) / falling__POWER;
+    p = 1.0 - z / 6.0 * (1.0 - z / 7.0 * (1.0 - z / 8.0));
+    p = 1.0 - z * (1.0 - z / 2.0 * (1.0 - z / 3.0 * (1.0 - z / 4.0 * (1.0 - z / 5.0 * p))));
+    p *= p;
+    p *= p;
+    p *= p;
+    p *= p;
+    p *= p;
+    return p * p;
+}
+
+/* Let what slips at a point with the ``bound`` count with friction's share, until
+ * :func:`restore_slips`.
+ */
+static inline int64_t falling__weigh_slips(array_double_1d work, double bound)
+{
+    int64_t i;
+    double share, slips, noted;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        share = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i);
+        slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
+        noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i) = slips;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i) = noted;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) += bound * bound * slips * (1.0 - share);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = slips * share;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = noted * share * share;
+    }
+    return 0;
+}
+
+/* Let what slips count as a whole again. */
+static inline int64_t falling__restore_slips(array_double_1d work)
+{
+    int64_t i;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
+    }
+    return 0;
 }
 
 
@@ -1191,7 +1305,8 @@ static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
  * the same in all strips.  A strip that has no stick zone, or one that is longer than itself, slips all over.
  * Where a strip slips its traction is the bound, in the direction that FASTSIM's traction has there.  As
  * published, -phi y has the stiffness K3 / (1 - nu) in strip theory and L3 in FASTSIM; with those of
- * longitudinal creepage, K1 and L1, the force is closer to the complete theory.
+ * longitudinal creepage, K1 and L1, the force is closer to the complete theory.  Where friction falls, the slip
+ * zone's tractions count with its share (falling.py).
  *
  * The force is not continuous: strips begin to slip all over while their stick zone has a length.
  */
@@ -1199,65 +1314,57 @@ static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
 /* Force, moment, stick share and largest traction of a patch. */
 static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double along;
-    double across;
-    double turning;
-    double stuck;
-    int64_t i;
-    int64_t strip;
-    double rate;
-    double slanted;
+    double along, across, turning, stuck, lost, rate, slanted;
+    int64_t i, strip;
     fastsim__stiffnesses(&along, &across, &turning, work, tables, patch);
     fastrip__set_stiffnesses(work, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST) = 0.0;
     stuck = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    lost = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         rate = tractions__bound_rate(work, patch, strip);
         if (rate > 0.0)
         {
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-            slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-            fastrip__find_stick(work, layout__WORK_ROLLING + layout__ROLLING_MARCH, fastrip__longitudinal(work, tables, patch, strip), (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = fastsim__strip_push(work, patch, strip, along, turning);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted) * across + slanted * turning;
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
-            fastrip__add_tractions(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
-            stuck += 2.0 * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE) = rate;
+            slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
+            fastrip__find_stick(work, layout__WORK_ROLLING + layout__ROLLING_MARCH, fastrip__longitudinal(work, tables, patch, strip), AT(work, strip + layout__ROLLING_STRIP_LATERAL), AT(work, strip + layout__ROLLING_STRIP_SPIN));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X) = fastsim__strip_push(work, patch, strip, along, turning);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y) = (AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted) * across + slanted * turning;
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
+            lost += fastrip__add_tractions(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
+            stuck += 2.0 * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = sqrt((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)));
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = stuck / tractions__patch_area(work, patch);
-    return INT64_C(0);
+    AT(work, patch + layout__PATCH_FRICTION) -= lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
+    AT(work, patch + layout__PATCH_STICK_SHARE) = stuck / tractions__patch_area(work, patch);
+    return 0;
 }
 
 /* K1, K2, K3 of all strips; eq. (A1). */
 static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t march)
 {
-    double ratio;
-    double first;
-    double second;
-    double third;
-    double modulus;
-    ratio = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio);
-    modulus = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = 2.0 * first * modulus / (M_PI * M_PI);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = 2.0 * second * modulus / (M_PI * M_PI);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = 1.5 * third * modulus / (M_PI * sqrt(ratio));
-    return INT64_C(0);
+    double ratio, first, second, third, modulus;
+    ratio = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio);
+    modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
+    AT(work, march + layout__ROLLING_MARCH_ALONG) = 2.0 * first * modulus / (M_PI * M_PI);
+    AT(work, march + layout__ROLLING_MARCH_ACROSS) = 2.0 * second * modulus / (M_PI * M_PI);
+    AT(work, march + layout__ROLLING_MARCH_TURNING) = 1.5 * third * modulus / (M_PI * sqrt(ratio));
+    return 0;
 }
 
 /* K1 w_x of a strip [Pa]. */
 static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t patch, int64_t strip)
 {
     double push;
-    push = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) == 1.0)
+    push = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    if (AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) == 1.0)
     {
-        push = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X))) / (1.0 - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO)));
+        push = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING) * (AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X)) / (1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
     }
     return push;
 }
@@ -1265,21 +1372,14 @@ static inline double fastrip__longitudinal(array_double_1d work, array_double_1d
 /* Depth of the slip zone and direction of the stick zone of a strip; ``push`` = K1 w_x. */
 static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, double push, double lateral, double spin)
 {
-    double u;
-    double v;
-    double k;
-    double rest;
-    double cross;
-    double spread;
-    double depth;
-    double root;
-    u = (-push) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    v = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS))) * lateral / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    k = (-(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING))) * spin / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    double u, v, k, rest, cross, spread, depth, root;
+    u = -push / AT(work, march + layout__ROLLING_MARCH_RATE);
+    v = -AT(work, march + layout__ROLLING_MARCH_ACROSS) * lateral / AT(work, march + layout__ROLLING_MARCH_RATE);
+    k = -AT(work, march + layout__ROLLING_MARCH_TURNING) * spin / AT(work, march + layout__ROLLING_MARCH_RATE);
     rest = 1.0 - k * k;
     cross = v * k;
     spread = v * v + rest * u * u;
-    depth = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth = 2.0 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
     if (rest > 0.0)
     {
         root = sqrt(spread);
@@ -1291,92 +1391,130 @@ static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, d
         }
         depth /= rest;
     }
-    else if ((cross < 0.0) && (spread > 0.0))
+    else if (cross < 0.0 && spread > 0.0)
     {
         depth = (u * u + v * v) / (sqrt(spread) - cross);
     }
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    if (depth < (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)))
+    AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
+    AT(work, march + layout__ROLLING_MARCH_DEPTH) = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
+    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
+    AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
+    if (depth < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
     {
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = u / (depth + 1e-300);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v / (depth + 1e-300) + k;
+        AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
+        AT(work, march + layout__ROLLING_MARCH_STICK_X) = u / (depth + 1e-300);
+        AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v / (depth + 1e-300) + k;
     }
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    return INT64_C(0);
+    AT(work, march + layout__ROLLING_MARCH_EDGE) = 2.0 * AT(work, march + layout__ROLLING_MARCH_DEPTH) - AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    return 0;
 }
 
-/* Add a strip's force from its tractions at the points. */
-static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip)
+/* Add a strip's force from its tractions; what its bound loses where friction falls [N].
+ *
+ * The stick zone's are those of strip theory without end, integrated exactly as in eqs. (T1), (T2), but for
+ * the points behind its edge, and for what the bound cuts.
+ */
+static inline double fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip)
 {
-    double a;
+    double a, lost, x, bound, p_x, p_y, without_x, without_y, share, square, weight;
     int64_t q;
-    double x;
-    double bound;
-    double p_x;
-    double p_y;
-    double square;
-    double weight;
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = a;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
-    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    AT(work, march + layout__ROLLING_MARCH_X) = a;
+    AT(work, march + layout__ROLLING_MARCH_FIRST_X) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = 0.0;
+    lost = 0.0;
+    fastrip__open_stick(work, march);
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        bound = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        fastrip__next_traction(&p_x, &p_y, work, march, x, bound);
+        x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        bound = AT(work, march + layout__ROLLING_MARCH_RATE) * a * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        fastrip__march_on(work, march, x, bound);
+        fastrip__slip_direction(&p_x, &p_y, work, march, bound);
+        without_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * bound;
+        without_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * bound;
+        if (x > AT(work, march + layout__ROLLING_MARCH_EDGE))
+        {
+            fastrip__stick_traction(&without_x, &without_y, work, march, x, bound);
+            tractions__cut_to(&p_x, &p_y, without_x, without_y, bound);
+        }
+        else if (AT(work, patch + layout__PATCH_FALL_RATE) > 0.0)
+        {
+            share = falling__point_share(work, patch, strip, x);
+            p_x *= share;
+            p_y *= share;
+            lost += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * bound * (1.0 - share);
+        }
         square = p_x * p_x + p_y * p_y;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = double_max(2, (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)), square);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x * p_y;
+        AT(work, march + layout__ROLLING_MARCH_LARGEST) = double_max(AT(work, march + layout__ROLLING_MARCH_LARGEST), square);
+        AT(work, march + layout__ROLLING_MARCH_SUM_X) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (p_x - without_x);
+        AT(work, march + layout__ROLLING_MARCH_SUM_Y) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (p_y - without_y);
+        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x * (p_y - without_y);
     }
     weight = tractions__point_weight(work, strip);
-    tractions__add_strip(work, patch, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)));
-    return INT64_C(0);
+    tractions__add_strip(work, patch, strip, weight * AT(work, march + layout__ROLLING_MARCH_SUM_X), weight * AT(work, march + layout__ROLLING_MARCH_SUM_Y), weight * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT));
+    return weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH) * lost;
 }
 
-/* The traction at the next point ``x``: that of strip theory in the stick zone, the bound in FASTSIM's
- * direction behind it.
- */
-static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_double_1d work, int64_t march, double x, double bound)
+/* Sums over the points of strip theory's traction without end; nothing where all of a strip slips. */
+static inline int64_t fastrip__open_stick(array_double_1d work, int64_t march)
 {
-    double step;
-    double across;
-    double reach;
-    double inner;
-    double root;
-    double size;
-    step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * (x + 0.5 * step);
-    tractions__cut_to(p_x, p_y, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, bound);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
-    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    inner = reach * reach - (x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH))) * (x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)));
-    if (inner > 0.0)
+    double depth, whole;
+    AT(work, march + layout__ROLLING_MARCH_SUM_X) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_SUM_Y) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = 0.0;
+    if (AT(work, march + layout__ROLLING_MARCH_DEPTH) < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
     {
-        root = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * sqrt(inner);
-        tractions__cut_to(p_x, p_y, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound - root), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound - root) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root, bound);
-    }
-    else
-    {
-        size = sqrt((*p_x) * (*p_x) + (*p_y) * (*p_y));
-        if (size > 0.0)
-        {
-            (*p_x) *= bound / size;
-            (*p_y) *= bound / size;
-        }
+        depth = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        whole = 0.5 * (double)(layout__POINT_LIMIT + 1) * AT(work, march + layout__ROLLING_MARCH_RATE);
+        AT(work, march + layout__ROLLING_MARCH_SUM_X) = whole * AT(work, march + layout__ROLLING_MARCH_LEAD_X) * (2.0 - depth);
+        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = whole * (AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * (2.0 - depth) + AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = -whole * AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * (1.0 - depth) * (1.0 - depth);
     }
     return 0;
+}
+
+/* FASTSIM's traction at the next point ``x``. */
+static inline int64_t fastrip__march_on(array_double_1d work, int64_t march, double x, double bound)
+{
+    double step, across, p_x, p_y;
+    step = AT(work, march + layout__ROLLING_MARCH_X) - x;
+    across = AT(work, march + layout__ROLLING_MARCH_PUSH_Y) + AT(work, march + layout__ROLLING_MARCH_PUSH_TURN) * (x + 0.5 * step);
+    tractions__cut_to(&p_x, &p_y, AT(work, march + layout__ROLLING_MARCH_FIRST_X) - step * AT(work, march + layout__ROLLING_MARCH_PUSH_X), AT(work, march + layout__ROLLING_MARCH_FIRST_Y) - step * across, bound);
+    AT(work, march + layout__ROLLING_MARCH_X) = x;
+    AT(work, march + layout__ROLLING_MARCH_FIRST_X) = p_x;
+    AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = p_y;
+    return 0;
+}
+
+/* The bound in the direction of FASTSIM's traction. */
+static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t march, double bound)
+{
+    double p_x, p_y, size;
+    p_x = AT(work, march + layout__ROLLING_MARCH_FIRST_X);
+    p_y = AT(work, march + layout__ROLLING_MARCH_FIRST_Y);
+    size = sqrt(p_x * p_x + p_y * p_y);
+    if (size > 0.0)
+    {
+        p_x *= bound / size;
+        p_y *= bound / size;
+    }
+    *p_x_out = p_x;
+    *p_y_out = p_y;
+}
+
+/* The traction of strip theory at ``x`` in the stick zone, eq. (Z1), in a form that is regular where no
+ * depth slips.
+ */
+static inline void fastrip__stick_traction(double* out_0, double* out_1, array_double_1d work, int64_t march, double x, double bound)
+{
+    double reach, root, lead;
+    reach = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    root = AT(work, march + layout__ROLLING_MARCH_RATE) * sqrt(double_max(reach * reach - (x - AT(work, march + layout__ROLLING_MARCH_DEPTH)) * (x - AT(work, march + layout__ROLLING_MARCH_DEPTH)), 0.0));
+    lead = 2.0 * AT(work, march + layout__ROLLING_MARCH_RATE) * AT(work, march + layout__ROLLING_MARCH_RATE) * (AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - x) / (bound + root);
+    *out_0 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) * lead;
+    *out_1 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * lead + AT(work, march + layout__ROLLING_MARCH_TWIST) * bound;
 }
 
 
@@ -1395,99 +1533,77 @@ static inline int64_t fastrip__next_traction(double* p_x, double* p_y, array_dou
  * all longitudinal creepage, the force is closer to the complete theory.  The bound is that of the pressure,
  * mu p0 sqrt(1 - (x/a)^2).  Where L1 and L2 differ, the force of full slip does not point quite against the
  * slip: up to 10 degrees.
+ *
+ * Where friction falls, tractions that were cut count with its share (falling.py); those of which the cut takes
+ * next to nothing between that share and 1, so that the force is continuous.
  */
 
 /* Force, moment, stick share and largest traction of a patch. */
 static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double along;
-    double across;
-    double turning;
-    double stuck;
-    int64_t i;
-    int64_t strip;
-    double rate;
-    double push;
-    double area;
+    double along, across, turning, stuck, lost, rate, push, sticks, loses, area;
+    int64_t i, strip;
     fastsim__stiffnesses(&along, &across, &turning, work, tables, patch);
     stuck = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    lost = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         rate = tractions__bound_rate(work, patch, strip);
         if (rate > 0.0)
         {
             push = fastsim__strip_push(work, patch, strip, along, turning);
-            stuck += fastsim__march_strip(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, strip, rate, push, across, turning);
+            fastsim__march_strip(&sticks, &loses, tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, push, across, turning);
+            stuck += sticks;
+            lost += loses;
         }
     }
+    AT(work, patch + layout__PATCH_FRICTION) -= lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     area = tractions__patch_area(work, patch);
     if (area > 0.0)
     {
-        (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = stuck / area;
+        AT(work, patch + layout__PATCH_STICK_SHARE) = stuck / area;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* 1/L1, 1/L2, 1/L3 [Pa/m]; eq. (F2). */
-static inline int64_t fastsim__stiffnesses(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t patch)
+static inline void fastsim__stiffnesses(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double a;
-    double ratio;
-    double first;
-    double second;
-    double third;
-    double modulus;
-    a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    ratio = a / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio);
-    modulus = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
-    (*result_0) = 3.0 * first * modulus / (8.0 * a);
-    (*result_1) = 3.0 * second * modulus / (8.0 * a);
-    (*result_2) = 4.0 * third * modulus / (M_PI * a * sqrt(ratio));
-    return 0;
+    double a, ratio, first, second, third, modulus;
+    a = AT(work, patch + layout__PATCH_HALF_LENGTH);
+    ratio = a / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio);
+    modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
+    *out_0 = 3.0 * first * modulus / (8.0 * a);
+    *out_1 = 3.0 * second * modulus / (8.0 * a);
+    *out_2 = 4.0 * third * modulus / (M_PI * a * sqrt(ratio));
 }
 
 /* dp_x/dx of a strip [Pa/m]; eq. (F1). */
 static inline double fastsim__strip_push(array_double_1d work, int64_t patch, int64_t strip, double along, double turning)
 {
     double push;
-    push = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * along;
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) == 1.0)
+    push = AT(work, strip + layout__ROLLING_STRIP_SLIP) * along;
+    if (AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) == 1.0)
     {
-        push = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * along + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X))) * turning;
+        push = AT(work, patch + layout__PATCH_CREEPAGE_X) * along + (AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X)) * turning;
     }
     return push;
 }
 
-/* Add a strip's force from its tractions; the area that sticks [m^2]. */
-static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning)
+/* Add a strip's force from its tractions; the area that sticks [m^2], and what its bound loses where
+ * friction falls [N].
+ */
+static inline void fastsim__march_strip(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning)
 {
-    double a;
-    double slanted;
-    double lateral;
-    double turn;
-    double before;
-    double p_x;
-    double p_y;
-    double force_x;
-    double force_y;
-    double moment;
-    double stuck;
-    double total;
-    double largest;
+    double a, slanted, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, lost, largest, x, weight, step, free_x, free_y, bound, last_x, last_y, along, sideways, share, square;
+    bool falls;
     int64_t q;
-    double x;
-    double weight;
-    double step;
-    double free_x;
-    double free_y;
-    double square;
-    double result;
-    a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    lateral = ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted) * across + slanted * turning;
-    turn = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
+    a = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+    slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
+    lateral = (AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted) * across + slanted * turning;
+    turn = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
     before = a;
     p_x = 0.0;
     p_y = 0.0;
@@ -1496,32 +1612,63 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
     moment = 0.0;
     stuck = 0.0;
     total = 0.0;
-    largest = (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) * (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR));
-    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    lost = 0.0;
+    falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
+    largest = AT(work, patch + layout__PATCH_MAX_SHEAR) * AT(work, patch + layout__PATCH_MAX_SHEAR);
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        weight = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        weight = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
         step = before - x;
         free_x = p_x - step * push;
         free_y = p_y - step * (lateral + turn * (x + 0.5 * step));
-        tractions__cut_to(&p_x, &p_y, free_x, free_y, rate * a * weight);
-        if ((p_x == free_x) && (p_y == free_y))
+        bound = rate * a * weight;
+        last_x = p_x;
+        last_y = p_y;
+        tractions__cut_to(&p_x, &p_y, free_x, free_y, bound);
+        along = p_x;
+        sideways = p_y;
+        if (p_x == free_x && p_y == free_y)
         {
             stuck += weight;
         }
+        else if (falls)
+        {
+            share = falling__point_share(work, patch, strip, x);
+            share += (1.0 - share) * fastsim__sticking(free_x, free_y, free_x - last_x, free_y - last_y, bound);
+            along *= share;
+            sideways *= share;
+            lost += weight * bound * (1.0 - share);
+        }
         total += weight;
-        square = p_x * p_x + p_y * p_y;
-        largest = double_max(2, largest, square);
-        force_x += weight * p_x;
-        force_y += weight * p_y;
-        moment += weight * x * p_y;
+        square = along * along + sideways * sideways;
+        largest = double_max(largest, square);
+        force_x += weight * along;
+        force_y += weight * sideways;
+        moment += weight * x * sideways;
         before = x;
     }
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = sqrt(largest);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(largest);
     weight = tractions__point_weight(work, strip);
     tractions__add_strip(work, patch, strip, weight * force_x, weight * force_y, weight * moment);
-    result = 2.0 * a * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) * stuck / total;
-    return result;
+    *out_0 = 2.0 * a * AT(work, strip + layout__ROLLING_STRIP_WIDTH) * stuck / total;
+    *out_1 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH) * lost;
+}
+
+/* How much a point that is about to slip counts as one that sticks: 1 where the cut takes nothing of the
+ * traction that a step has pushed by so much, 0 from a share of the push on.
+ */
+static inline double fastsim__sticking(double free_x, double free_y, double push_x, double push_y, double bound)
+{
+    double excess, part, push;
+    excess = sqrt(free_x * free_x + free_y * free_y) - bound;
+    part = 0.0;
+    push = fastsim__NEAR_STICK * sqrt(push_x * push_x + push_y * push_y);
+    if (excess < push)
+    {
+        part = 1.0 - double_max(excess, 0.0) / push;
+    }
+    return part;
 }
 
 
@@ -1533,7 +1680,7 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
  *     k  = k0 [alpha + (1 - alpha) / (1 + beta epsilon)]            Spiryagin, Polach, Cole (2013)
  *
  * with f from 1 on the tread to ``flange_friction_ratio`` on the flange over the contact angle gamma, the
- * sliding velocity w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4
+ * sliding velocity w of each point (falling.py), for Polach's formula w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4
  * mu N). The flexibility of the contact is divided by k; as the models know it only beside the creepages, these
  * are multiplied by k.
  *
@@ -1550,24 +1697,35 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
  * makes P negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
  */
 
-/* Coefficient of friction of a patch with the contact ``angle`` [rad] that slides with ``sliding`` [m/s],
- * where that of its side is ``friction``.
+/* Coefficient of friction of a patch that rolls, where that of its side is ``friction``, and how it
+ * falls with the creepages of its points; ``resting``: it does not fall.
  */
-static inline double friction__patch_friction(array_double_1d tables, double friction, double angle, double sliding)
+static inline int64_t friction__set_friction(array_double_1d work, array_double_1d tables, int64_t patch, double friction, bool resting)
 {
-    double fall;
-    double found;
-    found = friction;
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) != 1.0)
+    double share, fall, creepage, sliding;
+    AT(work, patch + layout__PATCH_FRICTION) = friction;
+    AT(work, patch + layout__PATCH_FALL_RATE) = 0.0;
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) != 1.0)
     {
-        found *= 1.0 + ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) - 1.0) * friction__flange_share(tables, angle);
+        share = friction__flange_share(tables, AT(work, patch + layout__PATCH_CONTACT_ANGLE));
+        AT(work, patch + layout__PATCH_FRICTION) *= 1.0 + (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) - 1.0) * share;
     }
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE)) > 0.0)
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0 && !resting)
     {
-        fall = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL));
-        found *= (1.0 - fall) * powers__exp((-(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE))) * sliding) + fall;
+        fall = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL);
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_POLACH)
+        {
+            creepage = sqrt(AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y));
+            sliding = AT(work, patch + layout__PATCH_SPEED) * creepage;
+            AT(work, patch + layout__PATCH_FRICTION) *= (1.0 - fall) * powers__exp(-AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * sliding) + fall;
+        }
+        else
+        {
+            AT(work, patch + layout__PATCH_FALL_RATE) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * AT(work, patch + layout__PATCH_SPEED);
+            AT(work, patch + layout__PATCH_FALL_FLOOR) = fall;
+        }
     }
-    return found;
+    return 0;
 }
 
 /* How much of the flange's friction there is at a contact ``angle`` [rad]: 0 on the tread, 1 on the
@@ -1576,8 +1734,8 @@ static inline double friction__patch_friction(array_double_1d tables, double fri
 static inline double friction__flange_share(array_double_1d tables, double angle)
 {
     double share;
-    share = 0.5 + 0.5 * (angle - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE))) / friction__FLANGE_RANGE;
-    share = double_min(2, double_max(2, share, 0.0), 1.0);
+    share = 0.5 + 0.5 * (angle - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE)) / friction__FLANGE_RANGE;
+    share = double_min(double_max(share, 0.0), 1.0);
     return share * share * (3.0 - 2.0 * share);
 }
 
@@ -1586,56 +1744,48 @@ static inline double friction__flange_share(array_double_1d tables, double angle
  */
 static inline double friction__slope_factor(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double initial;
-    double limit;
-    double across;
-    double creepage;
-    double c11;
-    double c22;
-    double c23;
-    double epsilon;
-    double factor;
+    double factor, initial, limit, across, creepage, c11, c22, c23, epsilon;
     factor = 1.0;
-    if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION)) != 1.0) || ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0))
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION) != 1.0 || AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) > 0.0)
     {
-        initial = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION));
-        limit = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+        initial = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION);
+        limit = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
         factor = initial;
-        if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0) && (limit > 0.0))
+        if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) > 0.0 && limit > 0.0)
         {
-            across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-            creepage = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + across * across);
-            tractions__kalker_coefficients(&c11, &c22, &c23, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-            epsilon = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) * friction__PI * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) * initial * c11 * creepage / (4.0 * limit);
-            factor = initial * (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_FLOOR));
-            factor = factor + (initial - factor) / (1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * epsilon);
+            across = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, patch + layout__PATCH_HALF_LENGTH);
+            creepage = sqrt(AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + across * across);
+            tractions__kalker_coefficients(&c11, &c22, &c23, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH));
+            epsilon = AT(tables, layout__TABLES_SHEAR_MODULUS) * friction__PI * AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH) * initial * c11 * creepage / (4.0 * limit);
+            factor = initial * AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_FLOOR);
+            factor = factor + (initial - factor) / (1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) * epsilon);
         }
     }
     return factor;
 }
 
-/* Multiply the creepages of a patch and of its strips by ``factor``. */
+/* Multiply the creepages of a patch and of its strips by ``factor``; friction falls as before. */
 static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t patch, double factor)
 {
-    int64_t index;
-    int64_t strip;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) *= factor;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) *= factor;
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) *= factor;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    int64_t index, strip;
+    AT(work, patch + layout__PATCH_FALL_RATE) /= factor;
+    AT(work, patch + layout__PATCH_CREEPAGE_X) *= factor;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) *= factor;
+    AT(work, patch + layout__PATCH_SPIN) *= factor;
+    for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) *= factor;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) *= factor;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) *= factor;
+        AT(work, strip + layout__ROLLING_STRIP_SLIP) *= factor;
+        AT(work, strip + layout__ROLLING_STRIP_LATERAL) *= factor;
+        AT(work, strip + layout__ROLLING_STRIP_SPIN) *= factor;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Whether a coefficient of friction is within 0 and ``limit``. */
 static inline bool friction__is_frictional(double friction, double limit)
 {
-    return (friction >= 0.0) && (friction <= limit);
+    return friction >= 0.0 && friction <= limit;
 }
 
 /* Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.
@@ -1645,36 +1795,30 @@ static inline bool friction__is_frictional(double friction, double limit)
  */
 static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t patch)
 {
-    double gain;
-    double reach;
-    double most;
-    double moment;
+    double gain, reach, most, moment;
     gain = friction__creep_gain(work, patch);
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
+    if (gain > 0.0 && AT(work, patch + layout__PATCH_SPIN) != 0.0)
     {
-        reach = double_max(2, (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)), (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-        most = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * reach;
-        moment = double_max(2, double_min(2, (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) - gain / (*cspan_at(&work, patch + layout__PATCH_SPIN)), most), -most);
-        (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = moment;
+        reach = double_max(AT(work, patch + layout__PATCH_HALF_LENGTH), AT(work, patch + layout__PATCH_HALF_WIDTH));
+        most = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * reach;
+        moment = double_max(double_min(AT(work, patch + layout__PATCH_CREEP_MOMENT) - gain / AT(work, patch + layout__PATCH_SPIN), most), -most);
+        AT(work, patch + layout__PATCH_CREEP_MOMENT) = moment;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* -P of eq. (W1) [N].  The sum over the strips is zero in a plane patch. */
 static inline double friction__creep_gain(array_double_1d work, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    double plane;
-    double lateral;
-    double gain;
-    gain = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    double gain, plane, lateral;
+    int64_t i, strip;
+    gain = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, patch + layout__PATCH_CREEP_MOMENT);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        plane = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        lateral = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-        gain += (((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + lateral * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        plane = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        lateral = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X) - AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        gain += ((AT(work, strip + layout__ROLLING_STRIP_SLIP) - plane) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + lateral * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + (AT(work, strip + layout__ROLLING_STRIP_SPIN) - AT(work, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_MOMENT)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     }
     return gain;
 }
@@ -1713,20 +1857,19 @@ static inline double friction__creep_gain(array_double_1d work, int64_t patch)
 /* Nothing is pushed and nothing counts yet in any strip; ``ratio`` is the patch's a/b. */
 static inline int64_t march__open_marches(array_double_1d work, double ratio)
 {
-    int64_t i_1;
-    int64_t q;
+    int64_t i_1, q;
     double square;
-    for (i_1 = INT64_C(0); i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = 0.0;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1) = 0.0;
     }
-    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = -1.0;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = -1.0;
     }
     square = ratio / march__SHARE_RATIO * (ratio / march__SHARE_RATIO);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) = march__SHARE / (1.0 + square * square);
-    return INT64_C(0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) = march__SHARE / (1.0 + square * square);
+    return 0;
 }
 
 /* What both marches of strip ``number`` lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and
@@ -1734,48 +1877,34 @@ static inline int64_t march__open_marches(array_double_1d work, double ratio)
  */
 static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int64_t number, double plane, double spinning, double ratio)
 {
-    double i1;
-    double i2;
-    double i3;
-    double s;
-    double x;
-    double y;
-    double z;
-    double centre;
-    double fills;
-    double scale;
-    double near;
-    double lag;
-    double along;
-    double across;
-    double turning;
-    i1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane;
-    i2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane;
-    i3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning;
-    s = 3.0 * M_PI / 32.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
-    x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP));
-    y = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
+    double i1, i2, i3, s, x, y, z, centre, fills, scale, near, lag, along, across, turning;
+    i1 = AT(work, march + layout__ROLLING_MARCH_ALONG) * plane;
+    i2 = AT(work, march + layout__ROLLING_MARCH_ACROSS) * plane;
+    i3 = AT(work, march + layout__ROLLING_MARCH_TURNING) * spinning;
+    s = 3.0 * M_PI / 32.0 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * AT(work, march + layout__ROLLING_MARCH_SPIN);
+    x = AT(work, march + layout__ROLLING_MARCH_SLIP) * AT(work, march + layout__ROLLING_MARCH_SLIP);
+    y = AT(work, march + layout__ROLLING_MARCH_LATERAL) * AT(work, march + layout__ROLLING_MARCH_LATERAL);
     z = s * s;
     centre = (x * i1 + y * i2 + z * i3 + march__NOTHING * i1) / (x + y + z + march__NOTHING);
     fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
-    scale = 4.0 / ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)));
+    scale = 4.0 / (AT(work, march + layout__ROLLING_MARCH_RATE) * AT(work, march + layout__ROLLING_MARCH_RATE));
     near = 1.0 / (1.0 + scale * fills / (march__FILLS * march__FILLS));
     i1 = centre + (i1 - centre) * near;
     i2 = centre + (i2 - centre) * near;
     i3 = centre + (i3 - centre) * near;
     fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
     lag = march__LAG + march__LONG_LAG * ratio / (ratio + march__LAG_RATIO);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = lag / (1.0 + scale * fills / (march__LAG_FILLS * march__LAG_FILLS));
-    along = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    turning = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along * i1;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number)) = across * i2;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number)) = turning * i3;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number)) = along * centre;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number)) = across * centre;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = turning * centre;
-    return INT64_C(0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number) = lag / (1.0 + scale * fills / (march__LAG_FILLS * march__LAG_FILLS));
+    along = AT(work, march + layout__ROLLING_MARCH_SLIP) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    across = AT(work, march + layout__ROLLING_MARCH_LATERAL) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    turning = AT(work, march + layout__ROLLING_MARCH_SPIN) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number) = along * i1;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number) = across * i2;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number) = turning * i3;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number) = along * centre;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number) = across * centre;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number) = turning * centre;
+    return 0;
 }
 
 /* Begin the sums of strip ``number`` with its stick zone: eqs. (T1), (T2) without what slips, and the
@@ -1783,138 +1912,140 @@ static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int
  */
 static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number)
 {
-    double weight;
-    double depth;
-    double edge;
-    double total;
-    double moment;
+    double weight, depth, edge, behind, turning, lead_x, lead_y, inner;
     int64_t q;
-    double inner;
-    double across;
-    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = 1.0 - weight;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = (1.0 - weight) * (1.0 - weight);
+    weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number) = 1.0 - weight;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number) = (1.0 - weight) * (1.0 - weight);
     if (weight > 0.0)
     {
-        depth = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        depth = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
         edge = 2.0 * depth - 1.0;
-        total = 0.0;
-        moment = 0.0;
-        q = INT64_C(0);
-        while((q < layout__POINT_LIMIT) && ((*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= edge))
+        q = layout__POINT_LIMIT;
+        behind = 0.0;
+        turning = 0.0;
+        while (q > 0 && AT(tables, table + layout__ROLLING_TABLE_COSINES + (q - 1)) < edge)
         {
-            total += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-            moment += (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-            q += INT64_C(1);
+            q -= 1;
+            behind += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+            turning += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         }
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge;
-        inner = 0.5 * (double)(layout__POINT_LIMIT + INT64_C(1)) * (1.0 - depth) * (1.0 - depth);
-        across = weight * ((*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST))) * inner;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (total - inner);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * total - across;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * moment - across * depth;
-        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number) = weight;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number) = AT(work, march + layout__ROLLING_MARCH_STICK_X);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number) = AT(work, march + layout__ROLLING_MARCH_STICK_Y);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number) = edge;
+        lead_x = AT(work, march + layout__ROLLING_MARCH_LEAD_X) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
+        lead_y = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
+        inner = (1.0 - depth) * (1.0 - depth);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = weight * (lead_x * (2.0 - depth) - AT(work, march + layout__ROLLING_MARCH_STICK_X) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = weight * (lead_y * (2.0 - depth) + AT(work, march + layout__ROLLING_MARCH_TWIST) * march__WHOLE - AT(work, march + layout__ROLLING_MARCH_STICK_Y) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = -weight * (lead_y * inner + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * turning);
+        if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
         {
             march__add_beyond(tables, work, table, march, number, q);
         }
         if (q < layout__POINT_LIMIT)
         {
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = (double)(number);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = (double)number;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Add what eq. (Z1) has to be changed by to stay within the bound, at the points before ``last``. */
 static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number, int64_t last)
 {
-    double depth;
+    double depth, bound, away, inner, root, p_x, p_y, cut_x, cut_y, weight;
     int64_t q;
-    double bound;
-    double away;
-    double inner;
-    double root;
-    double p_x;
-    double p_y;
-    double cut_x;
-    double cut_y;
-    double weight;
-    depth = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    for (q = INT64_C(0); q < last; q += INT64_C(1))
+    depth = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    for (q = 0; q < last; q += 1)
     {
-        bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        away = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) - depth;
+        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        away = AT(tables, table + layout__ROLLING_TABLE_COSINES + q) - depth;
         inner = (1.0 - depth) * (1.0 - depth) - away * away;
         if (inner > 0.0)
         {
             root = sqrt(inner);
-            p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound - root);
-            p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound - root) + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
+            p_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * (bound - root);
+            p_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * (bound - root) + AT(work, march + layout__ROLLING_MARCH_TWIST) * root;
             tractions__cut_to(&cut_x, &cut_y, p_x, p_y, bound);
-            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) += weight * (cut_x - p_x);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) += weight * (cut_y - p_y);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) += weight * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) * (cut_y - p_y);
+            weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT) * bound;
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) += weight * (cut_x - p_x);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) += weight * (cut_y - p_y);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) += weight * AT(tables, table + layout__ROLLING_TABLE_COSINES + q) * (cut_y - p_y);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
-/* Add the points of all strips, from the leading edge on, to their sums. */
-static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table)
+/* Add the points of all strips, from the leading edge on, to their sums; ``falls``: whether friction
+ * does, with the slip of each point (falling.py).
+ */
+static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, bool falls)
 {
-    double before;
+    double before, x, bound, friction;
     bool slipping;
-    int64_t q;
-    double x;
-    double bound;
-    int64_t first;
-    int64_t strip;
+    int64_t q, first, strip;
     before = 1.0;
     slipping = march__has_slip(work);
-    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        x = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        first = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)));
+        x = AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        first = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q);
         strip = first;
-        while(strip >= INT64_C(0))
+        while (strip >= 0)
         {
             march__reach_edge(work, strip, before, x, bound);
-            strip = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip)));
+            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
         }
         march__march_first(work, x, bound, before - x);
+        if (falls)
+        {
+            falling__find_shares(work, x);
+        }
         if (slipping)
         {
+            if (falls)
+            {
+                falling__weigh_slips(work, bound);
+            }
             march__march_second(work, x, bound, before - x);
+            if (falls)
+            {
+                falling__restore_slips(work);
+            }
         }
         strip = first;
-        while(strip >= INT64_C(0))
+        while (strip >= 0)
         {
-            march__leave_edge(work, strip, x, bound);
-            slipping = 1;
-            strip = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip)));
+            friction = 1.0;
+            if (falls)
+            {
+                friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
+                AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) += bound * bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip) * (1.0 - friction);
+            }
+            march__leave_edge(work, strip, x, bound, friction);
+            slipping = true;
+            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
         }
         before = x;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Whether slip counts in some strip at its leading edge. */
 static inline bool march__has_slip(array_double_1d work)
 {
-    int64_t i;
     bool found;
-    found = 0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    int64_t i;
+    found = false;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) > 0.0)
+        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) > 0.0)
         {
-            found = 1;
+            found = true;
         }
     }
     return found;
@@ -1923,25 +2054,20 @@ static inline bool march__has_slip(array_double_1d work)
 /* Let march A of all strips come to ``x``, a ``step`` further, eq. (M1). */
 static inline int64_t march__march_first(array_double_1d work, double x, double bound, double step)
 {
-    double limit;
+    double limit, at, along, across, square, cut;
     int64_t i;
-    double at;
-    double along;
-    double across;
-    double square;
-    double cut;
     limit = bound * bound;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        at = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i));
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at);
-        square = double_max(2, along * along + across * across, limit);
+        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i);
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) - step * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i) * at);
+        square = double_max(along * along + across * across, limit);
         cut = bound / sqrt(square);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut * across;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) = cut * along;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) = cut * across;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The same for march B, and add what slips there: eqs. (M2), (M5), most of all time that the model
@@ -1949,46 +2075,35 @@ static inline int64_t march__march_first(array_double_1d work, double x, double 
  */
 static inline int64_t march__march_second(array_double_1d work, double x, double bound, double step)
 {
-    double share;
-    double limit;
-    double soft;
+    double share, limit, soft, at, second_x, second_y, square, cut, along, across, scale, largest;
     int64_t i;
-    double at;
-    double second_x;
-    double second_y;
-    double square;
-    double cut;
-    double along;
-    double across;
-    double scale;
-    double largest;
-    share = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE));
+    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE);
     limit = bound * bound;
     soft = march__SOFT * march__SOFT * limit;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        at = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
-        second_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i));
-        second_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at);
-        square = double_max(2, second_x * second_x + second_y * second_y, limit);
+        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
+        second_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i);
+        second_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) - step * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * at);
+        square = double_max(second_x * second_x + second_y * second_y, limit);
         cut = bound / sqrt(square);
         second_x *= cut;
         second_y *= cut;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y;
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + share * (second_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)));
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * (second_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = second_x;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = second_y;
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) + share * (second_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) + share * (second_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
         square = along * along + across * across;
         scale = bound / sqrt((1.0 - march__SOFT * march__SOFT) * square + soft);
-        largest = double_max(2, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * (square * scale * scale), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
-        scale *= bound * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) += scale * along;
+        largest = double_max(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) * (square * scale * scale), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) = largest;
+        scale *= bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) += scale * along;
         across *= scale;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) += across;
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) += x * across;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) += across;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) += x * across;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The traction of strip ``i`` at the edge of its stick zone, between ``before`` and the point ``x``, and
@@ -1996,116 +2111,94 @@ static inline int64_t march__march_second(array_double_1d work, double x, double
  */
 static inline int64_t march__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound)
 {
-    double edge;
-    double weight;
-    double edge_bound;
-    double start_x;
-    double start_y;
-    double to_x;
-    double to_y;
-    double near;
-    edge = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i));
-    weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
+    double edge, weight, edge_bound, start_x, start_y, to_x, to_y, near;
+    edge = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i);
+    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
     edge_bound = march__sqrt_of(1.0 - edge * edge);
-    start_x = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) * edge_bound;
-    start_y = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) * edge_bound;
+    start_x = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) * edge_bound;
+    start_y = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) * edge_bound;
     if (weight < 1.0)
     {
-        march__stepped(&to_x, &to_y, work, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)), edge, before - edge);
+        march__stepped(&to_x, &to_y, work, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i), edge, before - edge);
         tractions__cut_to(&to_x, &to_y, to_x, to_y, edge_bound);
         start_x += (1.0 - weight) * to_x;
         start_y += (1.0 - weight) * to_y;
     }
     march__note_largest(work, i, start_x, start_y);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)) = start_x;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)) = start_y;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = (edge - x) / (before - x);
-    near = 1.0 - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = near * (1.0 - weight);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i) = start_x;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i) = start_y;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i) = (edge - x) / (before - x);
+    near = 1.0 - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = near * (1.0 - weight);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = 0.0;
     weight *= near * bound * bound;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) += weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) += weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) += weight * x * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i));
-    return INT64_C(0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) += weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) += weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) += weight * x * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
+    return 0;
 }
 
 /* Let the second march of strip ``i`` begin at the edge of its stick zone, and add the rest of its
- * traction at ``x``, the first point behind.
+ * traction at ``x``, the first point behind; ``friction`` is that there over that of rest.
  */
-static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound)
+static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound, double friction)
 {
-    double weight;
-    double near;
-    double p_x;
-    double p_y;
-    double slip_x;
-    double slip_y;
-    double step;
-    double to_x;
-    double to_y;
-    double kept;
-    double share;
-    weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
-    near = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
+    double weight, near, p_x, p_y, slip_x, slip_y, step, to_x, to_y, kept, share;
+    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
+    near = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
     p_x = 0.0;
     p_y = 0.0;
     if (weight < 1.0)
     {
         march__slip_traction(&slip_x, &slip_y, work, i, bound);
-        p_x = near * slip_x;
-        p_y = near * slip_y;
+        p_x = near * friction * slip_x;
+        p_y = near * friction * slip_y;
     }
-    step = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - x;
-    march__stepped(&to_x, &to_y, work, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), x, step);
+    step = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i) - x;
+    march__stepped(&to_x, &to_y, work, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i), x, step);
     tractions__cut_to(&to_x, &to_y, to_x, to_y, bound);
     if (weight < march__FAINT)
     {
         /* as if there was no stick zone, of which nothing is left */
         kept = weight / march__FAINT;
-        to_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + kept * (to_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)));
-        to_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + kept * (to_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)));
+        to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) + kept * (to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i));
+        to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) + kept * (to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i));
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = to_x;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = to_y;
     march__slip_traction(&slip_x, &slip_y, work, i, bound);
-    share = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
-    slip_x *= share;
-    slip_y *= share;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) += bound * slip_x;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) += bound * slip_y;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) += bound * x * slip_y;
+    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
+    slip_x *= share * friction;
+    slip_y *= share * friction;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) += bound * slip_x;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) += bound * slip_y;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) += bound * x * slip_y;
     weight *= (1.0 - share) * bound;
-    march__note_largest(work, i, p_x + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + slip_x, p_y + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + slip_y);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 1.0;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 1.0;
-    return INT64_C(0);
+    march__note_largest(work, i, p_x + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + slip_x, p_y + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + slip_y);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = 1.0;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = 1.0;
+    return 0;
 }
 
 /* The traction of the second march of strip ``i`` at ``x``, a ``step`` further, not yet cut; eq. (M2). */
-static inline int64_t march__stepped(double* result_0, double* result_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step)
+static inline void march__stepped(double* out_0, double* out_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step)
 {
     double across;
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * (x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step);
-    (*result_0) = p_x - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i));
-    (*result_1) = p_y - step * across;
-    return 0;
+    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * (x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step);
+    *out_0 = p_x - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i);
+    *out_1 = p_y - step * across;
 }
 
 /* The traction of strip ``i`` of eq. (M5). */
-static inline int64_t march__slip_traction(double* result_0, double* result_1, array_double_1d work, int64_t i, double bound)
+static inline void march__slip_traction(double* out_0, double* out_1, array_double_1d work, int64_t i, double bound)
 {
-    double along;
-    double across;
-    double square;
-    double scale;
-    along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)));
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)));
+    double along, across, square, scale;
+    along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
+    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
     square = along * along + across * across;
     scale = bound / sqrt(square + march__SOFT * march__SOFT * (bound * bound - square));
-    (*result_0) = along * scale;
-    (*result_1) = across * scale;
-    return 0;
+    *out_0 = along * scale;
+    *out_1 = across * scale;
 }
 
 /* Keep the largest traction of strip ``i``. */
@@ -2113,8 +2206,8 @@ static inline int64_t march__note_largest(array_double_1d work, int64_t i, doubl
 {
     double square;
     square = p_x * p_x + p_y * p_y;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = double_max(2, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)), square);
-    return INT64_C(0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) = double_max(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i), square);
+    return 0;
 }
 
 /* Square root, of nothing below zero. */
@@ -2153,30 +2246,38 @@ static inline double march__sqrt_of(double value)
 static inline bool motion__is_moderate(array_double_1d work, int64_t inputs)
 {
     bool moderate;
-    moderate = !((fabs((*cspan_at(&work, inputs + layout__INPUTS_SPEED))) > layout__SPEED_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_WHEEL_RATE))) > layout__WHEEL_LIMIT));
-    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_WHEEL_RATE))) > layout__WHEEL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE))) > layout__WHEEL_LIMIT))
+    moderate = !(fabs(AT(work, inputs + layout__INPUTS_SPEED)) > layout__SPEED_LIMIT || fabs(AT(work, inputs + layout__INPUTS_WHEEL_RATE)) > layout__WHEEL_LIMIT);
+    if (fabs(AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE)) > layout__WHEEL_LIMIT || fabs(AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)) > layout__WHEEL_LIMIT)
     {
-        moderate = 0;
+        moderate = false;
     }
-    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY))) > layout__VELOCITY_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_VERTICAL_VELOCITY))) > layout__VELOCITY_LIMIT))
+    if (fabs(AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY)) > layout__VELOCITY_LIMIT || fabs(AT(work, inputs + layout__INPUTS_VERTICAL_VELOCITY)) > layout__VELOCITY_LIMIT)
     {
-        moderate = 0;
+        moderate = false;
     }
-    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE))) > layout__RATE_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_ROLL_RATE))) > layout__RATE_LIMIT))
+    if (fabs(AT(work, inputs + layout__INPUTS_YAW_RATE)) > layout__RATE_LIMIT || fabs(AT(work, inputs + layout__INPUTS_ROLL_RATE)) > layout__RATE_LIMIT)
     {
-        moderate = 0;
+        moderate = false;
     }
-    if (fabs((*cspan_at(&work, inputs + layout__INPUTS_TRACK_CURVATURE))) > layout__CURVATURE_LIMIT)
+    if (fabs(AT(work, inputs + layout__INPUTS_AXLE_TORQUE)) > layout__TORQUE_LIMIT)
     {
-        moderate = 0;
+        moderate = false;
     }
-    if (!motion__is_rail_moderate((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)), (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)), (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY))))
+    if (fabs(AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE)) > layout__TORQUE_LIMIT || fabs(AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE)) > layout__TORQUE_LIMIT)
     {
-        moderate = 0;
+        moderate = false;
     }
-    if (!motion__is_rail_moderate((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY))))
+    if (fabs(AT(work, inputs + layout__INPUTS_TRACK_CURVATURE)) > layout__CURVATURE_LIMIT)
     {
-        moderate = 0;
+        moderate = false;
+    }
+    if (!motion__is_rail_moderate(AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY), AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY), AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)))
+    {
+        moderate = false;
+    }
+    if (!motion__is_rail_moderate(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)))
+    {
+        moderate = false;
     }
     return moderate;
 }
@@ -2184,19 +2285,20 @@ static inline bool motion__is_moderate(array_double_1d work, int64_t inputs)
 /* Whether no velocity of a rail [m/s, rad/s] is beyond its limit. */
 static inline bool motion__is_rail_moderate(double lateral, double vertical, double roll)
 {
-    return !((fabs(lateral) > layout__VELOCITY_LIMIT) || (fabs(vertical) > layout__VELOCITY_LIMIT) || (fabs(roll) > layout__RATE_LIMIT));
+    return !(fabs(lateral) > layout__VELOCITY_LIMIT || fabs(vertical) > layout__VELOCITY_LIMIT || fabs(roll) > layout__RATE_LIMIT);
 }
 
 /* Rotation about the axle [rad/s], positive when it rolls forward, of which the input ``given`` says as
- * much; 0 may stand for that of free rolling with a nominal ``radius`` [m].
+ * much; 0 may stand for that of a nominal ``radius`` [m], or for one that follows
+ * (wheelset/free_rolling.py).
  */
 static inline double motion__rolling_rate(array_double_1d work, int64_t inputs, double given, double radius)
 {
     double rate;
     rate = given;
-    if ((rate == 0.0) && ((*cspan_at(&work, inputs + layout__INPUTS_FREE_ROLLING)) != 0.0))
+    if (rate == 0.0 && AT(work, inputs + layout__INPUTS_FREE_ROLLING) != 0.0)
     {
-        rate = (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) / radius;
+        rate = AT(work, inputs + layout__INPUTS_SPEED) / radius;
     }
     return rate;
 }
@@ -2204,17 +2306,15 @@ static inline double motion__rolling_rate(array_double_1d work, int64_t inputs, 
 /* Whether each wheel turns by itself. */
 static inline bool motion__are_independent(array_double_1d tables)
 {
-    bool result;
-    result = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_INDEPENDENT_WHEELS)) != 0.0;
-    return result;
+    return AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_INDEPENDENT_WHEELS) != 0.0;
 }
 
 /* Give each wheel its own rotation. */
 static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d tables, int64_t left, int64_t right, int64_t inputs)
 {
-    (*cspan_at(&work, left + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, inputs, (*cspan_at(&work, inputs + layout__INPUTS_LEFT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)));
-    (*cspan_at(&work, right + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, inputs, (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)));
-    return INT64_C(0);
+    AT(work, left + layout__MOTION_WHEEL_RATE) = motion__rolling_rate(work, inputs, AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE), AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS));
+    AT(work, right + layout__MOTION_WHEEL_RATE) = motion__rolling_rate(work, inputs, AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE), AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS));
+    return 0;
 }
 
 /* What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity
@@ -2222,75 +2322,72 @@ static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d 
  */
 static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion, int64_t inputs)
 {
-    double sin_yaw;
-    double cos_yaw;
-    double sin_roll;
-    double cos_roll;
-    circle__sine_cosine(&sin_yaw, &cos_yaw, (*cspan_at(&work, inputs + layout__INPUTS_YAW)));
-    circle__sine_cosine(&sin_roll, &cos_roll, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, inputs + layout__INPUTS_SPEED));
-    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY));
-    (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, inputs, (*cspan_at(&work, inputs + layout__INPUTS_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_HEIGHT)));
-    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) * (*cspan_at(&work, inputs + layout__INPUTS_TRACK_CURVATURE));
-    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE));
-    (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;
-    (*cspan_at(&work, motion + layout__MOTION_AHEAD_Y)) = sin_yaw;
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = (-sin_yaw) * cos_roll;
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = sin_roll;
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT));
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
-    return INT64_C(0);
+    double sin_yaw, cos_yaw, sin_roll, cos_roll;
+    circle__sine_cosine(&sin_yaw, &cos_yaw, AT(work, inputs + layout__INPUTS_YAW));
+    circle__sine_cosine(&sin_roll, &cos_roll, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    AT(work, motion + layout__MOTION_SPEED) = AT(work, inputs + layout__INPUTS_SPEED);
+    AT(work, motion + layout__MOTION_LATERAL) = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY);
+    AT(work, motion + layout__MOTION_WHEEL_RATE) = motion__rolling_rate(work, inputs, AT(work, inputs + layout__INPUTS_WHEEL_RATE), AT(tables, layout__TABLES_HEIGHT));
+    AT(work, motion + layout__MOTION_TRACK_RATE) = AT(work, inputs + layout__INPUTS_SPEED) * AT(work, inputs + layout__INPUTS_TRACK_CURVATURE);
+    AT(work, motion + layout__MOTION_TURN_Z) = AT(work, inputs + layout__INPUTS_YAW_RATE);
+    AT(work, motion + layout__MOTION_AHEAD_X) = cos_yaw;
+    AT(work, motion + layout__MOTION_AHEAD_Y) = sin_yaw;
+    AT(work, motion + layout__MOTION_AXLE_X) = -sin_yaw * cos_roll;
+    AT(work, motion + layout__MOTION_AXLE_Y) = cos_yaw * cos_roll;
+    AT(work, motion + layout__MOTION_AXLE_Z) = sin_roll;
+    AT(work, motion + layout__MOTION_CENTRE_Y) = AT(work, inputs + layout__INPUTS_LATERAL_SHIFT);
+    AT(work, motion + layout__MOTION_CENTRE_Z) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) - AT(tables, layout__TABLES_HEIGHT);
+    return 0;
 }
 
 /* The same as the left side sees it, which is mirrored. */
 static inline int64_t motion__mirror_motion(array_double_1d work, int64_t motion, int64_t mirrored)
 {
-    (*cspan_at(&work, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work, motion + layout__MOTION_SPEED));
-    (*cspan_at(&work, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work, motion + layout__MOTION_LATERAL));
-    (*cspan_at(&work, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE));
-    (*cspan_at(&work, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
-    (*cspan_at(&work, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work, motion + layout__MOTION_TURN_Z));
-    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work, motion + layout__MOTION_AHEAD_X));
-    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work, motion + layout__MOTION_AHEAD_Y));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_X));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    return INT64_C(0);
+    AT(work, mirrored + layout__MOTION_SPEED) = AT(work, motion + layout__MOTION_SPEED);
+    AT(work, mirrored + layout__MOTION_LATERAL) = -AT(work, motion + layout__MOTION_LATERAL);
+    AT(work, mirrored + layout__MOTION_WHEEL_RATE) = AT(work, motion + layout__MOTION_WHEEL_RATE);
+    AT(work, mirrored + layout__MOTION_TRACK_RATE) = -AT(work, motion + layout__MOTION_TRACK_RATE);
+    AT(work, mirrored + layout__MOTION_TURN_Z) = -AT(work, motion + layout__MOTION_TURN_Z);
+    AT(work, mirrored + layout__MOTION_AHEAD_X) = AT(work, motion + layout__MOTION_AHEAD_X);
+    AT(work, mirrored + layout__MOTION_AHEAD_Y) = -AT(work, motion + layout__MOTION_AHEAD_Y);
+    AT(work, mirrored + layout__MOTION_AXLE_X) = -AT(work, motion + layout__MOTION_AXLE_X);
+    AT(work, mirrored + layout__MOTION_AXLE_Y) = AT(work, motion + layout__MOTION_AXLE_Y);
+    AT(work, mirrored + layout__MOTION_AXLE_Z) = -AT(work, motion + layout__MOTION_AXLE_Z);
+    AT(work, mirrored + layout__MOTION_CENTRE_Y) = -AT(work, motion + layout__MOTION_CENTRE_Y);
+    AT(work, mirrored + layout__MOTION_CENTRE_Z) = AT(work, motion + layout__MOTION_CENTRE_Z);
+    return 0;
 }
 
 /* What the inputs say of the left rail, which rolls about its highest point; mirrored. */
 static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail, int64_t inputs)
 {
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
-    return INT64_C(0);
+    AT(work, rail + layout__RAIL_MOTION_LATERAL) = -AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY);
+    AT(work, rail + layout__RAIL_MOTION_VERTICAL) = AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY);
+    AT(work, rail + layout__RAIL_MOTION_ROLL) = -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    AT(work, rail + layout__RAIL_MOTION_Y) = AT(tables, pair + layout__PAIR_RAIL_Y) - AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL);
+    AT(work, rail + layout__RAIL_MOTION_Z) = AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL);
+    return 0;
 }
 
 /* The same of the right rail. */
 static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail, int64_t inputs)
 {
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
-    return INT64_C(0);
+    AT(work, rail + layout__RAIL_MOTION_LATERAL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY);
+    AT(work, rail + layout__RAIL_MOTION_VERTICAL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY);
+    AT(work, rail + layout__RAIL_MOTION_ROLL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    AT(work, rail + layout__RAIL_MOTION_Y) = AT(tables, pair + layout__PAIR_RAIL_Y) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL);
+    AT(work, rail + layout__RAIL_MOTION_Z) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL);
+    return 0;
 }
 
 /* Let a rail on springs move by their deflection, too. */
 static inline int64_t motion__carry_rail(array_double_1d work, int64_t rail, int64_t deflection)
 {
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) += (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) += (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) += (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) += (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
-    return INT64_C(0);
+    AT(work, rail + layout__RAIL_MOTION_LATERAL) += AT(work, deflection + layout__DEFLECTION_LATERAL_RATE);
+    AT(work, rail + layout__RAIL_MOTION_VERTICAL) += AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE);
+    AT(work, rail + layout__RAIL_MOTION_Y) += AT(work, deflection + layout__DEFLECTION_LATERAL);
+    AT(work, rail + layout__RAIL_MOTION_Z) += AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    return 0;
 }
 
 /* Give both sides the wheelset's vertical velocity [m/s] and roll rate [rad/s].
@@ -2299,39 +2396,33 @@ static inline int64_t motion__carry_rail(array_double_1d work, int64_t rail, int
  */
 static inline int64_t motion__set_rates(array_double_1d work, int64_t left, int64_t right, double vertical, double roll_rate)
 {
-    (*cspan_at(&work, right + layout__MOTION_VERTICAL)) = vertical;
-    (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
-    (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
-    (*cspan_at(&work, left + layout__MOTION_VERTICAL)) = vertical;
-    (*cspan_at(&work, left + layout__MOTION_TURN_X)) = -(*cspan_at(&work, right + layout__MOTION_TURN_X));
-    (*cspan_at(&work, left + layout__MOTION_TURN_Y)) = (*cspan_at(&work, right + layout__MOTION_TURN_Y));
-    return INT64_C(0);
+    AT(work, right + layout__MOTION_VERTICAL) = vertical;
+    AT(work, right + layout__MOTION_TURN_X) = roll_rate * AT(work, right + layout__MOTION_AHEAD_X);
+    AT(work, right + layout__MOTION_TURN_Y) = roll_rate * AT(work, right + layout__MOTION_AHEAD_Y);
+    AT(work, left + layout__MOTION_VERTICAL) = vertical;
+    AT(work, left + layout__MOTION_TURN_X) = -AT(work, right + layout__MOTION_TURN_X);
+    AT(work, left + layout__MOTION_TURN_Y) = AT(work, right + layout__MOTION_TURN_Y);
+    return 0;
 }
 
 /* The normal of the place where a rigid wheel touches its rail keeps it there. */
 static inline int64_t motion__constrain_touching(array_double_1d work, int64_t motion, int64_t point)
 {
     int64_t constraint;
-    double x;
-    double y;
-    double z;
-    double sine;
-    double cosine;
-    double normal_y;
-    double normal_z;
+    double x, y, z, sine, cosine, normal_y, normal_z;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    x = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
-    y = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    circle__sine_cosine(&sine, &cosine, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    x = AT(work, point + layout__CONTACT_POINT_X_TRACK);
+    y = AT(work, point + layout__CONTACT_POINT_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = AT(work, point + layout__CONTACT_POINT_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
+    circle__sine_cosine(&sine, &cosine, AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE));
     normal_y = -sine;
     normal_z = -cosine;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = normal_y;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = normal_z;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = y * normal_z - z * normal_y;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = (-x) * normal_z;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = x * normal_y;
-    return INT64_C(0);
+    AT(work, constraint + layout__CONSTRAINT_Y) = normal_y;
+    AT(work, constraint + layout__CONSTRAINT_Z) = normal_z;
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_X) = y * normal_z - z * normal_y;
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) = -x * normal_z;
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) = x * normal_y;
+    return 0;
 }
 
 /* The force of an elastic wheel [N] and its moment about the wheelset's centre [N m] keep it on its rail:
@@ -2341,27 +2432,24 @@ static inline int64_t motion__constrain_loaded(array_double_1d work, int64_t mot
 {
     int64_t constraint;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1)));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2)));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0)));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(1)));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(2)));
-    return INT64_C(0);
+    AT(work, constraint + layout__CONSTRAINT_Y) = AT(work, forces + layout__FORCES_NORMAL_FORCE + 1);
+    AT(work, constraint + layout__CONSTRAINT_Z) = AT(work, forces + layout__FORCES_NORMAL_FORCE + 2);
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_X) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 0);
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 1);
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 2);
+    return 0;
 }
 
 /* What the velocities that are known do with the constraint of a side. */
 static inline double motion__known_part(array_double_1d work, int64_t motion)
 {
-    int64_t constraint;
-    int64_t rail;
+    int64_t constraint, rail;
     double rail_moment;
-    double result;
     constraint = motion + layout__MOTION_CONSTRAINT;
     rail = motion + layout__MOTION_RAIL;
     /* of the force about the point about which the rail rolls */
-    rail_moment = (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) + ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Y));
-    result = (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * ((*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL))) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) - (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
-    return result;
+    rail_moment = AT(work, constraint + layout__CONSTRAINT_MOMENT_X) + (AT(work, motion + layout__MOTION_CENTRE_Y) - AT(work, rail + layout__RAIL_MOTION_Y)) * AT(work, constraint + layout__CONSTRAINT_Z) - (AT(work, motion + layout__MOTION_CENTRE_Z) - AT(work, rail + layout__RAIL_MOTION_Z)) * AT(work, constraint + layout__CONSTRAINT_Y);
+    return AT(work, constraint + layout__CONSTRAINT_Y) * (AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL)) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) * AT(work, motion + layout__MOTION_TURN_Z) - AT(work, constraint + layout__CONSTRAINT_Z) * AT(work, rail + layout__RAIL_MOTION_VERTICAL) - rail_moment * AT(work, rail + layout__RAIL_MOTION_ROLL);
 }
 
 /* How much faster than the wheelset the wheel of a side comes down [m/s], if it stays on its rail. */
@@ -2369,11 +2457,9 @@ static inline double motion__constraint_residual(array_double_1d work, int64_t m
 {
     int64_t constraint;
     double power;
-    double result;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    power = motion__known_part(work, motion) + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y));
-    result = (-power) / (*cspan_at(&work, constraint + layout__CONSTRAINT_Z));
-    return result;
+    power = motion__known_part(work, motion) + AT(work, constraint + layout__CONSTRAINT_Z) * AT(work, motion + layout__MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_MOMENT_X) * AT(work, motion + layout__MOTION_TURN_X) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) * AT(work, motion + layout__MOTION_TURN_Y);
+    return -power / AT(work, constraint + layout__CONSTRAINT_Z);
 }
 
 /* Vertical velocity [m/s] and roll rate [rad/s] with which both constraints hold; zero where they cannot
@@ -2381,31 +2467,23 @@ static inline double motion__constraint_residual(array_double_1d work, int64_t m
  */
 static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t left, int64_t right)
 {
-    double x;
-    double y;
-    double left_roll;
-    double right_roll;
-    double known_left;
-    double known_right;
-    double determinant;
-    double vertical;
-    double roll_rate;
-    x = (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
-    y = (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
-    left_roll = y * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - x * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
-    right_roll = x * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + y * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
+    double x, y, left_roll, right_roll, known_left, known_right, determinant, vertical, roll_rate;
+    x = AT(work, right + layout__MOTION_AHEAD_X);
+    y = AT(work, right + layout__MOTION_AHEAD_Y);
+    left_roll = y * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) - x * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X);
+    right_roll = x * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + y * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y);
     known_left = motion__known_part(work, left);
     known_right = motion__known_part(work, right);
-    determinant = (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * right_roll - (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * left_roll;
+    determinant = AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * right_roll - AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * left_roll;
     vertical = 0.0;
     roll_rate = 0.0;
     if (determinant != 0.0)
     {
         vertical = (known_right * left_roll - known_left * right_roll) / determinant;
-        roll_rate = (known_left * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) - known_right * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) / determinant;
+        roll_rate = (known_left * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) - known_right * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) / determinant;
     }
     motion__set_rates(work, left, right, vertical, roll_rate);
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -2435,92 +2513,85 @@ static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t le
 /* Force and largest traction of a patch. */
 static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double a;
-    double slip;
-    double across;
-    double whole;
-    double first;
-    double second;
-    double third;
-    double push;
-    a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    slip = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)));
-    across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * a;
-    if (fabs(across) < fabs((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y))))
+    double a, reach, whole, first, second, third, modulus, along, across;
+    a = AT(work, patch + layout__PATCH_HALF_LENGTH);
+    reach = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * a;
+    if (fabs(reach) < fabs(AT(work, patch + layout__PATCH_CREEPAGE_Y)))
     {
-        across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
+        reach = AT(work, patch + layout__PATCH_CREEPAGE_Y);
     }
-    whole = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + across * across);
+    whole = sqrt(AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + reach * reach);
+    tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), a / AT(work, patch + layout__PATCH_HALF_WIDTH));
+    modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
+    along = polach__mean_coefficient(work, patch, first, second, first);
+    across = polach__mean_coefficient(work, patch, first, second, second);
+    AT(work, patch + layout__PATCH_CREEP_X) = -polach__slope(work, modulus, patch, along, whole) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    AT(work, patch + layout__PATCH_CREEP_Y) = -polach__slope(work, modulus, patch, across, whole) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    AT(work, patch + layout__PATCH_CREEP_Y) += polach__spin_slope(work, modulus, patch, third, whole) * AT(work, patch + layout__PATCH_SPIN);
+    polach__cut_force(work, patch);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = polach__largest_shear(work, patch);
+    return 0;
+}
+
+/* Kalker's coefficient in the direction of the slip; where the slip is next to nothing, the ``own`` one of
+ * a force's direction.
+ */
+static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double own)
+{
+    double x, y, floor;
+    x = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    y = AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    floor = polach__AIMLESS * polach__AIMLESS;
+    return sqrt((first * first * x + second * second * y + own * own * floor) / (x + y + floor));
+}
+
+/* Force over slip [N] where that is ``whole``; eqs. (P1), (P2). */
+static inline double polach__slope(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole)
+{
+    double bound, rate, e, share;
+    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    rate = 0.25 * M_PI * AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH) * shear_modulus * coefficient / bound;
+    e = rate * whole;
+    share = 2.0 * rate;
     if (whole > polach__SMALLEST)
     {
-        tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), a / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-        if (slip > polach__SMALLEST)
+        share = circle__atan(e);
+        if (e < 1.0)
         {
-            push = polach__creep_force(work, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), patch, polach__mean_coefficient(work, patch, first, second, slip), whole) / whole;
-            (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (-push) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-            (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (-push) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
+            share += e / (1.0 + e * e);
         }
-        (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) += polach__spin_force(work, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), patch, third, whole);
-        polach__cut_force(work, patch);
-        (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = polach__largest_shear(work, patch);
-    }
-    return INT64_C(0);
-}
-
-/* Kalker's coefficient in the direction of the slip. */
-static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double slip)
-{
-    double along;
-    double across;
-    along = first * ((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) / slip);
-    across = second * ((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) / slip);
-    return sqrt(along * along + across * across);
-}
-
-/* Magnitude of the force [N] of a slip ``whole``; eqs. (P1), (P2). */
-static inline double polach__creep_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole)
-{
-    double bound;
-    double e;
-    double share;
-    bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    e = 0.25 * M_PI * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) * shear_modulus * coefficient * whole / bound;
-    share = circle__atan(e);
-    if (e < 1.0)
-    {
-        share += e / (1.0 + e * e);
-    }
-    else
-    {
-        share += 1.0 / (e + 1.0 / e);
+        else
+        {
+            share += 1.0 / (e + 1.0 / e);
+        }
+        share /= whole;
     }
     return 2.0 / M_PI * bound * share;
 }
 
-/* Lateral force [N] of spin; eqs. (P3) to (P5). */
-static inline double polach__spin_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole)
+/* Lateral force of spin over the spin [N m]; eqs. (P3) to (P5). */
+static inline double polach__spin_slope(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole)
 {
-    double a;
-    double b;
-    double bound;
-    double wide;
-    double e;
-    double result;
-    a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    b = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    wide = 1.0 + 6.3 * (1.0 - powers__exp((-a) / b));
-    e = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient * whole / (bound * wide);
-    result = 9.0 / 16.0 * a * bound * wide * polach__spin_share(e) * ((*cspan_at(&work, patch + layout__PATCH_SPIN)) / whole);
-    return result;
+    double a, b, bound, wide, rate, share;
+    a = AT(work, patch + layout__PATCH_HALF_LENGTH);
+    b = AT(work, patch + layout__PATCH_HALF_WIDTH);
+    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    wide = 1.0 + 6.3 * (1.0 - powers__exp(-a / b));
+    rate = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient / (bound * wide);
+    share = -2.0 / 3.0 * rate;
+    if (whole > polach__SMALLEST)
+    {
+        share = polach__spin_share(rate * whole) / whole;
+    }
+    return 9.0 / 16.0 * a * bound * wide * share;
 }
 
 /* K of eq. (P4), written in c = 1 - d so that nothing cancels where e is large. */
 static inline double polach__spin_share(double e)
 {
-    double c;
-    double root;
+    double c, root;
     c = 2.0 / (1.0 + e * e);
+    /* sqrt(1 - d^2) */
     root = e * c;
     /* d^3/3 - d^2/2 + 1/6 = c^2/2 - c^3/3 */
     return 0.5 * e * c * c * (1.0 - 2.0 / 3.0 * c) - root * root * root / 3.0;
@@ -2529,26 +2600,23 @@ static inline double polach__spin_share(double e)
 /* Let the force not exceed that of full slip. */
 static inline int64_t polach__cut_force(array_double_1d work, int64_t patch)
 {
-    double bound;
-    double force;
-    bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    force = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)));
+    double bound, force;
+    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    force = sqrt(AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y));
     if (force > bound)
     {
-        (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) *= bound / force;
-        (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) *= bound / force;
+        AT(work, patch + layout__PATCH_CREEP_X) *= bound / force;
+        AT(work, patch + layout__PATCH_CREEP_Y) *= bound / force;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The largest traction [Pa] where tractions are spread like the pressure of the ellipse. */
 static inline double polach__largest_shear(array_double_1d work, int64_t patch)
 {
     double force;
-    double result;
-    force = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)));
-    result = 1.5 * force / (M_PI * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-    return result;
+    force = sqrt(AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y));
+    return 1.5 * force / (M_PI * AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH));
 }
 
 
@@ -2584,153 +2652,187 @@ static inline double polach__largest_shear(array_double_1d work, int64_t patch)
 /* K1, K2, K3 of the blocks of a patch, eqs. (K1) to (K3). */
 static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double ratio;
-    double place;
-    double half;
-    double along;
-    double across;
-    double turning;
-    int64_t i;
-    int64_t block;
+    double ratio, place, half, along, across, turning;
+    int64_t i, block;
     stiffness__join_strips(work, patch);
-    stiffness__fill_equations(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, INT64_C(2));
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, INT64_C(1));
-    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, INT64_C(1));
-    ratio = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    stiffness__fill_equations(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING));
+    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, 2);
+    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, 1);
+    stiffness__solve_blocks(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, 1);
+    ratio = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     place = tractions__shape_place(ratio);
-    half = 0.5 * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
-    along = tractions__shape_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(3), place) * half / (1.0 - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO)));
-    across = tractions__shape_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(4), place) * half;
-    turning = tractions__shape_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(5), place) * half;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    half = 0.5 * AT(tables, layout__TABLES_SHEAR_MODULUS);
+    along = tractions__shape_value(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 3, place) * half / (1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
+    across = tractions__shape_value(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 4, place) * half;
+    turning = tractions__shape_value(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 5, place) * half;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        AT(work, block + layout__ROLLING_BLOCK_ALONG) = along * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT);
+        AT(work, block + layout__ROLLING_BLOCK_ACROSS) = across * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT);
+        AT(work, block + layout__ROLLING_BLOCK_TURNING) = turning * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
     }
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = stiffness__creepage_shift(work);
-    stiffness__spread_turning(work, stiffness__mean_share(ratio));
-    return INT64_C(0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = stiffness__creepage_shift(work);
+    stiffness__spread_turning(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, stiffness__mean_share(ratio));
+    return 0;
+}
+
+/* The same of a patch of which only creepages may have changed, where stiffnesses are kept: with the same
+ * bits, as only the shift of eq. (K6) depends on creepages.
+ */
+static inline int64_t stiffness__patch_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch)
+{
+    int64_t kept, i_1, i_2, i_3, i_4;
+    kept = layout__WORK_ROLLING + layout__ROLLING_STIFFNESSES + layout__KEPT_STIFFNESSES_SIZE * (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE);
+    if (AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) == 1.0 && AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) == 1.0)
+    {
+        for (i_1 = 0; i_1 < 56; i_1 += 1)
+        {
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1) = AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1);
+        }
+        for (i_2 = 0; i_2 < 80; i_2 += 1)
+        {
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2) = AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2);
+        }
+        stiffness__renew_shift(work, patch);
+    }
+    else
+    {
+        stiffness__find_stiffnesses(work, tables, patch);
+        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) == 1.0)
+        {
+            for (i_3 = 0; i_3 < 56; i_3 += 1)
+            {
+                AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3) = AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3);
+            }
+            for (i_4 = 0; i_4 < 80; i_4 += 1)
+            {
+                AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4) = AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4);
+            }
+        }
+    }
+    return 0;
+}
+
+/* The shift of eq. (K6) for new creepages, with the equations that are eliminated already. */
+static inline int64_t stiffness__renew_shift(array_double_1d work, int64_t patch)
+{
+    int64_t side, i, block, row, k, pivot;
+    double inverse, factor;
+    side = layout__BLOCK_COUNT + 1;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
+    {
+        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+        AT(work, block + layout__ROLLING_BLOCK_SLIP) = 0.5 * (AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP));
+        AT(work, row + side) = AT(work, block + layout__ROLLING_BLOCK_SLIP);
+    }
+    for (k = 0; k < layout__BLOCK_COUNT; k += 1)
+    {
+        pivot = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * k;
+        inverse = 1.0 / AT(work, pivot + k);
+        for (i = k + 1; i < layout__BLOCK_COUNT; i += 1)
+        {
+            row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+            factor = AT(work, row + k) * inverse;
+            AT(work, row + side) -= factor * AT(work, pivot + side);
+        }
+    }
+    stiffness__substitute(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, side);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = stiffness__creepage_shift(work);
+    return 0;
 }
 
 /* The blocks from pairs of strips: edges, and the mean of a^2. */
 static inline int64_t stiffness__join_strips(array_double_1d work, int64_t patch)
 {
-    int64_t i;
-    int64_t block;
-    int64_t low;
-    int64_t high;
-    double square;
-    double least;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    int64_t i, block, low, high;
+    double square, least;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        low = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i);
-        high = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i + INT64_C(1));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) = (*cspan_at(&work, low + layout__ROLLING_STRIP_START));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) = (*cspan_at(&work, high + layout__ROLLING_STRIP_STOP));
-        square = ((*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_WIDTH))) / ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)));
-        least = stiffness__SHORT * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = sqrt(square + least * least);
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * ((*cspan_at(&work, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_SLIP)));
+        low = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i);
+        high = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1);
+        AT(work, block + layout__ROLLING_BLOCK_START) = AT(work, low + layout__ROLLING_STRIP_START);
+        AT(work, block + layout__ROLLING_BLOCK_STOP) = AT(work, high + layout__ROLLING_STRIP_STOP);
+        square = (AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, low + layout__ROLLING_STRIP_WIDTH) + AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, high + layout__ROLLING_STRIP_WIDTH)) / (AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START));
+        least = stiffness__SHORT * AT(work, patch + layout__PATCH_HALF_LENGTH);
+        AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) = sqrt(square + least * least);
+        AT(work, block + layout__ROLLING_BLOCK_SLIP) = 0.5 * (AT(work, low + layout__ROLLING_STRIP_SLIP) + AT(work, high + layout__ROLLING_STRIP_SLIP));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Phi of eq. (K2), and the right-hand sides of unit creepages. */
 static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table)
 {
-    int64_t i;
-    int64_t block;
-    int64_t along;
-    int64_t across;
-    int64_t turning;
-    double x;
-    double y;
-    double spin;
-    int64_t j;
-    int64_t other;
-    double scale;
-    double middle;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    int64_t i, block, along, across, turning, j, other;
+    double x, y, spin, scale, middle;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
-        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
-        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
-        stiffness__reaches(&x, &y, &spin, tables, table, 0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)));
-        (*cspan_at(&work, along + i)) = 2.0 * x;
-        (*cspan_at(&work, across + i)) = 2.0 * y;
-        (*cspan_at(&work, turning + i)) = 2.0 * spin;
-        (*cspan_at(&work, along + layout__BLOCK_COUNT)) = 1.0;
-        (*cspan_at(&work, across + layout__BLOCK_COUNT)) = 1.0;
-        (*cspan_at(&work, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        (*cspan_at(&work, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
-        for (j = i + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i;
+        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i;
+        stiffness__reaches(&x, &y, &spin, tables, table, 0.5 * (AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START)) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        AT(work, along + i) = 2.0 * x;
+        AT(work, across + i) = 2.0 * y;
+        AT(work, turning + i) = 2.0 * spin;
+        AT(work, along + layout__BLOCK_COUNT) = 1.0;
+        AT(work, across + layout__BLOCK_COUNT) = 1.0;
+        AT(work, turning + layout__BLOCK_COUNT) = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        AT(work, along + (layout__BLOCK_COUNT + 1)) = AT(work, block + layout__ROLLING_BLOCK_SLIP);
+        for (j = i + 1; j < layout__BLOCK_COUNT; j += 1)
         {
             other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
-            scale = 1.0 / sqrt(0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH))));
-            middle = 0.5 * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)));
-            stiffness__reach_beside(tables, work, table, i, j, ((*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) - middle) * scale, ((*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)) - middle) * scale);
-            middle = 0.5 * ((*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)));
-            stiffness__reach_beside(tables, work, table, j, i, (middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP))) * scale, (middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START))) * scale);
+            scale = 1.0 / sqrt(0.5 * (AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH)));
+            middle = 0.5 * (AT(work, block + layout__ROLLING_BLOCK_START) + AT(work, block + layout__ROLLING_BLOCK_STOP));
+            stiffness__reach_beside(tables, work, table, i, j, (AT(work, other + layout__ROLLING_BLOCK_START) - middle) * scale, (AT(work, other + layout__ROLLING_BLOCK_STOP) - middle) * scale);
+            middle = 0.5 * (AT(work, other + layout__ROLLING_BLOCK_START) + AT(work, other + layout__ROLLING_BLOCK_STOP));
+            stiffness__reach_beside(tables, work, table, j, i, (middle - AT(work, block + layout__ROLLING_BLOCK_STOP)) * scale, (middle - AT(work, block + layout__ROLLING_BLOCK_START)) * scale);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Phi of block ``i`` and another one ``j``, whose edges are ``near`` and ``far`` from its middle. */
 static inline int64_t stiffness__reach_beside(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t j, double near, double far)
 {
-    double near_x;
-    double near_y;
-    double near_spin;
-    double far_x;
-    double far_y;
-    double far_spin;
-    int64_t along;
-    int64_t across;
-    int64_t turning;
+    double near_x, near_y, near_spin, far_x, far_y, far_spin;
+    int64_t along, across, turning;
     stiffness__reaches(&near_x, &near_y, &near_spin, tables, table, near);
     stiffness__reaches(&far_x, &far_y, &far_spin, tables, table, far);
-    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
-    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
-    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
-    (*cspan_at(&work, along + j)) = far_x - near_x;
-    (*cspan_at(&work, across + j)) = far_y - near_y;
-    (*cspan_at(&work, turning + j)) = far_spin - near_spin;
-    return INT64_C(0);
+    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i;
+    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i;
+    AT(work, along + j) = far_x - near_x;
+    AT(work, across + j) = far_y - near_y;
+    AT(work, turning + j) = far_spin - near_spin;
+    return 0;
 }
 
 /* S of longitudinal and lateral creepage and of spin at a ``distance`` over the half-length, which is not
  * negative.
  */
-static inline int64_t stiffness__reaches(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double distance)
+static inline void stiffness__reaches(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double distance)
 {
-    double place;
-    int64_t cell;
-    double u;
-    int64_t at;
-    place = double_min(2, (double)(layout__REACH_CELLS), layout__REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + stiffness__NEAREST)));
-    cell = (int64_t)(place);
-    u = place - (double)(cell);
+    double place, u;
+    int64_t cell, at;
+    place = double_min((double)layout__REACH_CELLS, layout__REACH_PER_UNIT * sqrt(sqrt(fabs(distance) + stiffness__NEAREST)));
+    cell = (int64_t)place;
+    u = place - (double)cell;
     at = layout__REACH_ROW * cell;
-    (*result_0) = stiffness__reach_cubic(tables, table, at, u);
-    (*result_1) = stiffness__reach_cubic(tables, table, at + INT64_C(4), u);
-    (*result_2) = stiffness__reach_cubic(tables, table, at + INT64_C(8), u);
-    return 0;
+    *out_0 = stiffness__reach_cubic(tables, table, at, u);
+    *out_1 = stiffness__reach_cubic(tables, table, at + 4, u);
+    *out_2 = stiffness__reach_cubic(tables, table, at + 8, u);
 }
 
 /* The cubic of four numbers from ``at`` on, at ``u``. */
 static inline double stiffness__reach_cubic(array_double_1d tables, int64_t table, int64_t at, double u)
 {
     double high;
-    double result;
-    high = (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(2)))) + u * (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(3))));
-    result = (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + at)) + u * ((*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(1)))) + u * high);
-    return result;
+    high = AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 2)) + u * AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 3));
+    return AT(tables, table + layout__ROLLING_TABLE_REACHES + at) + u * (AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 1)) + u * high);
 }
 
 /* Solve in place by Gauss, for so many right-hand ``sides``, without exchange of rows: the kernel is
@@ -2738,49 +2840,48 @@ static inline double stiffness__reach_cubic(array_double_1d tables, int64_t tabl
  */
 static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations, int64_t sides)
 {
-    int64_t stop;
-    int64_t k;
-    int64_t pivot;
-    double inverse;
-    int64_t i;
-    int64_t row;
-    double factor;
-    int64_t j;
-    int64_t side;
-    int64_t back;
-    double value;
-    int64_t known;
+    int64_t stop, k, pivot, i, row, j, side;
+    double inverse, factor;
     stop = layout__BLOCK_COUNT + sides;
-    for (k = INT64_C(0); k < layout__BLOCK_COUNT; k += INT64_C(1))
+    for (k = 0; k < layout__BLOCK_COUNT; k += 1)
     {
-        pivot = equations + INT64_C(10) * k;
-        inverse = 1.0 / (*cspan_at(&work, pivot + k));
-        for (i = k + INT64_C(1); i < layout__BLOCK_COUNT; i += INT64_C(1))
+        pivot = equations + 10 * k;
+        inverse = 1.0 / AT(work, pivot + k);
+        for (i = k + 1; i < layout__BLOCK_COUNT; i += 1)
         {
-            row = equations + INT64_C(10) * i;
-            factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < stop; j += INT64_C(1))
+            row = equations + 10 * i;
+            factor = AT(work, row + k) * inverse;
+            for (j = k + 1; j < stop; j += 1)
             {
-                (*cspan_at(&work, row + j)) -= factor * (*cspan_at(&work, pivot + j));
+                AT(work, row + j) -= factor * AT(work, pivot + j);
             }
         }
     }
-    for (side = layout__BLOCK_COUNT; side < stop; side += INT64_C(1))
+    for (side = layout__BLOCK_COUNT; side < stop; side += 1)
     {
-        for (back = INT64_C(0); back < layout__BLOCK_COUNT; back += INT64_C(1))
-        {
-            k = layout__BLOCK_COUNT - INT64_C(1) - back;
-            pivot = equations + INT64_C(10) * k;
-            value = (*cspan_at(&work, pivot + side));
-            for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
-            {
-                known = equations + INT64_C(10) * j;
-                value -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + side));
-            }
-            (*cspan_at(&work, pivot + side)) = value / (*cspan_at(&work, pivot + k));
-        }
+        stiffness__substitute(work, equations, side);
     }
-    return INT64_C(0);
+    return 0;
+}
+
+/* The solution for one right-hand side of eliminated equations. */
+static inline int64_t stiffness__substitute(array_double_1d work, int64_t equations, int64_t side)
+{
+    int64_t back, k, pivot, j, known;
+    double value;
+    for (back = 0; back < layout__BLOCK_COUNT; back += 1)
+    {
+        k = layout__BLOCK_COUNT - 1 - back;
+        pivot = equations + 10 * k;
+        value = AT(work, pivot + side);
+        for (j = k + 1; j < layout__BLOCK_COUNT; j += 1)
+        {
+            known = equations + 10 * j;
+            value -= AT(work, pivot + j) * AT(work, known + side);
+        }
+        AT(work, pivot + side) = value / AT(work, pivot + k);
+    }
+    return 0;
 }
 
 /* The longitudinal creepage that strips with K1 w_x lack for the force of eq. (K1) with their own
@@ -2788,21 +2889,17 @@ static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equa
  */
 static inline double stiffness__creepage_shift(array_double_1d work)
 {
-    double missing;
-    double stiff;
-    int64_t i;
-    int64_t block;
-    int64_t row;
-    double area;
+    double missing, stiff, area;
+    int64_t i, block, row;
     missing = 0.0;
     stiff = 0.0;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
-        area = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)));
-        missing += area * ((*cspan_at(&work, row + (layout__BLOCK_COUNT + INT64_C(1)))) - (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)));
-        stiff += area * (*cspan_at(&work, row + layout__BLOCK_COUNT));
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+        area = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * (AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START));
+        missing += area * (AT(work, row + (layout__BLOCK_COUNT + 1)) - AT(work, row + layout__BLOCK_COUNT) * AT(work, block + layout__ROLLING_BLOCK_SLIP));
+        stiff += area * AT(work, row + layout__BLOCK_COUNT);
     }
     return missing / stiff;
 }
@@ -2811,78 +2908,72 @@ static inline double stiffness__creepage_shift(array_double_1d work)
 static inline double stiffness__mean_share(double ratio)
 {
     double share;
-    share = double_min(2, double_max(2, (powers__log(ratio) - stiffness__OWN_UNTIL) / (stiffness__MEAN_FROM - stiffness__OWN_UNTIL), 0.0), 1.0);
+    share = double_min(double_max((powers__log(ratio) - stiffness__OWN_UNTIL) / (stiffness__MEAN_FROM - stiffness__OWN_UNTIL), 0.0), 1.0);
     return share;
 }
 
 /* Let spin's stiffness be its mean to this share, and keep all stiffnesses above zero. */
-static inline int64_t stiffness__spread_turning(array_double_1d work, double share)
+static inline int64_t stiffness__spread_turning(array_double_1d work, int64_t blocks, double share)
 {
-    double total;
-    double mean;
-    double along;
-    double across;
-    int64_t i;
-    int64_t block;
-    double weight;
+    double total, mean, along, across, weight;
+    int64_t i, block;
     total = 0.0;
     mean = 0.0;
     along = 0.0;
     across = 0.0;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        weight = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * ((*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)));
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
+        weight = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * (AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START));
         total += weight;
-        mean += (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) * weight;
-        along += (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) * weight;
-        across += (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) * weight;
+        mean += AT(work, block + layout__ROLLING_BLOCK_TURNING) * weight;
+        along += AT(work, block + layout__ROLLING_BLOCK_ALONG) * weight;
+        across += AT(work, block + layout__ROLLING_BLOCK_ACROSS) * weight;
     }
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) += share * (mean / total - (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), stiffness__SOFTEST * mean / total);
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), stiffness__SOFTEST * along / total);
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = stiffness__not_below((*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)), stiffness__SOFTEST * across / total);
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
+        AT(work, block + layout__ROLLING_BLOCK_TURNING) += share * (mean / total - AT(work, block + layout__ROLLING_BLOCK_TURNING));
+        AT(work, block + layout__ROLLING_BLOCK_TURNING) = stiffness__not_below(AT(work, block + layout__ROLLING_BLOCK_TURNING), stiffness__SOFTEST * mean / total);
+        AT(work, block + layout__ROLLING_BLOCK_ALONG) = stiffness__not_below(AT(work, block + layout__ROLLING_BLOCK_ALONG), stiffness__SOFTEST * along / total);
+        AT(work, block + layout__ROLLING_BLOCK_ACROSS) = stiffness__not_below(AT(work, block + layout__ROLLING_BLOCK_ACROSS), stiffness__SOFTEST * across / total);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The larger of both. */
 static inline double stiffness__not_below(double value, double least)
 {
-    value = double_max(2, value, least);
+    value = double_max(value, least);
     return value;
 }
 
 /* K1, K2, K3 of strip ``index`` with its middle at ``station`` [m], between the middles of two blocks. */
-static inline int64_t stiffness__stiffnesses_at(double* along, double* across, double* turning, array_double_1d work, int64_t index, double station)
+static inline void stiffness__stiffnesses_at(double* along_out, double* across_out, double* turning_out, array_double_1d work, int64_t blocks, int64_t index, double station)
 {
-    int64_t own;
-    int64_t towards;
-    int64_t other;
-    double middle;
-    double share;
-    own = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * (py_floor_div_int64_t(index, INT64_C(2)));
-    towards = py_floor_div_int64_t(index, INT64_C(2)) - INT64_C(1);
-    if (pyc_modulo(index, INT64_C(2)) == INT64_C(1))
+    int64_t own, towards, other;
+    double along, across, turning, middle, share;
+    own = blocks + layout__ROLLING_BLOCK_SIZE * floor_div(index, 2);
+    towards = floor_div(index, 2) - 1;
+    if (modulo(index, 2) == 1)
     {
-        towards = py_floor_div_int64_t(index, INT64_C(2)) + INT64_C(1);
+        towards = floor_div(index, 2) + 1;
     }
-    (*along) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_ALONG));
-    (*across) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_ACROSS));
-    (*turning) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_TURNING));
-    if ((towards >= INT64_C(0)) && (towards < layout__BLOCK_COUNT))
+    along = AT(work, own + layout__ROLLING_BLOCK_ALONG);
+    across = AT(work, own + layout__ROLLING_BLOCK_ACROSS);
+    turning = AT(work, own + layout__ROLLING_BLOCK_TURNING);
+    if (towards >= 0 && towards < layout__BLOCK_COUNT)
     {
-        other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * towards;
-        middle = 0.5 * ((*cspan_at(&work, own + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, own + layout__ROLLING_BLOCK_STOP)));
-        share = (station - middle) / (0.5 * ((*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP))) - middle);
-        (*along) += share * ((*cspan_at(&work, other + layout__ROLLING_BLOCK_ALONG)) - (*along));
-        (*across) += share * ((*cspan_at(&work, other + layout__ROLLING_BLOCK_ACROSS)) - (*across));
-        (*turning) += share * ((*cspan_at(&work, other + layout__ROLLING_BLOCK_TURNING)) - (*turning));
+        other = blocks + layout__ROLLING_BLOCK_SIZE * towards;
+        middle = 0.5 * (AT(work, own + layout__ROLLING_BLOCK_START) + AT(work, own + layout__ROLLING_BLOCK_STOP));
+        share = (station - middle) / (0.5 * (AT(work, other + layout__ROLLING_BLOCK_START) + AT(work, other + layout__ROLLING_BLOCK_STOP)) - middle);
+        along += share * (AT(work, other + layout__ROLLING_BLOCK_ALONG) - along);
+        across += share * (AT(work, other + layout__ROLLING_BLOCK_ACROSS) - across);
+        turning += share * (AT(work, other + layout__ROLLING_BLOCK_TURNING) - turning);
     }
-    return 0;
+    *along_out = along;
+    *across_out = across;
+    *turning_out = turning;
 }
 
 
@@ -2905,48 +2996,41 @@ static inline double tractions__shape_place(double axis_ratio)
 /* Value of a column, 0 ... SHAPE_COLUMNS - 1, at a place. */
 static inline double tractions__shape_value(array_double_1d tables, int64_t table, int64_t column, double place)
 {
-    int64_t cell;
-    double u;
-    int64_t at;
-    double high;
-    double result;
-    tables__table_cell(&cell, &u, place, (double)(layout__SHAPE_CELLS));
-    at = layout__SHAPE_ROW * cell + INT64_C(4) * column;
-    high = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(2)))) + u * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(3))));
-    result = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + at)) + u * ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(1)))) + u * high);
-    return result;
+    int64_t cell, at;
+    double u, high;
+    tables__table_cell(&cell, &u, place, (double)layout__SHAPE_CELLS);
+    at = layout__SHAPE_ROW * cell + 4 * column;
+    high = AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 2)) + u * AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 3));
+    return AT(tables, table + layout__ROLLING_TABLE_SHAPES + at) + u * (AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 1)) + u * high);
 }
 
 /* Kalker's creepage coefficients C11, C22, C23 of an ellipse with this a/b, length over width. */
-static inline int64_t tractions__kalker_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double axis_ratio)
+static inline void tractions__kalker_coefficients(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double axis_ratio)
 {
     double place;
     place = tractions__shape_place(axis_ratio);
-    (*result_0) = 1.0 / tractions__shape_value(tables, table, INT64_C(0), place);
-    (*result_1) = 1.0 / tractions__shape_value(tables, table, INT64_C(1), place);
-    (*result_2) = 1.0 / tractions__shape_value(tables, table, INT64_C(2), place);
-    return 0;
+    *out_0 = 1.0 / tractions__shape_value(tables, table, 0, place);
+    *out_1 = 1.0 / tractions__shape_value(tables, table, 1, place);
+    *out_2 = 1.0 / tractions__shape_value(tables, table, 2, place);
 }
 
 /* m of a strip [Pa/m]: its bound on traction is m sqrt(a^2 - x^2); 0 where the strip carries nothing. */
 static inline double tractions__bound_rate(array_double_1d work, int64_t patch, int64_t strip)
 {
-    double a;
-    double rate;
-    a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    double a, rate;
+    a = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
     rate = 0.0;
-    if (((*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) > tractions__SLIGHT * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) && (a > tractions__SLIGHT * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH))))
+    if (AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * AT(work, patch + layout__PATCH_HALF_WIDTH) > tractions__SLIGHT * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) && a > tractions__SLIGHT * AT(work, patch + layout__PATCH_HALF_LENGTH))
     {
-        rate = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) / (M_PI * a * a);
+        rate = AT(work, patch + layout__PATCH_FRICTION) * 2.0 * AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) / (M_PI * a * a);
     }
     return rate;
 }
 
 /* A traction, cut to its bound. */
-static inline int64_t tractions__cut_to(double* result_0, double* result_1, double along, double across, double bound)
+static inline void tractions__cut_to(double* along_out, double* across_out, double along, double across, double bound)
 {
-    double square;
-    double share;
+    double square, share;
     square = along * along + across * across;
     if (square > bound * bound)
     {
@@ -2954,9 +3038,8 @@ static inline int64_t tractions__cut_to(double* result_0, double* result_1, doub
         along *= share;
         across *= share;
     }
-    (*result_0) = along;
-    (*result_1) = across;
-    return 0;
+    *along_out = along;
+    *across_out = across;
 }
 
 /* Add a strip's force per width [N/m] to the patch's force; ``moment`` is that of the lateral force about
@@ -2964,26 +3047,25 @@ static inline int64_t tractions__cut_to(double* result_0, double* result_1, doub
  */
 static inline int64_t tractions__add_strip(array_double_1d work, int64_t patch, int64_t strip, double along, double across, double moment)
 {
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = along;
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) = across;
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = moment + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) += along * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) += across * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) += (moment + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across - (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    return INT64_C(0);
+    AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = along;
+    AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = across;
+    AT(work, strip + layout__ROLLING_STRIP_MOMENT) = moment + AT(work, strip + layout__ROLLING_STRIP_X) * across;
+    AT(work, patch + layout__PATCH_CREEP_X) += along * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    AT(work, patch + layout__PATCH_CREEP_Y) += across * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) += (moment + AT(work, strip + layout__ROLLING_STRIP_X) * across - AT(work, strip + layout__ROLLING_STRIP_Y) * along) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    return 0;
 }
 
 /* Area of the strips [m^2]. */
 static inline double tractions__patch_area(array_double_1d work, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
     double area;
+    int64_t i, strip;
     area = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        area += 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        area += 2.0 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     }
     return area;
 }
@@ -2991,7 +3073,393 @@ static inline double tractions__patch_area(array_double_1d work, int64_t patch)
 /* Weight of a point of a strip [m], over its sine. */
 static inline double tractions__point_weight(array_double_1d work, int64_t strip)
 {
-    double result;
-    result = tractions__WEIGHT * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    return result;
+    return tractions__WEIGHT * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+}
+
+
+/* ---- From creep/turning.py; change that one.
+ *
+ * The rotation of wheels about their axle on which a given torque acts: how it is sought.
+ *
+ * The torque T of the creep forces about the axle falls with the rotation w where friction does not fall with
+ * the sliding velocity; what is sought is T(w) + M = 0, with the torque M from outside, 0 of wheels that roll
+ * freely.  Of every strip i with the velocity v_i of the wheel against the rail but for the rotation about the
+ * axle, and the direction u_i in which that rotation moves its place backwards,
+ *
+ *     w_i = v_i . u_i / r_i,   T(min w_i) >= 0 >= T(max w_i)                                       (A1)
+ *
+ * Between both the search follows a stand-in that needs no model of creep forces: each patch with Kalker's
+ * coefficients and the saturation of Vermeulen and Johnson (1964),
+ *
+ *     f_x = -G a b C11 (v . u - w r) / V_ref,   f_y = G a b (C22 eta + C23 sqrt(ab) phi),   t = |f| / (mu N)
+ *     T_s(w) = -sum r mu N S(t) f_x / |f|,   S = t - t^2/3 + t^3/27, or 1 from t = 3               (A2)
+ *
+ * It begins at T_s + M = 0 and goes on with what the last two rates have shown the stand-in to lack:
+ *
+ *     T_s(w) + D + E (w - w_k) = 0,   D = T_k + M - T_s(w_k),   E the secant slope of T - T_s      (A3)
+ *
+ * Rates that were tried enclose the one that is sought; where four of them have not halved the enclosure, the
+ * next one is in its middle.  Where a model's force jumps, the enclosure ends at the jump: there the rate is the
+ * one at which the creep forces still turn the wheels forward.
+ */
+
+/* Velocity [m/s] of a place of the wheel against its rail along the wheel's heading u, without the
+ * rotation about the axle; and the part of u along the track.
+ */
+static inline void turning__heading_velocity(double* out_0, double* out_1, array_double_1d work, int64_t motion, double x, double y_track, double z_track)
+{
+    int64_t rail;
+    double y, z, ahead_x, ahead_y, ahead_z, distance, along, lateral, vertical;
+    rail = motion + layout__MOTION_RAIL;
+    y = y_track - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = z_track - AT(work, motion + layout__MOTION_CENTRE_Z);
+    ahead_x = AT(work, motion + layout__MOTION_AXLE_Y) * z - AT(work, motion + layout__MOTION_AXLE_Z) * y;
+    ahead_y = AT(work, motion + layout__MOTION_AXLE_Z) * x - AT(work, motion + layout__MOTION_AXLE_X) * z;
+    ahead_z = AT(work, motion + layout__MOTION_AXLE_X) * y - AT(work, motion + layout__MOTION_AXLE_Y) * x;
+    distance = sqrt(ahead_x * ahead_x + ahead_y * ahead_y + ahead_z * ahead_z);
+    along = AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * y_track + AT(work, motion + layout__MOTION_TURN_Y) * z - AT(work, motion + layout__MOTION_TURN_Z) * y;
+    lateral = AT(work, motion + layout__MOTION_LATERAL) + (AT(work, motion + layout__MOTION_TRACK_RATE) + AT(work, motion + layout__MOTION_TURN_Z)) * x - AT(work, motion + layout__MOTION_TURN_X) * z - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * (z_track - AT(work, rail + layout__RAIL_MOTION_Z));
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * x - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * (y_track - AT(work, rail + layout__RAIL_MOTION_Y));
+    *out_0 = (along * ahead_x + lateral * ahead_y + vertical * ahead_z) / distance;
+    *out_1 = ahead_x / distance;
+}
+
+/* Begin to seek the rotation under the torque ``wanted`` [N m] at this ``speed`` [m/s]; no patch is known
+ * yet.
+ */
+static inline int64_t turning__begin_turning(array_double_1d work, double wanted, double speed)
+{
+    AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) = wanted;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SCALE) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SPEED) = fabs(speed);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = 0.0;
+    return 0;
+}
+
+/* Let the enclosure hold the rates of all strips of a patch; eq. (A1). */
+static inline int64_t turning__enclose_rates(array_double_1d work, int64_t motion, int64_t patch)
+{
+    int64_t i, strip;
+    double along, ahead, rate;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        if (AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) > 0.0)
+        {
+            turning__heading_velocity(&along, &ahead, work, motion, AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X), AT(work, strip + layout__ROLLING_STRIP_Y_TRACK), AT(work, strip + layout__ROLLING_STRIP_Z_TRACK));
+            rate = along / AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS);
+            if ((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) == 0)
+            {
+                AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = rate;
+                AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = rate;
+                AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)1;
+            }
+            AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = double_min(AT(work, layout__WORK_TURNING + layout__TURNING_LOW), rate);
+            AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = double_max(AT(work, layout__WORK_TURNING + layout__TURNING_HIGH), rate);
+        }
+    }
+    return 0;
+}
+
+/* Add a patch with this coefficient of ``friction`` to the stand-in.  Its lateral force is that at the
+ * motion's rotation, over the rolling speed there.
+ */
+static inline int64_t turning__add_stand_in(array_double_1d work, array_double_1d tables, int64_t motion, int64_t patch, double friction)
+{
+    int64_t own;
+    double along, ahead, first, second, third, area;
+    if (AT(work, patch + layout__PATCH_HALF_WIDTH) > 0.0 && AT(work, patch + layout__PATCH_HALF_LENGTH) > 0.0 && (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) < layout__AXLE_PATCHES)
+    {
+        own = layout__WORK_TURNING + layout__TURNING_PATCHES + layout__TURNING_PATCH_SIZE * (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT);
+        AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) + 1);
+        creepage__move_patch(work, motion, patch);
+        turning__heading_velocity(&along, &ahead, work, motion, AT(work, patch + layout__PATCH_X_TRACK), AT(work, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK));
+        tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH));
+        area = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
+        AT(work, own + layout__TURNING_PATCH_ALONG) = along;
+        AT(work, own + layout__TURNING_PATCH_RADIUS) = AT(work, patch + layout__PATCH_ROLLING_RADIUS);
+        AT(work, own + layout__TURNING_PATCH_AHEAD) = AT(work, patch + layout__PATCH_ROLLING_RADIUS) * ahead;
+        AT(work, own + layout__TURNING_PATCH_STIFFNESS) = AT(tables, layout__TABLES_SHEAR_MODULUS) * area * first;
+        AT(work, own + layout__TURNING_PATCH_LATERAL) = AT(tables, layout__TABLES_SHEAR_MODULUS) * area * (second * AT(work, patch + layout__PATCH_CREEPAGE_Y) + third * sqrt(area) * AT(work, patch + layout__PATCH_SPIN)) * AT(work, patch + layout__PATCH_SPEED);
+        AT(work, own + layout__TURNING_PATCH_LIMIT) = friction * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+        AT(work, layout__WORK_TURNING + layout__TURNING_SCALE) += AT(work, own + layout__TURNING_PATCH_LIMIT) * AT(work, own + layout__TURNING_PATCH_RADIUS);
+    }
+    return 0;
+}
+
+/* Make both ends of the enclosure a little wider, or with a torque from outside as wide as wheels are let
+ * to spin; neither is tried yet.
+ */
+static inline int64_t turning__widen_enclosure(array_double_1d work)
+{
+    double size, wide, largest;
+    int64_t i, i_end;
+    size = double_max(fabs(AT(work, layout__WORK_TURNING + layout__TURNING_LOW)), fabs(AT(work, layout__WORK_TURNING + layout__TURNING_HIGH)));
+    wide = turning__MARGIN * size;
+    if (AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0)
+    {
+        largest = 0.0;
+        i_end = (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT);
+        for (i = 0; i < i_end; i += 1)
+        {
+            largest = double_max(largest, (AT(work, layout__WORK_TURNING + layout__TURNING_SPEED) + turning__SPINNING * creepage__REST) / AT(work, layout__WORK_TURNING + layout__TURNING_PATCHES + layout__TURNING_PATCH_SIZE * i + layout__TURNING_PATCH_RADIUS));
+        }
+        wide = (turning__SPINNING - 1.0) * double_max(size, largest);
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) -= wide;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) += wide;
+    AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW) = AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH) = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)false;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)false;
+    return 0;
+}
+
+/* Begin a search in the enclosure at the rate ``start``. */
+static inline int64_t turning__begin_search(array_double_1d work, double start)
+{
+    AT(work, layout__WORK_TURNING + layout__TURNING_SHIFT) = AT(work, layout__WORK_TURNING + layout__TURNING_WANTED);
+    AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_REACH) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_MISSING) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_RATE) = start;
+    AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_TURNS) = (double)0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) = (double)0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SPAN) = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) - AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    return 0;
+}
+
+/* Torque of a patch of the stand-in about the axle [N m], and its slope over the rate. */
+static inline void turning__patch_stand_in(double* torque_out, double* slope_out, array_double_1d work, int64_t own, double speed, double rate)
+{
+    double rolling, reference, along, across, force, torque, slope, t, share, share_slope, steep;
+    rolling = 0.5 * (speed + fabs(rate * AT(work, own + layout__TURNING_PATCH_AHEAD)));
+    reference = sqrt(rolling * rolling + creepage__REST * creepage__REST);
+    along = AT(work, own + layout__TURNING_PATCH_STIFFNESS) * (AT(work, own + layout__TURNING_PATCH_ALONG) - rate * AT(work, own + layout__TURNING_PATCH_RADIUS)) / reference;
+    across = AT(work, own + layout__TURNING_PATCH_LATERAL) / reference;
+    force = sqrt(along * along + across * across);
+    torque = 0.0;
+    slope = 0.0;
+    if (AT(work, own + layout__TURNING_PATCH_LIMIT) > 0.0)
+    {
+        t = force / AT(work, own + layout__TURNING_PATCH_LIMIT);
+        share = 1.0 - t / 3.0 + t * t / 27.0;
+        share_slope = -1.0 / 3.0 + 2.0 * t / 27.0;
+        if (t > 3.0)
+        {
+            share = 1.0 / t;
+            share_slope = -share * share;
+        }
+        steep = share;
+        if (force > 0.0)
+        {
+            steep += along * share_slope * (along / force) / AT(work, own + layout__TURNING_PATCH_LIMIT);
+        }
+        torque = AT(work, own + layout__TURNING_PATCH_RADIUS) * along * share;
+        slope = -AT(work, own + layout__TURNING_PATCH_RADIUS) * AT(work, own + layout__TURNING_PATCH_STIFFNESS) * AT(work, own + layout__TURNING_PATCH_RADIUS) / reference * steep;
+    }
+    *torque_out = torque;
+    *slope_out = slope;
+}
+
+/* T_s(``rate``) of eq. (A2) [N m], and about its slope. */
+static inline void turning__stand_in(double* torque_out, double* slope_out, array_double_1d work, double rate)
+{
+    double torque, slope, part, part_slope;
+    int64_t i, i_end;
+    torque = 0.0;
+    slope = 0.0;
+    i_end = (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT);
+    for (i = 0; i < i_end; i += 1)
+    {
+        turning__patch_stand_in(&part, &part_slope, work, layout__WORK_TURNING + layout__TURNING_PATCHES + layout__TURNING_PATCH_SIZE * i, AT(work, layout__WORK_TURNING + layout__TURNING_SPEED), rate);
+        torque += part;
+        slope += part_slope;
+    }
+    *torque_out = torque;
+    *slope_out = slope;
+}
+
+/* The left side of eq. (A3) at ``rate``, and its slope. */
+static inline void turning__corrected(double* out_0, double* slope_out, array_double_1d work, double rate)
+{
+    double torque, slope, away;
+    turning__stand_in(&torque, &slope, work, rate);
+    away = rate - AT(work, layout__WORK_TURNING + layout__TURNING_RATE);
+    slope += AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE);
+    if (fabs(away) > AT(work, layout__WORK_TURNING + layout__TURNING_REACH))
+    {
+        slope -= AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE);
+        if (away > 0.0)
+        {
+            away = AT(work, layout__WORK_TURNING + layout__TURNING_REACH);
+        }
+        else
+        {
+            away = -AT(work, layout__WORK_TURNING + layout__TURNING_REACH);
+        }
+    }
+    *out_0 = torque + AT(work, layout__WORK_TURNING + layout__TURNING_SHIFT) + AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) * away;
+    *slope_out = slope;
+}
+
+/* The rate of eq. (A3) within the enclosure, or the end of it that is nearest. */
+static inline double turning__stand_in_rate(array_double_1d work)
+{
+    double low, high, torque, slope, rate, following, newton, move;
+    int64_t i;
+    low = AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    high = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH);
+    turning__corrected(&torque, &slope, work, low);
+    if (!(torque > 0.0))
+    {
+        return low;
+    }
+    turning__corrected(&torque, &slope, work, high);
+    if (!(torque < 0.0))
+    {
+        return high;
+    }
+    rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATE);
+    if (!(rate > low && rate < high))
+    {
+        rate = 0.5 * (low + high);
+    }
+    for (i = 0; i < turning__STEPS; i += 1)
+    {
+        turning__corrected(&torque, &slope, work, rate);
+        if (torque > 0.0)
+        {
+            low = rate;
+        }
+        else
+        {
+            high = rate;
+        }
+        following = 0.5 * (low + high);
+        if (slope < 0.0)
+        {
+            newton = rate - torque / slope;
+            if (newton > low && newton < high)
+            {
+                following = newton;
+            }
+        }
+        move = fabs(following - rate);
+        rate = following;
+        if (!(move > turning__STEP_SHARP * fabs(rate)))
+        {
+            return rate;
+        }
+    }
+    return rate;
+}
+
+/* The rate to be tried next. */
+static inline double turning__next_rate(array_double_1d work)
+{
+    double span, middle, rate;
+    bool known;
+    span = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) - AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    known = AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) == 1.0 && AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) == 1.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) = (double)((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) + 1);
+    if (!(span > 0.5 * AT(work, layout__WORK_TURNING + layout__TURNING_SPAN)))
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) = (double)0;
+        AT(work, layout__WORK_TURNING + layout__TURNING_SPAN) = span;
+    }
+    middle = 0.5 * (AT(work, layout__WORK_TURNING + layout__TURNING_LOW) + AT(work, layout__WORK_TURNING + layout__TURNING_HIGH));
+    if ((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) >= turning__SLOW && known)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) = (double)0;
+        AT(work, layout__WORK_TURNING + layout__TURNING_SPAN) = span;
+        return middle;
+    }
+    rate = turning__stand_in_rate(work);
+    if ((rate == AT(work, layout__WORK_TURNING + layout__TURNING_LOW) && AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) == 1.0) || (rate == AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) && AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) == 1.0))
+    {
+        rate = middle;
+    }
+    return rate;
+}
+
+/* Keep that the creep forces have this ``torque`` [N m] at ``rate``, and learn from it what the stand-in
+ * lacks.
+ */
+static inline int64_t turning__note_torque(array_double_1d work, double rate, double torque)
+{
+    double left, model, slope, missing;
+    left = torque + AT(work, layout__WORK_TURNING + layout__TURNING_WANTED);
+    turning__stand_in(&model, &slope, work, rate);
+    missing = torque - model;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) = 0.0;
+    if ((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_TURNS) > 0 && rate != AT(work, layout__WORK_TURNING + layout__TURNING_RATE))
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) = (missing - AT(work, layout__WORK_TURNING + layout__TURNING_MISSING)) / (rate - AT(work, layout__WORK_TURNING + layout__TURNING_RATE));
+        if (!(slope + AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) < 0.0))
+        {
+            AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) = 0.0;
+        }
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_REACH) = 0.0;
+    if (slope + AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) < 0.0)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_REACH) = turning__REACH * fabs(left / (slope + AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE)));
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_TURNS) = (double)((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_TURNS) + 1);
+    AT(work, layout__WORK_TURNING + layout__TURNING_SHIFT) = left - model;
+    AT(work, layout__WORK_TURNING + layout__TURNING_MISSING) = missing;
+    AT(work, layout__WORK_TURNING + layout__TURNING_RATE) = rate;
+    AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) = left;
+    if (left > 0.0)
+    {
+        if (rate >= AT(work, layout__WORK_TURNING + layout__TURNING_HIGH))
+        {
+            /* the end was not one */
+            AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = rate + 2.0 * (rate - AT(work, layout__WORK_TURNING + layout__TURNING_LOW)) + turning__MARGIN * fabs(rate);
+            AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)false;
+        }
+        AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = rate;
+        AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)true;
+    }
+    else
+    {
+        if (rate <= AT(work, layout__WORK_TURNING + layout__TURNING_LOW))
+        {
+            AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = rate - 2.0 * (AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) - rate) - turning__MARGIN * fabs(rate);
+            AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)false;
+        }
+        AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = rate;
+        AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)true;
+    }
+    return 0;
+}
+
+/* Whether the last rate that was tried leaves no torque. */
+static inline bool turning__is_balanced(array_double_1d work)
+{
+    return fabs(AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE)) <= turning__BALANCED * AT(work, layout__WORK_TURNING + layout__TURNING_SCALE);
+}
+
+/* Whether wheels that spin as fast as they are let to, or are held as much, do not carry the torque from
+ * outside.
+ */
+static inline bool turning__is_beyond(array_double_1d work)
+{
+    bool spins, slides;
+    spins = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) > 0.0 && !(AT(work, layout__WORK_TURNING + layout__TURNING_RATE) < AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH));
+    slides = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) < 0.0 && !(AT(work, layout__WORK_TURNING + layout__TURNING_RATE) > AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW));
+    return AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0 && (spins || slides);
+}
+
+/* Whether the rates that enclose the one that is sought have become one. */
+static inline bool turning__is_at_jump(array_double_1d work)
+{
+    double size, apart;
+    size = double_max(fabs(AT(work, layout__WORK_TURNING + layout__TURNING_LOW)), fabs(AT(work, layout__WORK_TURNING + layout__TURNING_HIGH)));
+    apart = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) - AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    return AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) == 1.0 && AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) == 1.0 && !(apart > turning__SAME_SHARE * size + turning__SAME_RATE);
 }

@@ -2,355 +2,250 @@
 #include "derivatives.h"
 
 
-/* ---- From derivative_rates.py; change that one.
+/* ---- From derivative_compliant_rules.py; change that one.
  *
- * How roots and sizes change, and what else is asked of rates.
+ * Derivatives of compliant_rules.py.
  */
-
-
-/* ---- From derivative_wheelset_rules.py; change that one.
- *
- * Derivatives of wheelset_rules.py.
- */
-
-/* Derivative of ``place_moving``. */
-static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
-{
-    derivative_roll__place_both_t(work, work_t, tables, inputs, roll, roll_t);
-    if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
-    {
-        derivative_wheelset_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
-    }
-    else
-    {
-        derivative_wheelset_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
-        if (derivative_rates__nonzero((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL))) || derivative_rates__nonzero((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL))))
-        {
-            derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``begin_yaw``. */
-static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
-{
-    lanes yaw_t;
-    double yaw;
-    double sine;
-    lanes sine_t;
-    double cosine;
-    lanes cosine_t;
-    int64_t index;
-    int64_t place;
-    EACH_LANE each(yaw_t) = each((*lanes_at(&work_t, inputs + layout__INPUTS_YAW)));
-    yaw = (*cspan_at(&work, inputs + layout__INPUTS_YAW));
-    if ((yaw == 0.0) && derivative_rates__nonzero(yaw_t))
-    {
-        derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) = each(sine_t);
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = sine;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW))) = each(cosine_t);
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine;
-        (*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = all_lanes(0.0);
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) = -each(sine_t);
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -sine;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW))) = each(cosine_t);
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine;
-        (*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = all_lanes(0.0);
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
-        for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-        {
-            place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-            if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
-            {
-                EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)));
-                (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-                EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_TRACK_COS_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)));
-                (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-            }
-        }
-        derivative_roll__turn_both_t(work, work_t, roll, roll_t);
-    }
-    return INT64_C(0);
-}
 
 /* Derivative of ``follow_minimum``. */
-static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    int64_t pair;
-    int64_t side;
-    int64_t at;
-    lanes y_t;
-    double y;
-    double gap;
-    lanes gap_t;
-    double mismatch;
-    lanes mismatch_t;
-    double rate;
-    lanes rate_t;
-    double v1;
+    int64_t pair, side, at;
+    lanes y_t, gap_t, mismatch_t, rate_t;
+    double y, gap, mismatch, rate, v1;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     y_t = all_lanes(0.0);
-    y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
+    y = AT(work, side + layout__SIDE_SEARCH_BEST_Y);
     derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
     v1 = -mismatch;
-    EACH_LANE each(y_t) = (-each(mismatch_t)) / rate;
+    EACH_LANE each(y_t) = -each(mismatch_t) / rate;
     derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
-    EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y))) = each(y_t);
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
-    EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST))) = each(gap_t);
-    return INT64_C(0);
-}
-
-/* Derivative of ``follow_roll``. */
-static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
-{
-    double left;
-    double right;
-    double gap_left;
-    lanes gap_left_t;
-    double mismatch_left;
-    lanes mismatch_left_t;
-    double rate_left;
-    lanes rate_left_t;
-    double gap_right;
-    lanes gap_right_t;
-    double mismatch_right;
-    lanes mismatch_right_t;
-    double rate_right;
-    lanes rate_right_t;
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    lanes lever_t;
-    double lever;
-    double v3;
-    (*roll) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, (*roll), all_lanes(0.0));
-    left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
-    right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
-    derivative_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, all_lanes(0.0));
-    derivative_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, all_lanes(0.0));
-    derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
-    EACH_LANE each(lever_t) = each(v1_t) + each(v2_t);
-    lever = v1 + v2;
-    v3 = -(gap_right - gap_left);
-    EACH_LANE each((*result_1)) = (-(each(gap_right_t) - each(gap_left_t))) / lever;
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST_Y)) = each(y_t);
+    AT(work, side + layout__SIDE_SEARCH_BEST_Y) = y;
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) = each(gap_t);
     return 0;
 }
 
-/* Derivative of ``follow_gaps``. */
-static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t)
+/* Derivative of ``follow_deflection``. */
+static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
 {
-    double left;
-    lanes left_t;
-    double mismatch;
-    lanes mismatch_t;
-    double rate;
-    lanes rate_t;
-    double right;
-    lanes right_t;
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-    derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), all_lanes(0.0));
-    derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), all_lanes(0.0));
-    (*result_0) = left - height;
-    EACH_LANE each((*result_1)) = each(left_t) - each(height_t);
-    (*result_2) = right - height;
-    EACH_LANE each((*result_3)) = each(right_t) - each(height_t);
-    return 0;
-}
-
-/* Derivative of ``follow_leaning_roll``. */
-static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, lanes* roll_rate, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
-{
-    double height;
-    double left;
-    lanes left_t;
-    double right;
-    lanes right_t;
-    lanes residual_left;
-    lanes residual_right;
-    lanes left_height;
-    lanes right_height;
-    lanes left_roll;
-    lanes right_roll;
-    lanes determinant;
-    lanes height_rate;
-    (*roll) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), all_lanes(0.0), height, all_lanes(0.0));
-    EACH_LANE each(residual_left) = each(left_t);
-    EACH_LANE each(residual_right) = each(right_t);
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), all_lanes(0.0), height, all_lanes(1.0));
-    EACH_LANE each(left_height) = each(left_t) - each(residual_left);
-    EACH_LANE each(right_height) = each(right_t) - each(residual_right);
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), all_lanes(1.0), height, all_lanes(0.0));
-    EACH_LANE each(left_roll) = each(left_t) - each(residual_left);
-    EACH_LANE each(right_roll) = each(right_t) - each(residual_right);
-    EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
-    EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
-    EACH_LANE each((*roll_rate)) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
-    derivative_leaning__set_reference_t(work, work_t, height, height_rate);
-    return 0;
-}
-
-/* Derivative of ``follow_position``. */
-static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t)
-{
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
-    derivative_requested__side_force_t(&v1, &v1_t, work, work_t, INT64_C(0));
-    derivative_trial__balance_side_t(tables, work, work_t, INT64_C(0), v1, v1_t, height, height_t);
-    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(1));
-    derivative_requested__side_force_t(&v2, &v2_t, work, work_t, INT64_C(1));
-    derivative_trial__balance_side_t(tables, work, work_t, INT64_C(1), v2, v2_t, height, height_t);
-    return INT64_C(0);
-}
-
-/* Derivative of ``follow_elastic``. */
-static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
-{
-    lanes roll_t;
-    double roll;
-    lanes height_t;
-    double height;
-    int64_t right;
-    lanes residual_left;
-    lanes residual_right;
-    lanes left_height;
-    lanes right_height;
-    lanes left_roll;
-    lanes right_roll;
-    lanes determinant;
-    lanes height_rate;
-    lanes roll_rate;
-    EACH_LANE each(roll_t) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    roll = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
-    height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(0.0));
-    if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > elastic__UNBALANCED)
+    derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
-        return 1;
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
     }
-    EACH_LANE each(residual_left) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)));
-    EACH_LANE each(residual_right) = each((*lanes_at(&work_t, right + layout__SUPPORT_HEIGHT)));
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(1.0));
-    EACH_LANE each(left_height) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) - each(residual_left) - 1.0;
-    EACH_LANE each(right_height) = each((*lanes_at(&work_t, right + layout__SUPPORT_HEIGHT))) - each(residual_right) - 1.0;
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(1.0), height, all_lanes(0.0));
-    EACH_LANE each(left_roll) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) - each(residual_left);
-    EACH_LANE each(right_roll) = each((*lanes_at(&work_t, right + layout__SUPPORT_HEIGHT))) - each(residual_right);
-    EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
+    derivative_compliant_rules__follow_minimum_t(tables, work, work_t, index);
+    derivative_springs__weigh_rail_t(tables, work, work_t, index, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    return 0;
+}
+
+/* Derivative of ``follow_settled``. */
+static inline bool derivative_compliant_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    double lateral, vertical;
+    lanes residual_lateral, residual_vertical, lateral_lateral, vertical_lateral, lateral_vertical, vertical_vertical, determinant, lateral_rate, vertical_rate;
+    derivative_springs__open_settling_t(tables, work, work_t, index);
+    lateral = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
+    vertical = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL);
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(0.0));
+    if (!springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
+    {
+        return true;
+    }
+    EACH_LANE each(residual_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
+    EACH_LANE each(residual_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(1.0), vertical, all_lanes(0.0));
+    EACH_LANE each(lateral_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - each(residual_lateral);
+    EACH_LANE each(vertical_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - each(residual_vertical);
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(1.0));
+    EACH_LANE each(lateral_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - each(residual_lateral);
+    EACH_LANE each(vertical_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - each(residual_vertical);
+    EACH_LANE each(determinant) = each(lateral_lateral) * each(vertical_vertical) - each(lateral_vertical) * each(vertical_lateral);
     if (!derivative_rates__nonzero(determinant))
     {
-        return 1;
+        return true;
     }
-    EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
-    EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
-    (*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) = derivative_rates__common_rate(left_height);
-    (*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) = derivative_rates__common_rate(right_height);
-    (*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) = derivative_rates__common_rate(left_roll);
-    (*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) = derivative_rates__common_rate(right_roll);
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, roll_rate, height, height_rate);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) = each(roll_rate);
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) = each(height_rate);
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
+    EACH_LANE each(lateral_rate) = (each(residual_vertical) * each(lateral_vertical) - each(residual_lateral) * each(vertical_vertical)) / each(determinant);
+    EACH_LANE each(vertical_rate) = (each(residual_lateral) * each(vertical_lateral) - each(residual_vertical) * each(lateral_lateral)) / each(determinant);
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, lateral_rate, vertical, vertical_rate);
+    return false;
+}
+
+/* Derivative of ``follow_compliant``. */
+static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    bool outcome, n1, undefined;
+    lanes roll_t, height_t;
+    double roll, height;
+    int64_t index;
+    outcome = false;
+    EACH_LANE each(roll_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    roll = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL);
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
+    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_t);
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
+    if (at_height__is_damped(tables))
+    {
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+    }
+    for (index = 0; index < 2; index += 1)
+    {
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        {
+            if (rails__is_sprung(tables, index))
+            {
+                n1 = derivative_compliant_rules__follow_settled_t(tables, work, work_t, index);
+                undefined = n1;
+                outcome = outcome || undefined;
+            }
+            else
+            {
+                derivative_compliant_rules__follow_minimum_t(tables, work, work_t, index);
+                derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
+            }
+        }
+    }
+    return outcome;
+}
+
+
+/* ---- From derivative_motion_rules.py; change that one.
+ *
+ * Derivatives of motion_rules.py.
+ */
+
+/* Derivative of ``place_moving``. */
+static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
+{
+    derivative_roll__place_both_t(work, work_t, tables, inputs, roll, roll_t);
+    if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
+    {
+        derivative_motion_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
+    }
+    else
+    {
+        derivative_motion_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
+        if (derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) || derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)))
+        {
+            derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``begin_yaw``. */
+static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
+{
+    lanes yaw_t, sine_t, cosine_t;
+    double yaw, sine, cosine;
+    int64_t index, place;
+    EACH_LANE each(yaw_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_YAW));
+    yaw = AT(work, inputs + layout__INPUTS_YAW);
+    if (yaw == 0.0 && derivative_rates__nonzero(yaw_t))
+    {
+        derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = each(sine_t);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) = sine;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW) = cosine;
+        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = all_lanes(0.0);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = (double)true;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -each(sine_t);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) = -sine;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW) = cosine;
+        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = all_lanes(0.0);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = (double)true;
+        for (index = 0; index < 2; index += 1)
+        {
+            place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
+            if (AT(work, place + layout__PLACE_LEANING) == 1.0)
+            {
+                EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
+                AT(work, place + layout__PLACE_TRACK_SIN_YAW) = AT(work, place + layout__PLACE_SIN_YAW);
+                EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
+                AT(work, place + layout__PLACE_TRACK_COS_YAW) = AT(work, place + layout__PLACE_COS_YAW);
+            }
+        }
+        derivative_roll__turn_both_t(work, work_t, roll, roll_t);
+    }
     return 0;
 }
 
 /* Derivative of ``follow_residuals``. */
-static inline int64_t derivative_wheelset_rules__follow_residuals_t(double* left, lanes* left_t, double* right, lanes* right_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+static inline void derivative_motion_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
 {
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    lanes v5_t;
-    double v6;
-    lanes v6_t;
-    derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
-    EACH_LANE each((*left_t)) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)));
-    (*left) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
-    EACH_LANE each((*right_t)) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)));
-    (*right) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT));
+    lanes left_t, right_t, v5_t, v6_t, rates;
+    double left, right, v1, v2, v3, v4, v5, v6;
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION, vertical, vertical_t, roll_rate, roll_rate_t);
+    derivative_motion_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
+    EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    left = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
+    EACH_LANE each(right_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
+    right = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
     if (depth_rates__motion_size(work, tables, layout__WORK_INPUTS) > 0.0)
     {
-        lanes rates_1;
-        EACH_LANE each(rates_1) = -each(time_t);
-        derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, -time, rates_1, vertical, vertical_t, roll_rate, roll_rate_t);
+        EACH_LANE each(rates) = -each(time_t);
+        derivative_motion_rules__follow_displaced_t(tables, work, work_t, -time, rates, vertical, vertical_t, roll_rate, roll_rate_t);
         EACH_LANE each(time_t) = each(time_t) * 2.0;
         time = time * 2.0;
     }
     else
     {
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
-        (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
-        (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
     }
-    v1 = (*left) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    v1 = left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
     v2 = v1 / time;
-    EACH_LANE each((*left_t)) = (each((*left_t)) - each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) - v2 * each(time_t)) / time;
-    (*left) = v2;
-    v3 = (*right) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT));
+    EACH_LANE each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time - each(vertical_t);
+    left = v2 - vertical;
+    v3 = right - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
     v4 = v3 / time;
-    EACH_LANE each((*right_t)) = (each((*right_t)) - each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT))) - v4 * each(time_t)) / time;
-    (*right) = v4;
-    if (!(requested__side_force(work, INT64_C(0)) > 0.0))
+    EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time - each(vertical_t);
+    right = v4 - vertical;
+    if (!(requested__side_force(work, 0) > 0.0))
     {
         derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
-        EACH_LANE each((*left_t)) = each(v5_t);
-        (*left) = v5;
+        EACH_LANE each(left_t) = each(v5_t);
+        left = v5;
     }
-    if (!(requested__side_force(work, INT64_C(1)) > 0.0))
+    if (!(requested__side_force(work, 1) > 0.0))
     {
-        derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
-        EACH_LANE each((*right_t)) = each(v6_t);
-        (*right) = v6;
+        derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
+        EACH_LANE each(right_t) = each(v6_t);
+        right = v6;
     }
-    return 0;
+    *left_out = left;
+    EACH_LANE each(*left_t_out) = each(left_t);
+    *right_out = right;
+    EACH_LANE each(*right_t_out) = each(right_t);
 }
 
 /* Derivative of ``follow_displaced``. */
-static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
 {
-    lanes height_t;
-    double height;
+    lanes height_t, v1_t, force_t, rates;
+    double height, v1, force;
     int64_t index;
-    double v1;
-    lanes v1_t;
-    lanes force_t;
-    double force;
     derivative_depth_rates__displace_inputs_t(work, work_t, time, time_t);
-    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) + (each(time_t) * vertical + time * each(vertical_t));
-    height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + time * vertical;
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + (each(time_t) * vertical + time * each(vertical_t));
+    height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) + (each(time_t) * roll_rate + time * each(roll_rate_t));
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + time * roll_rate, rates_1);
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(0);
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + (each(time_t) * roll_rate + time * each(roll_rate_t));
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate, rates);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+    for (index = 0; index < 2; index += 1)
     {
         derivative_requested__side_force_t(&v1, &v1_t, work, work_t, index);
         EACH_LANE each(force_t) = each(v1_t);
@@ -360,172 +255,284 @@ static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double
             derivative_trial__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
         }
     }
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
-    return INT64_C(0);
-}
-
-/* Derivative of ``follow_rates``. */
-static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
-{
-    double vertical;
-    double roll_rate;
-    int64_t right_motion;
-    double v1;
-    lanes v1_t;
-    lanes speed_t;
-    double speed;
-    double time;
-    double left;
-    lanes left_t;
-    double right;
-    lanes right_t;
-    lanes determinant_t;
-    double determinant;
-    lanes v2;
-    lanes v3;
-    lanes vertical_rate_t;
-    lanes vertical_rate;
-    lanes v4;
-    lanes v5;
-    lanes rate_t;
-    lanes rate;
-    vertical = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY));
-    roll_rate = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE));
-    right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
-    derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
-    EACH_LANE each(speed_t) = each(v1_t);
-    speed = v1;
-    time = 1.0;
-    if (speed > 0.0)
-    {
-        time = depth_rates__DISPLACED / speed;
-    }
-    derivative_depth_rates__keep_sides_t(work, work_t);
-    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, all_lanes(0.0), vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
-    derivative_depth_rates__restore_sides_t(work, work_t);
-    EACH_LANE each(determinant_t) = each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT))) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL))) - (each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT))) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL))));
-    determinant = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL));
-    EACH_LANE each(v2) = each(right_t) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) - each(left_t) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL));
-    EACH_LANE each(v3) = each(v2) / determinant;
-    EACH_LANE each(vertical_rate_t) = (each(right_t) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL))) - each(left_t) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL))) - each(v3) * each(determinant_t)) / determinant;
-    EACH_LANE each(vertical_rate) = each(v3);
-    EACH_LANE each(v4) = each(left_t) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) - each(right_t) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT));
-    EACH_LANE each(v5) = each(v4) / determinant;
-    EACH_LANE each(rate_t) = (each(left_t) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT))) - each(right_t) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT))) - each(v5) * each(determinant_t)) / determinant;
-    EACH_LANE each(rate) = each(v5);
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
-    return INT64_C(0);
-}
-
-/* Derivative of ``follow_deflection``. */
-static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
-{
-    derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
-    if (at_height__is_damped(tables) || requested__is_rolling(work, tables, layout__WORK_INPUTS))
-    {
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
-    }
-    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
-    derivative_springs__weigh_rail_t(tables, work, work_t, index, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)));
-    return INT64_C(0);
-}
-
-/* Derivative of ``follow_settled``. */
-static inline bool derivative_wheelset_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
-{
-    double lateral;
-    double vertical;
-    lanes residual_lateral;
-    lanes residual_vertical;
-    lanes lateral_lateral;
-    lanes vertical_lateral;
-    lanes lateral_vertical;
-    lanes vertical_vertical;
-    lanes determinant;
-    lanes lateral_rate;
-    lanes vertical_rate;
-    derivative_springs__open_settling_t(tables, work, work_t, index);
-    lateral = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
-    vertical = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL));
-    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(0.0));
-    if (!springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
-    {
-        return 1;
-    }
-    EACH_LANE each(residual_lateral) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)));
-    EACH_LANE each(residual_vertical) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)));
-    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(1.0), vertical, all_lanes(0.0));
-    EACH_LANE each(lateral_lateral) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) - each(residual_lateral);
-    EACH_LANE each(vertical_lateral) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) - each(residual_vertical);
-    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(1.0));
-    EACH_LANE each(lateral_vertical) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) - each(residual_lateral);
-    EACH_LANE each(vertical_vertical) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) - each(residual_vertical);
-    EACH_LANE each(determinant) = each(lateral_lateral) * each(vertical_vertical) - each(lateral_vertical) * each(vertical_lateral);
-    if (!derivative_rates__nonzero(determinant))
-    {
-        return 1;
-    }
-    EACH_LANE each(lateral_rate) = (each(residual_vertical) * each(lateral_vertical) - each(residual_lateral) * each(vertical_vertical)) / each(determinant);
-    EACH_LANE each(vertical_rate) = (each(residual_lateral) * each(vertical_lateral) - each(residual_vertical) * each(lateral_lateral)) / each(determinant);
-    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, lateral_rate, vertical, vertical_rate);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
     return 0;
 }
 
-/* Derivative of ``follow_compliant``. */
-static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+/* Derivative of ``follow_rates``. */
+static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    lanes roll_t;
-    double roll;
-    lanes height_t;
-    double height;
-    int64_t index;
-    bool n1;
-    bool undefined;
-    bool outcome;
-    outcome = 0;
-    EACH_LANE each(roll_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
-    roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)));
-    height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) = each(roll_t);
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) = each(height_t);
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
-    if (at_height__is_damped(tables))
+    double vertical, roll_rate, v1, speed, time, v2, left, right;
+    int64_t right_motion;
+    lanes v1_t, speed_t, time_t, left_t, right_t, left_vertical, right_vertical, left_roll, right_roll, determinant, vertical_rate, rate;
+    vertical = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY);
+    roll_rate = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE);
+    right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
+    derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
+    EACH_LANE each(speed_t) = each(v1_t);
+    speed = v1;
+    time_t = all_lanes(0.0);
+    time = 1.0;
+    if (speed > 0.0)
     {
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+        v2 = depth_rates__DISPLACED / speed;
+        EACH_LANE each(time_t) = -v2 * each(speed_t) / speed;
+        time = v2;
     }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    derivative_depth_rates__keep_sides_t(work, work_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(1.0), roll_rate, all_lanes(0.0));
+    EACH_LANE each(left_vertical) = each(left_t);
+    EACH_LANE each(right_vertical) = each(right_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(1.0));
+    EACH_LANE each(left_roll) = each(left_t);
+    EACH_LANE each(right_roll) = each(right_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
+    derivative_depth_rates__restore_sides_t(work, work_t);
+    EACH_LANE each(left_vertical) = each(left_vertical) - each(left_t);
+    EACH_LANE each(right_vertical) = each(right_vertical) - each(right_t);
+    EACH_LANE each(left_roll) = each(left_roll) - each(left_t);
+    EACH_LANE each(right_roll) = each(right_roll) - each(right_t);
+    EACH_LANE each(determinant) = each(left_vertical) * each(right_roll) - each(right_vertical) * each(left_roll);
+    EACH_LANE each(vertical_rate) = (each(right_t) * each(left_roll) - each(left_t) * each(right_roll)) / each(determinant);
+    EACH_LANE each(rate) = (each(left_t) * each(right_vertical) - each(right_t) * each(left_vertical)) / each(determinant);
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
+    return 0;
+}
+
+
+/* ---- From derivative_turning_rules.py; change that one.
+ *
+ * Derivatives of turning_rules.py.
+ */
+
+/* Derivative of ``follow_turning``. */
+static inline bool derivative_turning_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    bool undefined, n1, lost, n2;
+    int64_t index;
+    undefined = false;
+    if (motion__are_independent(tables))
     {
-        if (requested__is_requested(tables, index))
+        for (index = 0; index < 2; index += 1)
         {
-            if (rails__is_sprung(tables, index))
+            if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
             {
-                n1 = derivative_wheelset_rules__follow_settled_t(tables, work, work_t, index);
-                undefined = n1;
-                outcome = outcome || undefined;
+                n1 = derivative_turning_rules__follow_turn_t(tables, work, work_t, index, index);
+                lost = n1;
+                undefined = undefined || lost;
             }
             else
             {
-                derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
-                derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
+                derivative_rubbing__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+                derivative_rubbing__rub_side_t(tables, work, work_t, index);
             }
         }
     }
-    return outcome;
+    else
+    {
+        n2 = derivative_turning_rules__follow_turn_t(tables, work, work_t, 0, 1);
+        undefined = n2;
+    }
+    return undefined;
+}
+
+/* Derivative of ``follow_turn``. */
+static inline bool derivative_turning_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last)
+{
+    double rate, torque, scale, v3, n1, n2, n4, n5;
+    lanes torque_t, scale_t, v3_t, n1_t, n2_t, missing, slope, n4_t, n5_t, rates;
+    rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
+    derivative_turning_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(0.0));
+    if (!(scale > 0.0))
+    {
+        derivative_free_rolling__nominal_rate_t(&v3, &v3_t, tables, work, work_t, first);
+        derivative_turning_rules__follow_torque_t(&n1, &n1_t, &n2, &n2_t, tables, work, work_t, first, last, v3, v3_t);
+        return false;
+    }
+    if (fabs(torque) > free_rolling__UNCARRIED * scale)
+    {
+        return true;
+    }
+    EACH_LANE each(missing) = each(torque_t);
+    derivative_turning_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(1.0));
+    EACH_LANE each(slope) = each(torque_t) - each(missing);
+    if (!derivative_rates__nonzero(slope))
+    {
+        return true;
+    }
+    EACH_LANE each(rates) = -each(missing) / each(slope);
+    derivative_turning_rules__follow_torque_t(&n4, &n4_t, &n5, &n5_t, tables, work, work_t, first, last, rate, rates);
+    return false;
+}
+
+/* Derivative of ``follow_torque``. */
+static inline void derivative_turning_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t)
+{
+    int64_t index, side, number, patch, number_end;
+    double scale, v1, torque;
+    lanes v1_t, torque_t;
+    for (index = first; index < last + 1; index += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index)) = each(rate_t);
+        AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
+    }
+    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
+    {
+        derivative_compliant_rules__follow_compliant_t(tables, work, work_t);
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+    }
+    scale = 0.0;
+    derivative_requested__outer_torque_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS, first);
+    EACH_LANE each(torque_t) = each(v1_t);
+    torque = v1;
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(rate_t);
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
+        derivative_rubbing__move_side_t(work, work_t, tables, side);
+        derivative_rubbing__rub_side_t(tables, work, work_t, index);
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            derivative_forces__rub_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+            EACH_LANE each(torque_t) = each(torque_t) + each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE));
+            torque = torque + AT(work, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
+            scale = scale + AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_ROLLING_RADIUS);
+        }
+    }
+    *torque_out = torque;
+    EACH_LANE each(*torque_t_out) = each(torque_t);
+    *scale_out = scale;
+    *out_3 = all_lanes(0.0);
+}
+
+
+/* ---- From derivative_wheelset_rules.py; change that one.
+ *
+ * Derivatives of wheelset_rules.py.
+ */
+
+/* Derivative of ``follow_roll``. */
+static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    double roll, left, right, gap_left, mismatch_left, rate_left, gap_right, mismatch_right, rate_right, v1, v2, lever, v3;
+    lanes gap_left_t, mismatch_left_t, rate_left_t, gap_right_t, mismatch_right_t, rate_right_t, v1_t, v2_t, lever_t;
+    roll = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, all_lanes(0.0));
+    left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
+    right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
+    derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
+    derivative_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, right, all_lanes(0.0));
+    derivative_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, right, all_lanes(0.0));
+    derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
+    EACH_LANE each(lever_t) = each(v1_t) + each(v2_t);
+    lever = v1 + v2;
+    v3 = -(gap_right - gap_left);
+    *roll_out = roll;
+    EACH_LANE each(*out_1) = -(each(gap_right_t) - each(gap_left_t)) / lever;
+}
+
+/* Derivative of ``follow_gaps``. */
+static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t)
+{
+    double left, mismatch, rate, right;
+    lanes left_t, mismatch_t, rate_t, right_t;
+    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
+    derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
+    *out_0 = left - height;
+    EACH_LANE each(*out_1) = each(left_t) - each(height_t);
+    *out_2 = right - height;
+    EACH_LANE each(*out_3) = each(right_t) - each(height_t);
+}
+
+/* Derivative of ``follow_leaning_roll``. */
+static inline void derivative_wheelset_rules__follow_leaning_roll_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    double roll, height, left, right;
+    lanes left_t, right_t, residual_left, residual_right, left_height, right_height, left_roll, right_roll, determinant, height_rate, roll_rate;
+    roll = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
+    height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(0.0));
+    EACH_LANE each(residual_left) = each(left_t);
+    EACH_LANE each(residual_right) = each(right_t);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(1.0));
+    EACH_LANE each(left_height) = each(left_t) - each(residual_left);
+    EACH_LANE each(right_height) = each(right_t) - each(residual_right);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, all_lanes(1.0), height, all_lanes(0.0));
+    EACH_LANE each(left_roll) = each(left_t) - each(residual_left);
+    EACH_LANE each(right_roll) = each(right_t) - each(residual_right);
+    EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
+    EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
+    EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
+    derivative_leaning__set_reference_t(work, work_t, height, height_rate);
+    *roll_out = roll;
+    EACH_LANE each(*roll_rate_out) = each(roll_rate);
+}
+
+/* Derivative of ``follow_position``. */
+static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t)
+{
+    double v1, v2;
+    lanes v1_t, v2_t;
+    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 0);
+    derivative_requested__side_force_t(&v1, &v1_t, work, work_t, 0);
+    derivative_trial__balance_side_t(tables, work, work_t, 0, v1, v1_t, height, height_t);
+    derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 1);
+    derivative_requested__side_force_t(&v2, &v2_t, work, work_t, 1);
+    derivative_trial__balance_side_t(tables, work, work_t, 1, v2, v2_t, height, height_t);
+    return 0;
+}
+
+/* Derivative of ``follow_elastic``. */
+static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    lanes roll_t, height_t, residual_left, residual_right, left_height, right_height, left_roll, right_roll, determinant, height_rate, roll_rate;
+    double roll, height;
+    int64_t right;
+    EACH_LANE each(roll_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    roll = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
+    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1;
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(0.0));
+    if (fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) + fabs(AT(work, right + layout__SUPPORT_HEIGHT) - height) > elastic__UNBALANCED)
+    {
+        return true;
+    }
+    EACH_LANE each(residual_left) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    EACH_LANE each(residual_right) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT));
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(1.0));
+    EACH_LANE each(left_height) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - each(residual_left) - 1.0;
+    EACH_LANE each(right_height) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT)) - each(residual_right) - 1.0;
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(1.0), height, all_lanes(0.0));
+    EACH_LANE each(left_roll) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - each(residual_left);
+    EACH_LANE each(right_roll) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT)) - each(residual_right);
+    EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
+    if (!derivative_rates__nonzero(determinant))
+    {
+        return true;
+    }
+    EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
+    EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, roll_rate, height, height_rate);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_rate);
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_rate);
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
+    return false;
 }
 
 /* Derivative of ``differentiate``. */
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    bool n1;
-    bool n2;
-    bool outcome;
+    bool n1, outcome, n2;
     n1 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
     outcome = n1;
     if (vertical_load__carries_friction(tables, work))
@@ -541,55 +548,38 @@ static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d ta
 static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t right;
-    double v1;
-    lanes v1_t;
-    lanes missing_left;
-    double v2;
-    lanes v2_t;
-    lanes missing_right;
-    double v3;
-    lanes v3_t;
-    lanes left_left;
-    double v4;
-    lanes v4_t;
-    lanes right_left;
-    double v5;
-    lanes v5_t;
-    lanes left_right;
-    double v6;
-    lanes v6_t;
-    lanes right_right;
-    lanes determinant;
+    double v1, v2, v3, v4, v5, v6;
+    lanes v1_t, missing_left, v2_t, missing_right, v3_t, left_left, v4_t, right_left, v5_t, left_right, v6_t, right_right, determinant;
     bool n7;
-    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    derivative_vertical_load__carried_share_t(&v1, &v1_t, work, work_t, INT64_C(0));
+    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1;
+    derivative_vertical_load__carried_share_t(&v1, &v1_t, work, work_t, 0);
     EACH_LANE each(missing_left) = each(v1_t);
-    derivative_vertical_load__carried_share_t(&v2, &v2_t, work, work_t, INT64_C(1));
+    derivative_vertical_load__carried_share_t(&v2, &v2_t, work, work_t, 1);
     EACH_LANE each(missing_right) = each(v2_t);
-    (*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(1.0);
+    RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD) = all_lanes(1.0);
     derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
-    derivative_vertical_load__carried_share_t(&v3, &v3_t, work, work_t, INT64_C(0));
+    derivative_vertical_load__carried_share_t(&v3, &v3_t, work, work_t, 0);
     EACH_LANE each(left_left) = each(v3_t) - each(missing_left);
-    derivative_vertical_load__carried_share_t(&v4, &v4_t, work, work_t, INT64_C(1));
+    derivative_vertical_load__carried_share_t(&v4, &v4_t, work, work_t, 1);
     EACH_LANE each(right_left) = each(v4_t) - each(missing_right);
-    (*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(0.0);
-    (*lanes_at(&work_t, right + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(1.0);
+    RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD) = all_lanes(0.0);
+    RATE_AT(work_t, right + layout__SUPPORT_FRICTION_LOAD) = all_lanes(1.0);
     derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
-    derivative_vertical_load__carried_share_t(&v5, &v5_t, work, work_t, INT64_C(0));
+    derivative_vertical_load__carried_share_t(&v5, &v5_t, work, work_t, 0);
     EACH_LANE each(left_right) = each(v5_t) - each(missing_left);
-    derivative_vertical_load__carried_share_t(&v6, &v6_t, work, work_t, INT64_C(1));
+    derivative_vertical_load__carried_share_t(&v6, &v6_t, work, work_t, 1);
     EACH_LANE each(right_right) = each(v6_t) - each(missing_right);
-    if (!(requested__side_force(work, INT64_C(0)) > 0.0))
+    if (!(requested__side_force(work, 0) > 0.0))
     {
         left_left = all_lanes(1.0);
     }
-    if (!(requested__side_force(work, INT64_C(1)) > 0.0))
+    if (!(requested__side_force(work, 1) > 0.0))
     {
         right_right = all_lanes(1.0);
     }
     EACH_LANE each(determinant) = each(left_left) * each(right_right) - each(left_right) * each(right_left);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD))) = (each(missing_right) * each(left_right) - each(missing_left) * each(right_right)) / each(determinant);
-    EACH_LANE each((*lanes_at(&work_t, right + layout__SUPPORT_FRICTION_LOAD))) = (each(missing_left) * each(right_left) - each(missing_right) * each(left_left)) / each(determinant);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = (each(missing_right) * each(left_right) - each(missing_left) * each(right_right)) / each(determinant);
+    EACH_LANE each(RATE_AT(work_t, right + layout__SUPPORT_FRICTION_LOAD)) = (each(missing_left) * each(right_left) - each(missing_right) * each(left_left)) / each(determinant);
     n7 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
     return n7;
 }
@@ -598,31 +588,25 @@ static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tabl
 static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t mode;
-    double v1;
-    lanes v1_t;
-    lanes roll_t;
-    double roll;
-    double v2;
-    lanes v2_t;
-    bool n3;
-    bool n4;
-    bool outcome;
-    mode = (int64_t)((*cspan_at(&tables, layout__TABLES_MODE)));
-    outcome = 0;
+    bool outcome, n3, n4, n5, undefined;
+    double v1, roll, v2;
+    lanes v1_t, roll_t, v2_t;
+    mode = (int64_t)AT(tables, layout__TABLES_MODE);
+    outcome = false;
     if (mode == layout__MODE_RIGID)
     {
         derivative_wheelset_rules__follow_roll_t(&v1, &v1_t, tables, work, work_t);
         EACH_LANE each(roll_t) = each(v1_t);
         roll = v1;
-        if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
+        if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
         {
             derivative_wheelset_rules__follow_leaning_roll_t(&v2, &v2_t, tables, work, work_t);
             EACH_LANE each(roll_t) = each(v2_t);
             roll = v2;
         }
-        derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-        derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
-        derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(1));
+        derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+        derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 0);
+        derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 1);
         derivative_rigid__solve_rigid_t(tables, work, work_t, roll, roll_t);
     }
     if (mode == layout__MODE_ELASTIC)
@@ -632,19 +616,28 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     }
     if (mode == layout__MODE_COMPLIANT)
     {
-        n4 = derivative_wheelset_rules__follow_compliant_t(tables, work, work_t);
+        n4 = derivative_compliant_rules__follow_compliant_t(tables, work, work_t);
         outcome = n4;
     }
     derivative_rubbing__move_wheelset_t(tables, work, work_t);
-    if ((mode == layout__MODE_ELASTIC) && requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (mode == layout__MODE_ELASTIC && requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
-        if (((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED)) == 1.0) && (!outcome))
+        if (AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) == 1.0 && !outcome)
         {
-            derivative_wheelset_rules__follow_rates_t(tables, work, work_t);
+            derivative_motion_rules__follow_rates_t(tables, work, work_t);
         }
     }
-    derivative_rubbing__move_patches_t(tables, work, work_t);
-    derivative_rubbing__rub_patches_t(tables, work, work_t);
+    if (free_rolling__turns_freely(tables, work))
+    {
+        n5 = derivative_turning_rules__follow_turning_t(tables, work, work_t);
+        undefined = n5;
+        outcome = outcome || undefined;
+    }
+    else
+    {
+        derivative_rubbing__move_patches_t(tables, work, work_t);
+        derivative_rubbing__rub_patches_t(tables, work, work_t);
+    }
     derivative_forces__sum_forces_t(tables, work, work_t);
     return outcome;
 }

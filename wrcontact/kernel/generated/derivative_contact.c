@@ -8,171 +8,138 @@
  */
 
 /* Derivative of ``curve_jet``. */
-static inline int64_t derivative_curves__curve_jet_t(double* across, lanes* across_t, double* down, lanes* down_t, double* slope, lanes* slope_t, double* stretch, lanes* stretch_t, double* bend, lanes* bend_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
+static inline void derivative_curves__curve_jet_t(double* across_out, lanes* across_t_out, double* down_out, lanes* down_t_out, double* slope_out, lanes* slope_t_out, double* stretch_out, lanes* stretch_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
 {
-    double z;
-    lanes z_t;
-    double y_track;
-    lanes y_track_t;
-    double z_track;
-    lanes z_track_t;
-    derivative_tables__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
-    EACH_LANE each((*across_t)) = each(u_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)));
-    (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
-    EACH_LANE each((*down_t)) = each(z_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z)));
-    (*down) = z - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
-    (*stretch_t) = all_lanes(0.0);
-    (*stretch) = 1.0;
+    double z, slope, bend, across, down, stretch, y_track, z_track;
+    lanes z_t, slope_t, bend_t, across_t, down_t, stretch_t, y_track_t, z_track_t;
+    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
+    EACH_LANE each(across_t) = each(u_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
+    across = u - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y);
+    EACH_LANE each(down_t) = each(z_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
+    down = z - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z);
+    stretch_t = all_lanes(0.0);
+    stretch = 1.0;
     if (curve == layout__WHEEL)
     {
-        derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, slope, slope_t, stretch, stretch_t, bend, bend_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), u, u_t, z, z_t, (*slope), (*slope_t), (*bend), (*bend_t));
-        EACH_LANE each((*across_t)) = each(y_track_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y)));
-        (*across) = y_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
-        EACH_LANE each((*down_t)) = each(z_track_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z)));
-        (*down) = z_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
+        derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), u, u_t, z, z_t, slope, slope_t, bend, bend_t);
+        EACH_LANE each(across_t) = each(y_track_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
+        across = y_track - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y);
+        EACH_LANE each(down_t) = each(z_track_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
+        down = z_track - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z);
     }
-    return 0;
+    *across_out = across;
+    EACH_LANE each(*across_t_out) = each(across_t);
+    *down_out = down;
+    EACH_LANE each(*down_t_out) = each(down_t);
+    *slope_out = slope;
+    EACH_LANE each(*slope_t_out) = each(slope_t);
+    *stretch_out = stretch;
+    EACH_LANE each(*stretch_t_out) = each(stretch_t);
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``curve_speed``. */
-static inline int64_t derivative_curves__curve_speed_t(double* speed, lanes* speed_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
+static inline void derivative_curves__curve_speed_t(double* speed_out, lanes* speed_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
 {
-    double z;
-    lanes z_t;
-    double slope;
-    lanes slope_t;
-    double v1;
-    double v2;
-    double across;
-    lanes across_t;
-    double down;
-    lanes down_t;
-    double stretch;
-    lanes stretch_t;
-    double bend;
-    lanes bend_t;
-    double v3;
-    double v4;
-    (*speed_t) = all_lanes(0.0);
-    (*speed) = 1.0;
-    if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
+    lanes speed_t, z_t, slope_t, across_t, down_t, stretch_t, bend_t;
+    double speed, z, slope, v1, v2, across, down, stretch, bend, v3, v4;
+    speed_t = all_lanes(0.0);
+    speed = 1.0;
+    if (curve == layout__RAIL || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_YAWED) == 1.0))
     {
         derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
         v1 = 1.0 + slope * slope;
         v2 = sqrt(v1);
-        EACH_LANE each((*speed_t)) = derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t));
-        (*speed) = v2;
+        EACH_LANE each(speed_t) = derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t));
+        speed = v2;
     }
     else
     {
         derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, u_t);
         v3 = 1.0 + slope * slope;
         v4 = sqrt(v3);
-        EACH_LANE each((*speed_t)) = each(stretch_t) * v4 + stretch * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t));
-        (*speed) = stretch * v4;
+        EACH_LANE each(speed_t) = each(stretch_t) * v4 + stretch * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t));
+        speed = stretch * v4;
     }
-    return 0;
+    *speed_out = speed;
+    EACH_LANE each(*speed_t_out) = each(speed_t);
 }
 
 /* Derivative of ``within``. */
-static inline int64_t derivative_curves__within_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t pair, int64_t curve, double u, lanes u_t)
+static inline void derivative_curves__within_t(double* u_out, lanes* u_t_out, array_double_1d tables, int64_t pair, int64_t curve, double u, lanes u_t)
 {
     int64_t profile;
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
+    double v1, v2;
+    lanes v1_t, v2_t;
     profile = curves__curve_profile(tables, pair, curve);
     v1 = u;
     EACH_LANE each(v1_t) = each(u_t);
-    if ((*cspan_at(&tables, profile + layout__PROFILE_START)) > v1)
+    if (AT(tables, profile + layout__PROFILE_START) > v1)
     {
-        v1 = (*cspan_at(&tables, profile + layout__PROFILE_START));
+        v1 = AT(tables, profile + layout__PROFILE_START);
         v1_t = all_lanes(0.0);
     }
     v2 = v1;
     EACH_LANE each(v2_t) = each(v1_t);
-    if ((*cspan_at(&tables, profile + layout__PROFILE_STOP)) < v2)
+    if (AT(tables, profile + layout__PROFILE_STOP) < v2)
     {
-        v2 = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
+        v2 = AT(tables, profile + layout__PROFILE_STOP);
         v2_t = all_lanes(0.0);
     }
     EACH_LANE each(u_t) = each(v2_t);
     u = v2;
-    (*result_0) = u;
-    EACH_LANE each((*result_1)) = each(u_t);
-    return 0;
+    *u_out = u;
+    EACH_LANE each(*u_t_out) = each(u_t);
 }
 
 /* Derivative of ``open_origin``. */
 static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double spacing, lanes spacing_t)
 {
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
+    if ((int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) = each((*lanes_at(&work_t, region + layout__REGION_STATION)));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work, region + layout__REGION_STATION));
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP))) = each((*lanes_at(&work_t, region + layout__REGION_GAP)));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work, region + layout__REGION_GAP));
-        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = all_lanes(0.0);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = each(RATE_AT(work_t, region + layout__REGION_STATION));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION) = AT(work, region + layout__REGION_STATION);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = each(RATE_AT(work_t, region + layout__REGION_GAP));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP) = AT(work, region + layout__REGION_GAP);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = all_lanes(0.0);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = 0.0;
+        if ((int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING))) = each(spacing_t);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = each(spacing_t);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = spacing;
         }
-        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)));
-        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__RAIL, AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL));
+        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__WHEEL, AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``open_curve``. */
 static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
 {
     int64_t point;
-    double across;
-    lanes across_t;
-    double down;
-    lanes down_t;
-    double slope;
-    lanes slope_t;
-    double stretch;
-    lanes stretch_t;
-    double bend;
-    lanes bend_t;
+    double across, down, slope, stretch, bend;
+    lanes across_t, down_t, slope_t, stretch_t, bend_t;
     point = layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
-    (*lanes_at(&work_t, point + layout__POINT_Y)) = all_lanes(0.0);
-    (*cspan_at(&work, point + layout__POINT_Y)) = 0.0;
-    (*lanes_at(&work_t, point + layout__POINT_Z)) = all_lanes(0.0);
-    (*cspan_at(&work, point + layout__POINT_Z)) = 0.0;
+    RATE_AT(work_t, point + layout__POINT_Y) = all_lanes(0.0);
+    AT(work, point + layout__POINT_Y) = 0.0;
+    RATE_AT(work_t, point + layout__POINT_Z) = all_lanes(0.0);
+    AT(work, point + layout__POINT_Z) = 0.0;
     derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, u_t);
-    EACH_LANE each((*lanes_at(&work_t, point + layout__POINT_Y))) = each(across_t);
-    (*cspan_at(&work, point + layout__POINT_Y)) = across;
-    EACH_LANE each((*lanes_at(&work_t, point + layout__POINT_Z))) = each(down_t);
-    (*cspan_at(&work, point + layout__POINT_Z)) = down;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, point + layout__POINT_Y)) = each(across_t);
+    AT(work, point + layout__POINT_Y) = across;
+    EACH_LANE each(RATE_AT(work_t, point + layout__POINT_Z)) = each(down_t);
+    AT(work, point + layout__POINT_Z) = down;
+    return 0;
 }
 
 /* Derivative of ``panel_length``. */
-static inline int64_t derivative_curves__panel_length_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double low, lanes low_t, double high, lanes high_t)
+static inline void derivative_curves__panel_length_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double low, lanes low_t, double high, lanes high_t)
 {
-    double v1;
-    lanes middle_t;
-    double middle;
-    double v2;
-    lanes half_t;
-    double half;
-    lanes total_t;
-    double total;
-    int64_t i;
-    double v3;
-    lanes side_t;
-    double side;
-    int64_t k;
-    double away;
-    double weight;
-    double v4;
-    lanes v4_t;
+    double v1, middle, v2, half, total, v3, side, away, weight, v4;
+    lanes middle_t, half_t, total_t, side_t, v4_t, rates;
+    int64_t i, k;
     v1 = low + high;
     EACH_LANE each(middle_t) = 0.5 * (each(low_t) + each(high_t));
     middle = 0.5 * v1;
@@ -181,49 +148,41 @@ static inline int64_t derivative_curves__panel_length_t(double* result_0, lanes*
     half = 0.5 * v2;
     total_t = all_lanes(0.0);
     total = 0.0;
-    for (i = -INT64_C(1); i < INT64_C(2); i += INT64_C(2))
+    for (i = -1; i < 2; i += 2)
     {
-        v3 = (double)(i);
+        v3 = (double)i;
         EACH_LANE each(side_t) = each(half_t) * v3;
         side = half * v3;
-        for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
+        for (k = 0; k < 3; k += 1)
         {
             away = curves__GAUSS_1;
             weight = curves__WEIGHT_1;
-            if (k == INT64_C(1))
+            if (k == 1)
             {
                 away = curves__GAUSS_2;
                 weight = curves__WEIGHT_2;
             }
-            if (k == INT64_C(2))
+            if (k == 2)
             {
                 away = curves__GAUSS_3;
                 weight = curves__WEIGHT_3;
             }
-            lanes rates_1;
-            EACH_LANE each(rates_1) = each(middle_t) + each(side_t) * away;
-            derivative_curves__curve_speed_t(&v4, &v4_t, tables, work, work_t, pair, curve, middle + side * away, rates_1);
+            EACH_LANE each(rates) = each(middle_t) + each(side_t) * away;
+            derivative_curves__curve_speed_t(&v4, &v4_t, tables, work, work_t, pair, curve, middle + side * away, rates);
             EACH_LANE each(total_t) = each(total_t) + weight * each(v4_t);
             total = total + weight * v4;
         }
     }
-    (*result_0) = half * total;
-    EACH_LANE each((*result_1)) = each(half_t) * total + half * each(total_t);
-    return 0;
+    *out_0 = half * total;
+    EACH_LANE each(*out_1) = each(half_t) * total + half * each(total_t);
 }
 
 /* Derivative of ``arc_length``. */
-static inline int64_t derivative_curves__arc_length_t(double* total, lanes* total_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double start, lanes start_t, double stop, lanes stop_t)
+static inline void derivative_curves__arc_length_t(double* total_out, lanes* total_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double start, lanes start_t, double stop, lanes stop_t)
 {
-    lanes low_t;
-    double low;
-    lanes high_t;
-    double high;
+    lanes low_t, high_t, total_t, end_t, v1_t;
+    double low, high, total, end, v1;
     int64_t piece;
-    lanes end_t;
-    double end;
-    double v1;
-    lanes v1_t;
     EACH_LANE each(low_t) = each(start_t);
     low = start;
     EACH_LANE each(high_t) = each(stop_t);
@@ -235,113 +194,94 @@ static inline int64_t derivative_curves__arc_length_t(double* total, lanes* tota
         EACH_LANE each(high_t) = each(start_t);
         high = start;
     }
-    (*total_t) = all_lanes(0.0);
-    (*total) = 0.0;
+    total_t = all_lanes(0.0);
+    total = 0.0;
     piece = tables__find_piece(tables, curves__curve_profile(tables, pair, curve), low);
-    while(low < high)
+    while (low < high)
     {
         EACH_LANE each(end_t) = each(high_t);
         end = high;
         piece = piece + layout__PIECE_SIZE;
-        if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
+        if (AT(tables, piece + layout__PIECE_START) < high)
         {
             end_t = all_lanes(0.0);
-            end = (*cspan_at(&tables, piece + layout__PIECE_START));
+            end = AT(tables, piece + layout__PIECE_START);
         }
         derivative_curves__panel_length_t(&v1, &v1_t, tables, work, work_t, pair, curve, low, low_t, end, end_t);
-        EACH_LANE each((*total_t)) = each((*total_t)) + each(v1_t);
-        (*total) = (*total) + v1;
+        EACH_LANE each(total_t) = each(total_t) + each(v1_t);
+        total = total + v1;
         EACH_LANE each(low_t) = each(end_t);
         low = end;
     }
     if (stop < start)
     {
-        EACH_LANE each((*total_t)) = -each((*total_t));
-        (*total) = -(*total);
+        EACH_LANE each(total_t) = -each(total_t);
+        total = -total;
     }
-    return 0;
+    *total_out = total;
+    EACH_LANE each(*total_t_out) = each(total_t);
 }
 
 /* Derivative of ``rail_length``. */
-static inline int64_t derivative_curves__rail_length_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t)
+static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t)
 {
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), stop, stop_t);
-    derivative_tables__read_cubic_t(&v2, &v2_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), start, start_t);
-    (*result_0) = v1 - v2;
-    EACH_LANE each((*result_1)) = each(v1_t) - each(v2_t);
-    return 0;
+    double v1, v2;
+    lanes v1_t, v2_t;
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), stop, stop_t);
+    derivative_tables__read_cubic_t(&v2, &v2_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), start, start_t);
+    *out_0 = v1 - v2;
+    EACH_LANE each(*out_1) = each(v1_t) - each(v2_t);
 }
 
 /* Derivative of ``rail_abscissa``. */
-static inline int64_t derivative_curves__rail_abscissa_t(double* x, lanes* x_t, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t)
+static inline void derivative_curves__rail_abscissa_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t)
 {
-    int64_t rail;
-    int64_t arcs;
-    int64_t abscissae;
-    double v1;
-    lanes v1_t;
-    lanes arc_t;
-    double arc;
-    double v2;
-    lanes v2_t;
-    double found;
-    lanes found_t;
-    double speed;
-    lanes speed_t;
-    double v3;
-    double v4;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    arcs = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC)));
-    abscissae = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC)));
+    int64_t rail, arcs, abscissae;
+    double v1, arc, x, v2, found, speed, v3, v4;
+    lanes v1_t, arc_t, x_t, v2_t, found_t, speed_t;
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    arcs = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC);
+    abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
     derivative_tables__read_cubic_t(&v1, &v1_t, tables, arcs, start, start_t);
     EACH_LANE each(arc_t) = each(v1_t) + each(length_t);
     arc = v1 + length;
     if (arc < 0.0)
     {
-        EACH_LANE each((*x_t)) = each(arc_t);
-        (*x) = (*cspan_at(&tables, rail + layout__PROFILE_START)) + arc;
+        EACH_LANE each(x_t) = each(arc_t);
+        x = AT(tables, rail + layout__PROFILE_START) + arc;
     }
-    else if (arc * (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)) > (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)))
+    else if (arc * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
-        EACH_LANE each((*x_t)) = each(arc_t);
-        (*x) = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) + (arc - (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)) / (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)));
+        EACH_LANE each(x_t) = each(arc_t);
+        x = AT(tables, rail + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
     }
     else
     {
         derivative_tables__read_cubic_t(&v2, &v2_t, tables, abscissae, arc, arc_t);
-        EACH_LANE each((*x_t)) = each(v2_t);
-        (*x) = v2;
-        derivative_tables__read_cubic_jet_t(&found, &found_t, &speed, &speed_t, tables, arcs, (*x), (*x_t));
+        EACH_LANE each(x_t) = each(v2_t);
+        x = v2;
+        derivative_tables__read_cubic_jet_t(&found, &found_t, &speed, &speed_t, tables, arcs, x, x_t);
         v3 = arc - found;
         v4 = v3 / speed;
-        EACH_LANE each((*x_t)) = each((*x_t)) + (each(arc_t) - each(found_t) - v4 * each(speed_t)) / speed;
-        (*x) = (*x) + v4;
+        EACH_LANE each(x_t) = each(x_t) + (each(arc_t) - each(found_t) - v4 * each(speed_t)) / speed;
+        x = x + v4;
     }
-    return 0;
+    *x_out = x;
+    EACH_LANE each(*x_t_out) = each(x_t);
 }
 
 /* Derivative of ``move_to_station``. */
 static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double station, lanes station_t)
 {
-    lanes way_t;
-    double way;
-    lanes spacing_t;
-    double spacing;
-    bool n1;
-    lanes chord_t;
-    double chord;
-    int64_t i;
-    bool n2;
-    bool exists;
-    EACH_LANE each(way_t) = each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    EACH_LANE each(spacing_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)));
-    spacing = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
-    exists = 1;
+    lanes way_t, spacing_t, chord_t;
+    double way, spacing, chord;
+    bool exists, n1, n2;
+    int64_t i, i_end;
+    EACH_LANE each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
+    EACH_LANE each(spacing_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
+    spacing = AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING);
+    exists = true;
     if (spacing == 0.0)
     {
         n1 = derivative_curves__arc_rule_t(tables, work, work_t, pair, curve, way, way_t);
@@ -356,7 +296,8 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d tables, 
             EACH_LANE each(chord_t) = -each(spacing_t);
             chord = -spacing;
         }
-        for (i = INT64_C(0); i < (int64_t)(fabs(way) / spacing + 0.5); i += INT64_C(1))
+        i_end = (int64_t)(fabs(way) / spacing + 0.5);
+        for (i = 0; i < i_end; i += 1)
         {
             if (exists)
             {
@@ -371,24 +312,16 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d tables, 
 /* Derivative of ``arc_rule``. */
 static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double length, lanes length_t)
 {
-    lanes start_t;
-    double start;
-    bool n1;
-    double u;
-    double v2;
-    lanes place_t;
-    double place;
-    double v3;
-    lanes v3_t;
-    double v4;
-    bool exists;
-    EACH_LANE each(start_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)));
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    lanes start_t, place_t, v3_t;
+    double start, u, v2, place, v3, v4;
+    bool n1, exists;
+    EACH_LANE each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    start = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
     n1 = curves__move_arc(tables, work, pair, curve, length);
     exists = n1;
     if (exists)
     {
-        u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+        u = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
         v2 = curves__curve_speed(tables, work, pair, curve, u);
         EACH_LANE each(place_t) = each(length_t) / v2;
         place = length / v2;
@@ -404,8 +337,8 @@ static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_d
             EACH_LANE each(place_t) = each(place_t) - each(v3_t) / v4;
             place = place - v3 / v4;
         }
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA))) = each(place_t);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = each(place_t);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA) = u;
     }
     return exists;
 }
@@ -413,42 +346,17 @@ static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_d
 /* Derivative of ``chord_rule``. */
 static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double chord, lanes chord_t)
 {
-    lanes start_t;
-    double start;
-    double from_across;
-    lanes from_across_t;
-    double from_down;
-    lanes from_down_t;
-    double slope;
-    lanes slope_t;
-    double stretch;
-    lanes stretch_t;
-    double bend;
-    lanes bend_t;
-    bool n1;
-    double u;
-    double across;
-    lanes across_t;
-    double down;
-    lanes down_t;
-    double v2;
-    double v3;
-    lanes length_t;
-    double length;
-    double v4;
-    lanes along_t;
-    double along;
-    double v5;
-    double v6;
-    bool exists;
-    EACH_LANE each(start_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)));
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    lanes start_t, from_across_t, from_down_t, slope_t, stretch_t, bend_t, across_t, down_t, length_t, along_t;
+    double start, from_across, from_down, slope, stretch, bend, u, across, down, v2, v3, length, v4, along, v5, v6;
+    bool n1, exists;
+    EACH_LANE each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    start = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
     derivative_curves__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, start, start_t);
     n1 = curves__move_chord(tables, work, pair, curve, chord);
     exists = n1;
     if (exists)
     {
-        u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+        u = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
         derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, all_lanes(0.0));
         EACH_LANE each(across_t) = each(across_t) - each(from_across_t);
         across = across - from_across;
@@ -463,8 +371,8 @@ static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array
         along = v4 * stretch;
         v5 = -(length - fabs(chord));
         v6 = length / along;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA))) = (-(each(length_t) - derivative_rates__size_rate(chord, each(chord_t)))) * v6;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = -(each(length_t) - derivative_rates__size_rate(chord, each(chord_t))) * v6;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA) = u;
     }
     return exists;
 }
@@ -472,29 +380,18 @@ static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array
 /* Derivative of ``across_rule``. */
 static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double lateral, lanes lateral_t)
 {
-    bool n1;
-    double u;
-    double across;
-    lanes across_t;
-    double down;
-    lanes down_t;
-    double slope;
-    lanes slope_t;
-    double stretch;
-    lanes stretch_t;
-    double bend;
-    lanes bend_t;
-    double v2;
-    bool exists;
+    bool n1, exists;
+    double u, across, down, slope, stretch, bend, v2;
+    lanes across_t, down_t, slope_t, stretch_t, bend_t;
     n1 = curves__move_across(tables, work, pair, lateral);
     exists = n1;
     if (exists)
     {
-        u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        u = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
         derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, u, all_lanes(0.0));
         v2 = -(across - lateral);
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA))) = (-(each(across_t) - each(lateral_t))) / stretch;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = -(each(across_t) - each(lateral_t)) / stretch;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) = u;
     }
     return exists;
 }
@@ -508,142 +405,119 @@ static inline bool derivative_curves__across_rule_t(array_double_1d tables, arra
 /* Derivative of ``keep_deepest``. */
 static inline int64_t derivative_deep_points__keep_deepest_t(array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t i_1;
-    int64_t k1;
-    for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+    int64_t i_1, k1;
+    for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
     {
         k1 = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + i_1;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1))) = each((*lanes_at(&work_t, k1)));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = (*cspan_at(&work, k1));
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = each(RATE_AT(work_t, k1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1) = AT(work, k1);
     }
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
-    return INT64_C(0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)1;
+    return 0;
 }
 
 /* Derivative of ``keep_points``. */
 static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work, array_lanes_1d work_t, int64_t kept)
 {
-    int64_t entry_end;
-    int64_t entry;
-    int64_t i_1;
-    (*lanes_at(&work_t, kept + layout__DEEP_POINTS_COUNT)) = all_lanes(0.0);
-    (*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))));
-    entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    int64_t entry, i_1, entry_end;
+    RATE_AT(work_t, kept + layout__DEEP_POINTS_COUNT) = all_lanes(0.0);
+    AT(work, kept + layout__DEEP_POINTS_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT));
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)));
-            (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            EACH_LANE each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``follow_overlaps``. */
 static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t)
 {
-    int64_t entry_end;
-    int64_t entry;
-    int64_t point;
-    int64_t i_1;
+    int64_t entry, point, i_1, entry_end, entry_end_2;
     lanes x_t;
     double x;
     bool turned;
-    int64_t result;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT))) = each(height_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))));
-    entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)));
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = each(height_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) = height;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)((int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT));
+    entry_end = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, point + i_1))) = each((*lanes_at(&work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)));
-            (*cspan_at(&work, point + i_1)) = (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            EACH_LANE each(RATE_AT(work_t, point + i_1)) = each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            AT(work, point + i_1) = AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
         }
-        EACH_LANE each(x_t) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
-        x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, x, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, all_lanes(0.0));
-        if ((!turned) || (!((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0)))
+        EACH_LANE each(x_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+        x = AT(work, point + layout__DEEP_POINT_RAIL);
+        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, x, x_t, AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), height, height_t, 1.0, all_lanes(0.0));
+        if (!turned || !(AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0))
         {
-            return INT64_C(0);
+            return 0;
         }
-        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL))) = each(x_t);
-        (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = x;
-        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL))) = each((*lanes_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL)));
-        (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
-        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_DEPTH))) = each((*lanes_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)));
-        (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) = each(x_t);
+        AT(work, point + layout__DEEP_POINT_RAIL) = x;
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
     }
-    entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) - INT64_C(1);
-    for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
+    entry_end_2 = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) - 1;
+    for (entry = 0; entry < entry_end_2; entry += 1)
     {
-        derivative_deep_points__follow_saddle_t(tables, work, work_t, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1)), height, height_t);
+        derivative_deep_points__follow_saddle_t(tables, work, work_t, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1), height, height_t);
     }
-    result = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
-    return result;
+    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
 }
 
 /* Derivative of ``follow_saddle``. */
 static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t)
 {
-    double v1;
-    lanes y_t;
-    double y;
-    double v2;
-    double v3;
-    lanes v3_t;
-    double v4;
-    double v5;
-    lanes v5_t;
-    lanes reach_t;
-    double reach;
-    double x;
-    lanes x_t;
+    double v1, y, v2, v3, v4, v5, reach, x, v6;
+    lanes y_t, v3_t, v5_t, reach_t, x_t, rates, rates_2, rates_3;
     bool turned;
-    double v6;
-    v1 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-    EACH_LANE each(y_t) = 0.5 * (each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL))) + each((*lanes_at(&work_t, following + layout__DEEP_POINT_WHEEL))));
+    v1 = AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL);
+    EACH_LANE each(y_t) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_WHEEL)));
     y = 0.5 * v1;
-    v2 = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
+    v2 = AT(work, point + layout__DEEP_POINT_SADDLE) - AT(work, point + layout__DEEP_POINT_RAIL);
     v3 = deep_points__FOLLOWED;
     v3_t = all_lanes(0.0);
     if (v2 < v3)
     {
         v3 = v2;
-        EACH_LANE each(v3_t) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) - each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+        EACH_LANE each(v3_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
     }
-    v4 = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
+    v4 = AT(work, following + layout__DEEP_POINT_RAIL) - AT(work, point + layout__DEEP_POINT_SADDLE);
     v5 = v3;
     EACH_LANE each(v5_t) = each(v3_t);
     if (v4 < v5)
     {
         v5 = v4;
-        EACH_LANE each(v5_t) = each((*lanes_at(&work_t, following + layout__DEEP_POINT_RAIL))) - each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
+        EACH_LANE each(v5_t) = each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
     }
     EACH_LANE each(reach_t) = each(v5_t);
     reach = v5;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) - each(reach_t);
-    lanes rates_2;
-    EACH_LANE each(rates_2) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) + each(reach_t);
-    derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, rates_1, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, rates_2, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE)), y, y_t, height, height_t, -1.0, all_lanes(0.0));
+    EACH_LANE each(rates) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(reach_t);
+    EACH_LANE each(rates_2) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) + each(reach_t);
+    derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_SADDLE) - reach, rates, AT(work, point + layout__DEEP_POINT_SADDLE) + reach, rates_2, AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE), y, y_t, height, height_t, -1.0, all_lanes(0.0));
     if (!turned)
     {
-        v6 = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL));
-        lanes rates_3;
-        EACH_LANE each(rates_3) = 0.5 * (each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL))) + each((*lanes_at(&work_t, following + layout__DEEP_POINT_RAIL))));
-        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v6, rates_3, y, y_t, height, height_t, -1.0, all_lanes(0.0));
+        v6 = AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL);
+        EACH_LANE each(rates_3) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)));
+        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), RATE_AT(work_t, following + layout__DEEP_POINT_RAIL), 0.5 * v6, rates_3, y, y_t, height, height_t, -1.0, all_lanes(0.0));
     }
-    EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) = each(x_t);
-    (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
-    EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_BETWEEN))) = each((*lanes_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)));
-    (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) = each(x_t);
+    AT(work, point + layout__DEEP_POINT_SADDLE) = x;
+    EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_BETWEEN)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+    AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
+    return 0;
 }
 
 
@@ -653,91 +527,60 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d ta
  */
 
 /* Derivative of ``open_frame``. */
-static inline int64_t derivative_frame__open_frame_t(double* z, lanes* z_t, double* slope, lanes* slope_t, double* y_track, lanes* y_track_t, double* rail_slope, lanes* rail_slope_t, double* mismatch, lanes* mismatch_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t)
+static inline void derivative_frame__open_frame_t(double* z_out, lanes* z_t_out, double* slope_out, lanes* slope_t_out, double* y_track_out, lanes* y_track_t_out, double* rail_slope_out, lanes* rail_slope_t_out, double* mismatch_out, lanes* mismatch_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t)
 {
-    double bend;
-    lanes bend_t;
-    double z_track;
-    lanes z_track_t;
-    double outline_slope;
-    lanes outline_slope_t;
-    double stretch;
-    lanes stretch_t;
-    double outline_rate;
-    lanes outline_rate_t;
-    lanes abscissa_t;
-    double abscissa;
-    double height;
-    lanes height_t;
-    double rail_bend;
-    lanes rail_bend_t;
-    double v1;
-    double v2;
-    double v3;
-    lanes cosine_t;
-    double cosine;
-    lanes sine_t;
-    double sine;
-    lanes along_t;
-    double along;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    lanes v10_t;
-    derivative_tables__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
-    derivative_locus__outline_jet_t(y_track, y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
-    EACH_LANE each((*y_track_t)) = each((*y_track_t)) + each(aside_t);
-    (*y_track) = (*y_track) + aside;
-    EACH_LANE each(abscissa_t) = each((*y_track_t));
-    abscissa = (*y_track) - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
-    derivative_tables__height_slope_bend_t(&height, &height_t, rail_slope, rail_slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
-    v1 = 1.0 + (*rail_slope) * (*rail_slope);
+    double z, slope, bend, y_track, z_track, outline_slope, stretch, outline_rate, abscissa, height, rail_slope, rail_bend, v1, v2, v3, cosine, sine, along, v4, v5, v6, v7, v8, v9, v10, mismatch;
+    lanes z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, outline_rate_t, abscissa_t, height_t, rail_slope_t, rail_bend_t, cosine_t, sine_t, along_t, v10_t, mismatch_t;
+    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
+    derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
+    EACH_LANE each(y_track_t) = each(y_track_t) + each(aside_t);
+    y_track = y_track + aside;
+    EACH_LANE each(abscissa_t) = each(y_track_t);
+    abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
+    derivative_tables__height_slope_bend_t(&height, &height_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa, abscissa_t);
+    v1 = 1.0 + rail_slope * rail_slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(cosine_t) = (-v3) * derivative_rates__root_rate(v2, each((*rail_slope_t)) * (*rail_slope) + (*rail_slope) * each((*rail_slope_t))) / v2;
+    EACH_LANE each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(rail_slope_t) * rail_slope + rail_slope * each(rail_slope_t)) / v2;
     cosine = v3;
-    EACH_LANE each(sine_t) = each((*rail_slope_t)) * cosine + (*rail_slope) * each(cosine_t);
-    sine = (*rail_slope) * cosine;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) = each(abscissa_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) = each(height_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y))) = each(y_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z))) = each((*z_t));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) = each(cosine_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) = each(sine_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL))) * cosine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * each(cosine_t) + (each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))) * sine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * each(sine_t));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL))) * sine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * each(sine_t) - (each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * each(cosine_t));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE))) = each(aside_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT))) = each(shift_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT))) = each(z_track_t) + each(shift_t) - each(height_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(0);
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(0);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT))) = each(shift_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift;
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    EACH_LANE each(sine_t) = each(rail_slope_t) * cosine + rail_slope * each(cosine_t);
+    sine = rail_slope * cosine;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = each(abscissa_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y) = abscissa;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = each(height_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z) = height;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = each(y_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y) = y;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = each(z_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z) = z;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = each(cosine_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) = cosine;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = each(sine_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) = sine;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) * cosine + AT(work, place + layout__PLACE_COS_ROLL) * each(cosine_t) + (each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) * sine + AT(work, place + layout__PLACE_SIN_ROLL) * each(sine_t));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS) = AT(work, place + layout__PLACE_COS_ROLL) * cosine + AT(work, place + layout__PLACE_SIN_ROLL) * sine;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) * sine + AT(work, place + layout__PLACE_COS_ROLL) * each(sine_t) - (each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) * cosine + AT(work, place + layout__PLACE_SIN_ROLL) * each(cosine_t));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN) = AT(work, place + layout__PLACE_COS_ROLL) * sine - AT(work, place + layout__PLACE_SIN_ROLL) * cosine;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = each(aside_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE) = aside;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = each(shift_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) = shift;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = each(z_track_t) + each(shift_t) - each(height_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) = z_track + shift - height;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = 0.0;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = (double)false;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)false;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(shift_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = shift;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = 0.0;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
     derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), abscissa, abscissa_t, y, y_t);
     EACH_LANE each(along_t) = each(cosine_t) + (each(outline_slope_t) * sine + outline_slope * each(sine_t));
     along = cosine + outline_slope * sine;
@@ -747,169 +590,164 @@ static inline int64_t derivative_frame__open_frame_t(double* z, lanes* z_t, doub
     v7 = v6 * along;
     v8 = v7 * along;
     v9 = outline_rate / v8;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND))) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t) - (each(outline_rate_t) - v9 * (((each(stretch_t) * along + stretch * each(along_t)) * along + v6 * each(along_t)) * along + v7 * each(along_t))) / v8;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = v5 * cosine - v9;
-    derivative_curvature__longitudinal_curvature_t(&v10, &v10_t, work, work_t, tables, place, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE))) = each(v10_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = v10;
-    EACH_LANE each((*mismatch_t)) = each((*rail_slope_t)) - each(outline_slope_t);
-    (*mismatch) = (*rail_slope) - outline_slope;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t) - (each(outline_rate_t) - v9 * (((each(stretch_t) * along + stretch * each(along_t)) * along + v6 * each(along_t)) * along + v7 * each(along_t))) / v8;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND) = v5 * cosine - v9;
+    derivative_curvature__longitudinal_curvature_t(&v10, &v10_t, work, work_t, tables, place, z, z_t, slope, slope_t, bend, bend_t);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = each(v10_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE) = v10;
+    EACH_LANE each(mismatch_t) = each(rail_slope_t) - each(outline_slope_t);
+    mismatch = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
-        (*mismatch_t) = all_lanes(0.0);
-        (*mismatch) = gap__FOLDED;
+        mismatch_t = all_lanes(0.0);
+        mismatch = gap__FOLDED;
     }
-    return 0;
+    *z_out = z;
+    EACH_LANE each(*z_t_out) = each(z_t);
+    *slope_out = slope;
+    EACH_LANE each(*slope_t_out) = each(slope_t);
+    *y_track_out = y_track;
+    EACH_LANE each(*y_track_t_out) = each(y_track_t);
+    *rail_slope_out = rail_slope;
+    EACH_LANE each(*rail_slope_t_out) = each(rail_slope_t);
+    *mismatch_out = mismatch;
+    EACH_LANE each(*mismatch_t_out) = each(mismatch_t);
 }
 
 /* Derivative of ``normal_gap``. */
-static inline int64_t derivative_frame__normal_gap_t(double* gap, lanes* gap_t, double* result_2, lanes* result_3, double* result_4, lanes* result_5, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_frame__normal_gap_t(double* gap_out, lanes* gap_t_out, double* out_2, lanes* out_3, double* out_4, lanes* out_5, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t k1;
-    double rail_height;
-    lanes rail_height_t;
-    double rail_rate;
-    lanes rail_rate_t;
-    double rail_bend;
-    lanes rail_bend_t;
-    bool on_rail;
-    double wheel_height;
-    lanes wheel_height_t;
-    double wheel_rate;
-    lanes wheel_rate_t;
-    double wheel_bend;
-    lanes wheel_bend_t;
-    bool on_wheel;
-    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
-    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
+    double rail_height, rail_rate, rail_bend, wheel_height, wheel_rate, wheel_bend, curvature, gap;
+    lanes rail_height_t, rail_rate_t, rail_bend_t, wheel_height_t, wheel_rate_t, wheel_bend_t, curvature_t, gap_t;
+    bool on_rail, on_wheel;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
+    AT(work, k1) = AT(work, k1) + 1.0;
     derivative_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
-    derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))) = each(station_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    EACH_LANE each((*gap_t)) = each(wheel_height_t) - each(rail_height_t) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)));
-    (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
-    if ((!on_rail) || (!on_wheel))
+    derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, &curvature, &curvature_t, &on_wheel, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
+    EACH_LANE each(gap_t) = each(wheel_height_t) - each(rail_height_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
+    gap = wheel_height - rail_height + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED);
+    if (!on_rail || !on_wheel)
     {
-        (*gap_t) = all_lanes(0.0);
-        (*gap) = frame__NO_GAP;
+        gap_t = all_lanes(0.0);
+        gap = frame__NO_GAP;
     }
-    (*result_2) = wheel_rate - rail_rate;
-    EACH_LANE each((*result_3)) = each(wheel_rate_t) - each(rail_rate_t);
-    (*result_4) = wheel_bend - rail_bend;
-    EACH_LANE each((*result_5)) = each(wheel_bend_t) - each(rail_bend_t);
-    return 0;
+    *gap_out = gap;
+    EACH_LANE each(*gap_t_out) = each(gap_t);
+    *out_2 = wheel_rate - rail_rate;
+    EACH_LANE each(*out_3) = each(wheel_rate_t) - each(rail_rate_t);
+    *out_4 = wheel_bend - rail_bend;
+    EACH_LANE each(*out_5) = each(wheel_bend_t) - each(rail_bend_t);
+    *curvature_out = curvature;
+    EACH_LANE each(*curvature_t_out) = each(curvature_t);
 }
 
 /* Derivative of ``locate_along_track``. */
 static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count)
 {
-    int64_t index;
-    int64_t region;
+    int64_t index, region;
     double v1;
     lanes v1_t;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        derivative_locus__outline_x_t(&v1, &v1_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
-        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_X_TRACK))) = each(v1_t);
-        (*cspan_at(&work, region + layout__REGION_X_TRACK)) = v1;
+        derivative_locus__outline_x_t(&v1, &v1_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_X_TRACK)) = each(v1_t);
+        AT(work, region + layout__REGION_X_TRACK) = v1;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``enter_plane``. */
 static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t slot)
 {
     int64_t i_1;
-    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+    if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < 27; i_1 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1)));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``leave_plane``. */
 static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
 {
     int64_t i_1;
-    if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
+    if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < 27; i_1 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``incline_region``. */
 static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double slope, lanes slope_t)
 {
-    double v1;
-    double v2;
-    double v3;
-    lanes cosine_t;
-    double cosine;
-    double v4;
-    lanes v4_t;
+    double v1, v2, v3, cosine, v4;
+    lanes cosine_t, v4_t;
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(cosine_t) = (-v3) * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
+    EACH_LANE each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     cosine = v3;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_INCLINATION))) = each(slope_t);
-    (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
-    (*lanes_at(&work_t, region + layout__REGION_OWN)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
-    (*lanes_at(&work_t, region + layout__REGION_ALIGNMENT)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
-    (*lanes_at(&work_t, region + layout__REGION_OFFSET)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_COS))) = each(cosine_t);
-    (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIN))) = each(slope_t) * cosine + slope * each(cosine_t);
-    (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
-    (*lanes_at(&work_t, region + layout__REGION_SHARE)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_INCLINATION)) = each(slope_t);
+    AT(work, region + layout__REGION_INCLINATION) = slope;
+    RATE_AT(work_t, region + layout__REGION_OWN) = all_lanes(0.0);
+    AT(work, region + layout__REGION_OWN) = (double)false;
+    RATE_AT(work_t, region + layout__REGION_ALIGNMENT) = all_lanes(0.0);
+    AT(work, region + layout__REGION_ALIGNMENT) = 1.0;
+    RATE_AT(work_t, region + layout__REGION_OFFSET) = all_lanes(0.0);
+    AT(work, region + layout__REGION_OFFSET) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = each(cosine_t);
+    AT(work, region + layout__REGION_COS) = cosine;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = each(slope_t) * cosine + slope * each(cosine_t);
+    AT(work, region + layout__REGION_SIN) = slope * cosine;
+    RATE_AT(work_t, region + layout__REGION_SHARE) = all_lanes(0.0);
+    AT(work, region + layout__REGION_SHARE) = 1.0;
+    if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
-        derivative_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, region + layout__REGION_SIN)), (*lanes_at(&work_t, region + layout__REGION_SIN)));
-        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SHARE))) = each(v4_t);
-        (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
+        derivative_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), cosine, cosine_t, AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v4_t);
+        AT(work, region + layout__REGION_SHARE) = v4;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``open_contact_region``. */
 static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region)
 {
     double v1;
-    (*lanes_at(&work_t, region + layout__REGION_STATION)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
-    (*lanes_at(&work_t, region + layout__REGION_GAP)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_RAIL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_BEND))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)));
-    (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_CURVATURE))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)));
-    (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
-    (*lanes_at(&work_t, region + layout__REGION_LOW)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
-    (*lanes_at(&work_t, region + layout__REGION_HIGH)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
-    v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    lanes rates_1;
-    EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - v1 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    derivative_frame__incline_region_t(work, work_t, tables, region, v1, rates_1);
-    return INT64_C(0);
+    lanes rates;
+    RATE_AT(work_t, region + layout__REGION_STATION) = all_lanes(0.0);
+    AT(work, region + layout__REGION_STATION) = 0.0;
+    RATE_AT(work_t, region + layout__REGION_GAP) = all_lanes(0.0);
+    AT(work, region + layout__REGION_GAP) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    AT(work, region + layout__REGION_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WHEEL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    AT(work, region + layout__REGION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    AT(work, region + layout__REGION_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
+    AT(work, region + layout__REGION_CURVATURE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE);
+    RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
+    AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
+    RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
+    AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
+    v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    EACH_LANE each(rates) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    derivative_frame__incline_region_t(work, work_t, tables, region, v1, rates);
+    return 0;
 }
 
 
@@ -919,80 +757,71 @@ static inline int64_t derivative_frame__open_contact_region_t(array_double_1d wo
  */
 
 /* Derivative of ``turning_rule``. */
-static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, lanes* found_x_t, double* result_2, lanes* result_3, double* overlap, lanes* overlap_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t)
+static inline void derivative_overlaps__turning_rule_t(double* found_x_out, lanes* found_x_t_out, double* y_out, lanes* y_t_out, double* overlap_out, lanes* overlap_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t)
 {
     int64_t meeting;
+    lanes found_x_t, overlap_t, rise_t, change;
+    double found_x, overlap, rise, v2;
     bool n1;
-    lanes rise_t;
-    double rise;
-    lanes change;
-    double v2;
     meeting = place + layout__PLACE_MEETING;
     x_t = all_lanes(0.0);
     y_t = all_lanes(0.0);
-    EACH_LANE each((*found_x_t)) = each(x_t);
-    (*found_x) = x;
-    (*overlap_t) = all_lanes(0.0);
-    (*overlap) = 0.0;
+    EACH_LANE each(found_x_t) = each(x_t);
+    found_x = x;
+    overlap_t = all_lanes(0.0);
+    overlap = 0.0;
     n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
     if (n1)
     {
-        EACH_LANE each(rise_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_RISE)));
-        rise = (*cspan_at(&work, meeting + layout__MEETING_RISE));
-        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, all_lanes(1.0), (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), all_lanes(0.0), height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
-        EACH_LANE each(change) = each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))) - each(rise_t);
+        EACH_LANE each(rise_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RISE));
+        rise = AT(work, meeting + layout__MEETING_RISE);
+        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, all_lanes(1.0), AT(work, meeting + layout__MEETING_WHEEL), all_lanes(0.0), height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+        EACH_LANE each(change) = each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - each(rise_t);
         if (derivative_rates__nonzero(change))
         {
             v2 = -rise;
-            EACH_LANE each((*found_x_t)) = (-each(rise_t)) / each(change);
-            (*found_x) = x;
+            EACH_LANE each(found_x_t) = -each(rise_t) / each(change);
+            found_x = x;
         }
-        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, (*found_x), (*found_x_t), (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), all_lanes(0.0), height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
-        EACH_LANE each(y_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL)));
-        y = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
-        EACH_LANE each((*overlap_t)) = each((*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP)));
-        (*overlap) = (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
+        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, found_x, found_x_t, AT(work, meeting + layout__MEETING_WHEEL), all_lanes(0.0), height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+        EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
+        y = AT(work, meeting + layout__MEETING_WHEEL);
+        EACH_LANE each(overlap_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
+        overlap = AT(work, meeting + layout__MEETING_OVERLAP);
     }
-    (*result_2) = y;
-    EACH_LANE each((*result_3)) = each(y_t);
-    return 0;
+    *found_x_out = found_x;
+    EACH_LANE each(*found_x_t_out) = each(found_x_t);
+    *y_out = y;
+    EACH_LANE each(*y_t_out) = each(y_t);
+    *overlap_out = overlap;
+    EACH_LANE each(*overlap_t_out) = each(overlap_t);
 }
 
 /* Derivative of ``overlaps_rule``. */
 static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double height, lanes height_t)
 {
-    int64_t n1;
-    int64_t entry;
-    int64_t point;
-    double x;
-    lanes x_t;
-    double y;
-    lanes y_t;
-    double depth;
-    lanes depth_t;
-    int64_t following;
-    double v2;
-    int64_t count;
+    int64_t n1, count, entry, point, following;
+    double x, y, depth, v2;
+    lanes x_t, y_t, depth_t, rates;
     n1 = overlaps__find_overlaps(tables, work, pair, side, height);
     count = n1;
-    for (entry = INT64_C(0); entry < count; entry += INT64_C(1))
+    for (entry = 0; entry < count; entry += 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t);
-        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL))) = each(x_t);
-        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL))) = each(y_t);
-        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_DEPTH))) = each(depth_t);
+        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), height, height_t);
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) = each(x_t);
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) = each(y_t);
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH)) = each(depth_t);
     }
-    for (entry = INT64_C(0); entry < count - INT64_C(1); entry += INT64_C(1))
+    for (entry = 0; entry < count - 1; entry += 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        v2 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-        lanes rates_1;
-        EACH_LANE each(rates_1) = 0.5 * (each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL))) + each((*lanes_at(&work_t, following + layout__DEEP_POINT_WHEEL))));
-        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE)), 0.5 * v2, rates_1, height, height_t);
-        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) = each(x_t);
-        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_BETWEEN))) = each(depth_t);
+        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1);
+        v2 = AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL);
+        EACH_LANE each(rates) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_WHEEL)));
+        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE), 0.5 * v2, rates, height, height_t);
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) = each(x_t);
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_BETWEEN)) = each(depth_t);
     }
     return count;
 }
@@ -1006,111 +835,29 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d table
 /* Derivative of ``meet_wheel``. */
 static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
 {
-    int64_t meeting;
-    int64_t wheel;
-    double z_rail;
-    lanes z_rail_t;
-    double m;
-    lanes m_t;
-    double rail_bend;
-    lanes rail_bend_t;
-    double v1;
-    double v2;
-    double v3;
-    lanes cosine_t;
-    double cosine;
-    double v4;
-    double v5;
-    lanes kappa_t;
-    double kappa;
-    int64_t i;
-    double z;
-    lanes z_t;
-    double slope;
-    lanes slope_t;
-    double bend;
-    lanes bend_t;
-    double y_track;
-    lanes y_track_t;
-    double z_track;
-    lanes z_track_t;
-    double outline_slope;
-    lanes outline_slope_t;
-    double stretch;
-    lanes stretch_t;
-    double rate;
-    lanes rate_t;
-    lanes across_t;
-    double across;
-    lanes down_t;
-    double down;
-    lanes residual_t;
-    double residual;
-    double v6;
-    lanes along_t;
-    double along;
-    double v7;
-    double v8;
-    lanes move_t;
-    double move;
-    lanes sharp_t;
-    double sharp;
-    double v9;
-    lanes overlap_t;
-    double overlap;
-    double v10;
-    double v11;
-    double v12;
-    lanes rise_t;
-    double rise;
-    double v13;
-    double v14;
-    double v15;
-    lanes wheel_cos_t;
-    double wheel_cos;
-    double v16;
-    double v17;
-    double v18;
-    lanes wheel_kappa_t;
-    double wheel_kappa;
-    lanes steep_t;
-    double steep;
-    double v19;
-    lanes rest_t;
-    double rest;
-    double v20;
-    double v21;
-    double v22;
-    lanes turn_t;
-    double turn;
-    double v23;
-    double v24;
-    double v25;
-    double v26;
-    lanes v26_t;
-    double v27;
-    double v28;
-    lanes v28_t;
+    int64_t meeting, wheel, i;
+    double z_rail, m, rail_bend, v1, v2, v3, cosine, v4, v5, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, v6, along, v7, v8, move, sharp, v9, overlap, v10, v11, v12, rise, v13, v14, v15, wheel_cos, v16, v17, v18, wheel_kappa, steep, v19, rest, v20, v21, v22, turn, v23, v24, v25, v26, v27, v28;
+    lanes z_rail_t, m_t, rail_bend_t, cosine_t, kappa_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, across_t, down_t, residual_t, along_t, move_t, sharp_t, overlap_t, rise_t, wheel_cos_t, wheel_kappa_t, steep_t, rest_t, turn_t, v26_t, v28_t;
     meeting = place + layout__PLACE_MEETING;
-    (*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP)) = all_lanes(0.0);
-    (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = 0.0;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
+    RATE_AT(work_t, meeting + layout__MEETING_OVERLAP) = all_lanes(0.0);
+    AT(work, meeting + layout__MEETING_OVERLAP) = 0.0;
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa, abscissa_t);
     v1 = 1.0 + m * m;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(cosine_t) = (-v3) * derivative_rates__root_rate(v2, each(m_t) * m + m * each(m_t)) / v2;
+    EACH_LANE each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(m_t) * m + m * each(m_t)) / v2;
     cosine = v3;
     v4 = rail_bend * cosine;
     v5 = v4 * cosine;
     EACH_LANE each(kappa_t) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t);
     kappa = v5 * cosine;
-    for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < pressed__LINE_ITERATIONS; i += 1)
     {
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         EACH_LANE each(across_t) = each(y_track_t) - each(abscissa_t);
-        across = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - abscissa;
+        across = y_track - AT(tables, pair + layout__PAIR_RAIL_Y) - abscissa;
         EACH_LANE each(down_t) = each(z_track_t) + each(height_t) - each(z_rail_t);
         down = z_track + height - z_rail;
         EACH_LANE each(residual_t) = each(across_t) + (each(down_t) * m + down * each(m_t));
@@ -1118,17 +865,17 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
         v6 = 1.0 + m * outline_slope;
         EACH_LANE each(along_t) = each(stretch_t) * v6 + stretch * (each(m_t) * outline_slope + m * each(outline_slope_t));
         along = stretch * v6;
-        if (!((along > 0.0) && (stretch > 0.0)))
+        if (!(along > 0.0 && stretch > 0.0))
         {
-            return 0;
+            return false;
         }
         v7 = -residual;
         v8 = v7 / along;
-        EACH_LANE each(move_t) = ((-each(residual_t)) - v8 * each(along_t)) / along;
+        EACH_LANE each(move_t) = (-each(residual_t) - v8 * each(along_t)) / along;
         move = v8;
         EACH_LANE each(sharp_t) = each(tolerance_t);
         sharp = tolerance;
-        if ((i == pressed__LINE_ITERATIONS - INT64_C(1)) && (sharp < pressed__LINE_JOINT))
+        if (i == pressed__LINE_ITERATIONS - 1 && sharp < pressed__LINE_JOINT)
         {
             sharp_t = all_lanes(0.0);
             sharp = pressed__LINE_JOINT;
@@ -1140,7 +887,7 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
             overlap = v9 * cosine;
             if (!(fabs(overlap) < pressed__FARTHEST))
             {
-                return 0;
+                return false;
             }
             v10 = outline_slope - m;
             v11 = 1.0 + m * outline_slope;
@@ -1150,7 +897,7 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
             v13 = 1.0 + outline_slope * outline_slope;
             v14 = sqrt(v13);
             v15 = 1.0 / v14;
-            EACH_LANE each(wheel_cos_t) = (-v15) * derivative_rates__root_rate(v14, each(outline_slope_t) * outline_slope + outline_slope * each(outline_slope_t)) / v14;
+            EACH_LANE each(wheel_cos_t) = -v15 * derivative_rates__root_rate(v14, each(outline_slope_t) * outline_slope + outline_slope * each(outline_slope_t)) / v14;
             wheel_cos = v15;
             v16 = rate / stretch;
             v17 = v16 * wheel_cos;
@@ -1160,31 +907,31 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
             EACH_LANE each(steep_t) = each(rise_t) * rise + rise * each(rise_t);
             steep = 1.0 + rise * rise;
             v19 = -residual;
-            EACH_LANE each(rest_t) = (-each(residual_t)) * cosine + v19 * each(cosine_t);
+            EACH_LANE each(rest_t) = -each(residual_t) * cosine + v19 * each(cosine_t);
             rest = v19 * cosine;
             v20 = wheel_kappa * steep;
             v21 = sqrt(steep);
             v22 = v20 * v21;
             EACH_LANE each(turn_t) = ((each(wheel_kappa_t) * steep + wheel_kappa * each(steep_t)) * v21 + v20 * derivative_rates__root_rate(v21, each(steep_t))) * rest + v22 * each(rest_t);
             turn = v22 * rest;
-            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL))) = each(y_t) + each(move_t);
-            (*cspan_at(&work, meeting + layout__MEETING_WHEEL)) = y + move;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) = each(y_t) + each(move_t);
+            AT(work, meeting + layout__MEETING_WHEEL) = y + move;
             v23 = rise + 0.5 * turn;
-            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP))) = each(overlap_t) + (each(rest_t) * v23 + rest * (each(rise_t) + 0.5 * each(turn_t)));
-            (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = overlap + rest * v23;
-            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))) = each(rise_t) + each(turn_t);
-            (*cspan_at(&work, meeting + layout__MEETING_RISE)) = rise + turn;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP)) = each(overlap_t) + (each(rest_t) * v23 + rest * (each(rise_t) + 0.5 * each(turn_t)));
+            AT(work, meeting + layout__MEETING_OVERLAP) = overlap + rest * v23;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) = each(rise_t) + each(turn_t);
+            AT(work, meeting + layout__MEETING_RISE) = rise + turn;
             v24 = sqrt(steep);
             v25 = wheel_kappa * v24 - kappa;
-            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_RATE))) = each(steep_t) * v25 + steep * (each(wheel_kappa_t) * v24 + wheel_kappa * derivative_rates__root_rate(v24, each(steep_t)) - each(kappa_t));
-            (*cspan_at(&work, meeting + layout__MEETING_RATE)) = steep * v25;
-            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_Z))) = each(z_t) + (each(slope_t) * move + slope * each(move_t));
-            (*cspan_at(&work, meeting + layout__MEETING_Z)) = z + slope * move;
-            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_SLOPE))) = each(slope_t) + (each(bend_t) * move + bend * each(move_t));
-            (*cspan_at(&work, meeting + layout__MEETING_SLOPE)) = slope + bend * move;
-            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_BEND))) = each(bend_t);
-            (*cspan_at(&work, meeting + layout__MEETING_BEND)) = bend;
-            return 1;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) = each(steep_t) * v25 + steep * (each(wheel_kappa_t) * v24 + wheel_kappa * derivative_rates__root_rate(v24, each(steep_t)) - each(kappa_t));
+            AT(work, meeting + layout__MEETING_RATE) = steep * v25;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_Z)) = each(z_t) + (each(slope_t) * move + slope * each(move_t));
+            AT(work, meeting + layout__MEETING_Z) = z + slope * move;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE)) = each(slope_t) + (each(bend_t) * move + bend * each(move_t));
+            AT(work, meeting + layout__MEETING_SLOPE) = slope + bend * move;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_BEND)) = each(bend_t);
+            AT(work, meeting + layout__MEETING_BEND) = bend;
+            return true;
         }
         v26 = move;
         EACH_LANE each(v26_t) = each(move_t);
@@ -1205,60 +952,43 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
         move = v28;
         EACH_LANE each(y_t) = each(y_t) + each(move_t);
         y = y + move;
-        if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
+        if (!(y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
         {
-            return 0;
+            return false;
         }
     }
-    return 0;
+    return false;
 }
 
 /* Derivative of ``mean_bend``. */
-static inline int64_t derivative_pressed__mean_bend_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t)
+static inline void derivative_pressed__mean_bend_t(double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t)
 {
-    lanes blur_t;
-    double blur;
+    lanes blur_t, low_t, high_t, v1_t, v2_t, z_t, low_slope_t, high_slope_t;
+    double blur, low, high, v1, v2, z, low_slope, high_slope, v3, v4, v5;
     int64_t wheel;
-    lanes low_t;
-    double low;
-    lanes high_t;
-    double high;
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    double z;
-    lanes z_t;
-    double low_slope;
-    lanes low_slope_t;
-    double high_slope;
-    lanes high_slope_t;
-    double v3;
-    double v4;
-    double v5;
-    EACH_LANE each(blur_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)));
-    blur = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
+    EACH_LANE each(blur_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
+    blur = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR);
     if (blur > 0.0)
     {
-        wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+        wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
         EACH_LANE each(low_t) = each(y_t) - each(blur_t);
         low = y - blur;
         EACH_LANE each(high_t) = each(y_t) + each(blur_t);
         high = y + blur;
         v1 = low;
         EACH_LANE each(v1_t) = each(low_t);
-        if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v1)
+        if (AT(tables, wheel + layout__PROFILE_START) > v1)
         {
-            v1 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+            v1 = AT(tables, wheel + layout__PROFILE_START);
             v1_t = all_lanes(0.0);
         }
         EACH_LANE each(low_t) = each(v1_t);
         low = v1;
         v2 = high;
         EACH_LANE each(v2_t) = each(high_t);
-        if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v2)
+        if (AT(tables, wheel + layout__PROFILE_STOP) < v2)
         {
-            v2 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+            v2 = AT(tables, wheel + layout__PROFILE_STOP);
             v2_t = all_lanes(0.0);
         }
         EACH_LANE each(high_t) = each(v2_t);
@@ -1271,94 +1001,82 @@ static inline int64_t derivative_pressed__mean_bend_t(double* result_0, lanes* r
         EACH_LANE each(bend_t) = (each(high_slope_t) - each(low_slope_t) - v5 * (each(high_t) - each(low_t))) / v4;
         bend = v5;
     }
-    (*result_0) = bend;
-    EACH_LANE each((*result_1)) = each(bend_t);
-    return 0;
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``pressed_gap``. */
-static inline int64_t derivative_pressed__pressed_gap_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
+static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
-    int64_t k1;
-    int64_t rail;
-    lanes way_t;
-    double way;
-    double v2;
-    lanes v2_t;
-    lanes abscissa_t;
-    double abscissa;
-    int64_t trace;
-    lanes estimate_t;
-    double estimate;
+    int64_t k1, rail, trace, meeting;
+    lanes way_t, v2_t, abscissa_t, gap_t, rate_t, bend_t, curvature_t, estimate_t, v5_t, v4_t;
+    double way, v2, abscissa, gap, rate, bend, curvature, estimate, v5, v4, v6, v7;
     bool n3;
-    int64_t meeting;
-    double v5;
-    lanes v5_t;
-    double v4;
-    lanes v4_t;
-    double v6;
-    double v7;
-    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
-    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    EACH_LANE each(way_t) = each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
+    AT(work, k1) = AT(work, k1) + 1.0;
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    EACH_LANE each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
+    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), way, way_t);
     EACH_LANE each(abscissa_t) = each(v2_t);
     abscissa = v2;
-    (*gap_t) = all_lanes(0.0);
-    (*gap) = frame__NO_GAP;
-    (*rate_t) = all_lanes(0.0);
-    (*rate) = 0.0;
-    (*bend_t) = all_lanes(0.0);
-    (*bend) = 0.0;
-    (*curvature_t) = all_lanes(0.0);
-    (*curvature) = 1.0;
-    if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
+    gap_t = all_lanes(0.0);
+    gap = frame__NO_GAP;
+    rate_t = all_lanes(0.0);
+    rate = 0.0;
+    bend_t = all_lanes(0.0);
+    bend = 0.0;
+    curvature_t = all_lanes(0.0);
+    curvature = 1.0;
+    if (abscissa >= AT(tables, rail + layout__PROFILE_START) && abscissa <= AT(tables, rail + layout__PROFILE_STOP))
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        EACH_LANE each(estimate_t) = each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) + (each(way_t) * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * each((*lanes_at(&work_t, trace + layout__TRACE_RATE))));
-        estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        n3 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, all_lanes(0.0));
+        EACH_LANE each(estimate_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(way_t) * AT(work, trace + layout__TRACE_RATE) + way * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
+        estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
+        n3 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP, all_lanes(0.0));
         if (n3)
         {
-            meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_MEETING;
-            EACH_LANE each((*gap_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED))) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) - each((*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP)));
-            (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
-            EACH_LANE each((*rate_t)) = -each((*lanes_at(&work_t, meeting + layout__MEETING_RISE)));
-            (*rate) = -(*cspan_at(&work, meeting + layout__MEETING_RISE));
-            EACH_LANE each((*bend_t)) = -each((*lanes_at(&work_t, meeting + layout__MEETING_RATE)));
-            (*bend) = -(*cspan_at(&work, meeting + layout__MEETING_RATE));
-            derivative_pressed__mean_bend_t(&v5, &v5_t, tables, work, work_t, pair, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), (*lanes_at(&work_t, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work, meeting + layout__MEETING_BEND)), (*lanes_at(&work_t, meeting + layout__MEETING_BEND)));
-            derivative_curvature__longitudinal_curvature_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, meeting + layout__MEETING_Z)), (*lanes_at(&work_t, meeting + layout__MEETING_Z)), (*cspan_at(&work, meeting + layout__MEETING_SLOPE)), (*lanes_at(&work_t, meeting + layout__MEETING_SLOPE)), v5, v5_t);
-            EACH_LANE each((*curvature_t)) = each(v4_t);
-            (*curvature) = v4;
+            meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
+            EACH_LANE each(gap_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
+            gap = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) - AT(work, meeting + layout__MEETING_OVERLAP);
+            EACH_LANE each(rate_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RISE));
+            rate = -AT(work, meeting + layout__MEETING_RISE);
+            EACH_LANE each(bend_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RATE));
+            bend = -AT(work, meeting + layout__MEETING_RATE);
+            derivative_pressed__mean_bend_t(&v5, &v5_t, tables, work, work_t, pair, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND), RATE_AT(work_t, meeting + layout__MEETING_BEND));
+            derivative_curvature__longitudinal_curvature_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), RATE_AT(work_t, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE), v5, v5_t);
+            EACH_LANE each(curvature_t) = each(v4_t);
+            curvature = v4;
             if (fabs(way) > pressed__LEAST_WAY)
             {
-                v6 = (*cspan_at(&work, meeting + layout__MEETING_WHEEL)) - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
+                v6 = AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA);
                 v7 = v6 / way;
-                EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_RATE))) = (each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL))) - each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) - v7 * each(way_t)) / way;
-                (*cspan_at(&work, trace + layout__TRACE_RATE)) = v7;
+                EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = (each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) - each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) - v7 * each(way_t)) / way;
+                AT(work, trace + layout__TRACE_RATE) = v7;
             }
-            EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) = each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL)));
-            (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) = each(abscissa_t);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))) = each(station_t);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
+            EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
+            AT(work, trace + layout__TRACE_ABSCISSA) = AT(work, meeting + layout__MEETING_WHEEL);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(abscissa_t);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
         }
     }
-    return 0;
+    *gap_out = gap;
+    EACH_LANE each(*gap_t_out) = each(gap_t);
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
+    *curvature_out = curvature;
+    EACH_LANE each(*curvature_t_out) = each(curvature_t);
 }
 
 /* Derivative of ``limited``. */
-static inline int64_t derivative_pressed__limited_t(double* result_0, lanes* result_1, double step, lanes step_t, double limit, lanes limit_t)
+static inline void derivative_pressed__limited_t(double* step_out, lanes* step_t_out, double step, lanes step_t, double limit, lanes limit_t)
 {
-    double v1;
-    lanes v1_t;
-    double v2;
-    double v3;
-    lanes v3_t;
+    double v1, v2, v3;
+    lanes v1_t, v3_t;
     v1 = step;
     EACH_LANE each(v1_t) = each(step_t);
     if (limit < v1)
@@ -1376,85 +1094,50 @@ static inline int64_t derivative_pressed__limited_t(double* result_0, lanes* res
     }
     EACH_LANE each(step_t) = each(v3_t);
     step = v3;
-    (*result_0) = step;
-    EACH_LANE each((*result_1)) = each(step_t);
-    return 0;
+    *step_out = step;
+    EACH_LANE each(*step_t_out) = each(step_t);
 }
 
 /* Derivative of ``turning_point``. */
-static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001, lanes* result_1_0001, bool* result_2_0001, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
+static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
 {
-    int64_t meeting;
-    lanes before_t;
-    double before;
-    bool moved_low;
-    bool moved_high;
-    int64_t i;
-    bool n1;
-    double v2;
-    lanes following_t;
-    double following;
-    double z_rail;
-    lanes z_rail_t;
-    double slope;
-    lanes slope_t;
-    double rail_bend;
-    lanes rail_bend_t;
-    double v3;
-    double v4;
-    lanes stretch_t;
-    double stretch;
-    double v5;
-    double v6;
-    double v7;
-    lanes kappa_t;
-    double kappa;
-    double v8;
-    double v9;
-    double v10;
-    lanes v10_t;
-    lanes rate_t;
-    double rate;
-    double v11;
-    double v12;
-    double v13;
-    lanes move_t;
-    double move;
-    lanes rise_t;
-    double rise;
+    int64_t meeting, i;
+    lanes before_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v10_t, rate_t, move_t, rise_t;
+    double before, v2, following, z_rail, slope, rail_bend, v3, v4, stretch, v5, v6, v7, kappa, v8, v9, v10, rate, v11, v12, v13, move, rise;
+    bool moved_low, moved_high, n1;
     meeting = place + layout__PLACE_MEETING;
     before_t = all_lanes(0.0);
     before = 0.0;
-    moved_low = 0;
-    moved_high = 0;
-    for (i = INT64_C(0); i < pressed__DEEP_ITERATIONS; i += INT64_C(1))
+    moved_low = false;
+    moved_high = false;
+    for (i = 0; i < pressed__DEEP_ITERATIONS; i += 1)
     {
         n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
         if (!n1)
         {
-            (*result_0_0001) = x;
-            EACH_LANE each((*result_1_0001)) = each(x_t);
-            (*result_2_0001) = 0;
-            return 0;
+            *x_out = x;
+            EACH_LANE each(*x_t_out) = each(x_t);
+            *out_2 = false;
+            return;
         }
-        EACH_LANE each(y_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL)));
-        y = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
-        if (sign * (*cspan_at(&work, meeting + layout__MEETING_RISE)) > 0.0)
+        EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
+        y = AT(work, meeting + layout__MEETING_WHEEL);
+        if (sign * AT(work, meeting + layout__MEETING_RISE) > 0.0)
         {
             EACH_LANE each(low_t) = each(x_t);
             low = x;
-            moved_low = 1;
+            moved_low = true;
         }
         else
         {
             EACH_LANE each(high_t) = each(x_t);
             high = x;
-            moved_high = 1;
+            moved_high = true;
         }
         v2 = low + high;
         EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
         following = 0.5 * v2;
-        derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &slope, &slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x, x_t);
+        derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &slope, &slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x, x_t);
         v3 = 1.0 + slope * slope;
         v4 = sqrt(v3);
         EACH_LANE each(stretch_t) = derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t));
@@ -1464,29 +1147,29 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001,
         v7 = rail_bend / v6;
         EACH_LANE each(kappa_t) = (each(rail_bend_t) - v7 * ((each(stretch_t) * stretch + stretch * each(stretch_t)) * stretch + v5 * each(stretch_t))) / v6;
         kappa = v7;
-        v8 = (*cspan_at(&work, meeting + layout__MEETING_RATE)) + kappa;
+        v8 = AT(work, meeting + layout__MEETING_RATE) + kappa;
         v9 = v8 * kappa;
-        v10 = (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
-        EACH_LANE each(v10_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP)));
+        v10 = AT(work, meeting + layout__MEETING_OVERLAP);
+        EACH_LANE each(v10_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
         if (0.0 > v10)
         {
             v10 = 0.0;
             v10_t = all_lanes(0.0);
         }
-        EACH_LANE each(rate_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_RATE))) - (((each((*lanes_at(&work_t, meeting + layout__MEETING_RATE))) + each(kappa_t)) * kappa + v8 * each(kappa_t)) * v10 + v9 * each(v10_t));
-        rate = (*cspan_at(&work, meeting + layout__MEETING_RATE)) - v9 * v10;
+        EACH_LANE each(rate_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) - (((each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) + each(kappa_t)) * kappa + v8 * each(kappa_t)) * v10 + v9 * each(v10_t));
+        rate = AT(work, meeting + layout__MEETING_RATE) - v9 * v10;
         if (sign * rate < 0.0)
         {
-            v11 = -(*cspan_at(&work, meeting + layout__MEETING_RISE));
+            v11 = -AT(work, meeting + layout__MEETING_RISE);
             v12 = rate * stretch;
             v13 = v11 / v12;
-            EACH_LANE each(move_t) = ((-each((*lanes_at(&work_t, meeting + layout__MEETING_RISE)))) - v13 * (each(rate_t) * stretch + rate * each(stretch_t))) / v12;
+            EACH_LANE each(move_t) = (-each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - v13 * (each(rate_t) * stretch + rate * each(stretch_t))) / v12;
             move = v13;
             if (fabs(move) < pressed__DEEP_SHARP)
             {
                 break;
             }
-            if ((x + move > low) && (x + move < high) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
+            if (x + move > low && x + move < high && (i == 0 || fabs(AT(work, meeting + layout__MEETING_RISE)) < 0.5 * before))
             {
                 EACH_LANE each(following_t) = each(x_t) + each(move_t);
                 following = x + move;
@@ -1498,64 +1181,37 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001,
         }
         EACH_LANE each(x_t) = each(following_t);
         x = following;
-        EACH_LANE each(before_t) = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))));
-        before = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
+        EACH_LANE each(before_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
+        before = fabs(AT(work, meeting + layout__MEETING_RISE));
     }
-    EACH_LANE each(rise_t) = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))));
-    rise = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
-    (*result_0_0001) = x;
-    EACH_LANE each((*result_1_0001)) = each(x_t);
-    (*result_2_0001) = (rise < pressed__ZERO_RISE) || ((rise < pressed__LEVEL_RISE) && moved_low && moved_high);
-    return 0;
+    EACH_LANE each(rise_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
+    rise = fabs(AT(work, meeting + layout__MEETING_RISE));
+    *x_out = x;
+    EACH_LANE each(*x_t_out) = each(x_t);
+    *out_2 = rise < pressed__ZERO_RISE || (rise < pressed__LEVEL_RISE && moved_low && moved_high);
 }
 
 /* Derivative of ``meet_rule``. */
 static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
 {
-    bool n1;
-    double z_rail;
-    lanes z_rail_t;
-    double m;
-    lanes m_t;
-    double rail_bend;
-    lanes rail_bend_t;
-    double z;
-    lanes z_t;
-    double slope;
-    lanes slope_t;
-    double bend;
-    lanes bend_t;
-    double y_track;
-    lanes y_track_t;
-    double z_track;
-    lanes z_track_t;
-    double outline_slope;
-    lanes outline_slope_t;
-    double stretch;
-    lanes stretch_t;
-    double rate;
-    lanes rate_t;
-    double v2;
-    lanes residual_t;
-    double residual;
-    double v3;
-    double v4;
-    bool found;
+    bool n1, found;
+    double z_rail, m, rail_bend, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, v2, residual, v3, v4;
+    lanes z_rail_t, m_t, rail_bend_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, residual_t;
     n1 = pressed__meet_wheel(tables, work, pair, place, abscissa, y, height, tolerance);
     found = n1;
     if (found)
     {
         y_t = all_lanes(0.0);
-        y = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
-        derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
-        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
+        y = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
+        derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa, abscissa_t);
+        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         v2 = z_track + height - z_rail;
         EACH_LANE each(residual_t) = each(y_track_t) - each(abscissa_t) + ((each(z_track_t) + each(height_t) - each(z_rail_t)) * m + v2 * each(m_t));
-        residual = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - abscissa + v2 * m;
+        residual = y_track - AT(tables, pair + layout__PAIR_RAIL_Y) - abscissa + v2 * m;
         v3 = -residual;
         v4 = stretch * (1.0 + m * outline_slope);
-        EACH_LANE each(y_t) = (-each(residual_t)) / v4;
+        EACH_LANE each(y_t) = -each(residual_t) / v4;
         derivative_pressed__meet_wheel_t(tables, work, work_t, pair, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
     }
     return found;
@@ -1568,214 +1224,157 @@ static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array
  */
 
 /* Derivative of ``touching_shift``. */
-static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point)
+static inline void derivative_pressed_regions__touching_shift_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point)
 {
-    double z;
-    lanes z_t;
-    double slope;
-    lanes slope_t;
-    double y_track;
-    lanes y_track_t;
-    double z_track;
-    lanes z_track_t;
-    double outline_slope;
-    lanes outline_slope_t;
-    double z_rail;
-    lanes z_rail_t;
-    double m;
-    lanes m_t;
-    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
-    derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)), z, z_t, slope, slope_t);
-    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
-    (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - y_track;
-    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL))) - each(y_track_t);
-    (*result_2) = z_rail - z_track;
-    EACH_LANE each((*result_3)) = each(z_rail_t) - each(z_track_t);
-    return 0;
+    double z, slope, y_track, z_track, outline_slope, z_rail, m;
+    lanes z_t, slope_t, y_track_t, z_track_t, outline_slope_t, z_rail_t, m_t;
+    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
+    derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), z, z_t, slope, slope_t);
+    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+    *out_0 = AT(work, point + layout__DEEP_POINT_RAIL) + AT(tables, pair + layout__PAIR_RAIL_Y) - y_track;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) - each(y_track_t);
+    *out_2 = z_rail - z_track;
+    EACH_LANE each(*out_3) = each(z_rail_t) - each(z_track_t);
 }
 
 /* Derivative of ``press_frame``. */
 static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t)
 {
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT))) = each(height_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) = each(depth_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = depth;
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(1);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED))) = each(gap_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = gap;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(height_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = height;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = each(depth_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = depth;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = (double)true;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = each(gap_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = gap;
+    return 0;
 }
 
 /* Derivative of ``sink_wheel``. */
 static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t)
 {
-    double v1;
+    double v1, height;
     lanes height_t;
-    double height;
-    int64_t n2;
-    int64_t count;
-    v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT))) + (each(penetration_t) - v1 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
+    int64_t n2, count;
+    v1 = penetration / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (each(penetration_t) - v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) + v1;
     n2 = derivative_overlaps__overlaps_rule_t(tables, work, work_t, pair, side, height, height_t);
     count = n2;
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, all_lanes(0.0));
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(1);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)true;
     return count;
 }
 
 /* Derivative of ``open_pressed_region``. */
 static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
-    double z_rail;
-    lanes z_rail_t;
-    double m;
-    lanes m_t;
-    (*lanes_at(&work_t, region + layout__REGION_STATION)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
-    (*lanes_at(&work_t, region + layout__REGION_GAP)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_RAIL))) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
-    (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
-    (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    double z_rail, m;
+    lanes z_rail_t, m_t;
+    RATE_AT(work_t, region + layout__REGION_STATION) = all_lanes(0.0);
+    AT(work, region + layout__REGION_STATION) = 0.0;
+    RATE_AT(work_t, region + layout__REGION_GAP) = all_lanes(0.0);
+    AT(work, region + layout__REGION_GAP) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_RAIL)) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+    AT(work, region + layout__REGION_RAIL) = AT(work, point + layout__DEEP_POINT_RAIL);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WHEEL)) = each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
+    AT(work, region + layout__REGION_WHEEL) = AT(work, point + layout__DEEP_POINT_WHEEL);
+    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
     derivative_frame__incline_region_t(work, work_t, tables, region, m, m_t);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``give_own_frame``. */
 static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
-    lanes cosine_t;
-    double cosine;
-    lanes abscissa_t;
-    double abscissa;
-    lanes height_t;
-    double height;
-    lanes depth_t;
-    double depth;
+    lanes cosine_t, abscissa_t, height_t, depth_t, aside_t, shift_t, n1_t, n2_t, n3_t, n4_t, n5_t, v7_t;
+    double cosine, abscissa, height, depth, aside, shift, n1, n2, n3, n4, n5, v6, v7;
     bool sunk;
-    double aside;
-    lanes aside_t;
-    double shift;
-    lanes shift_t;
-    double n1;
-    lanes n1_t;
-    double n2;
-    lanes n2_t;
-    double n3;
-    lanes n3_t;
-    double n4;
-    lanes n4_t;
-    double n5;
-    lanes n5_t;
-    double v6;
-    double v7;
-    lanes v7_t;
-    EACH_LANE each(cosine_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    EACH_LANE each(abscissa_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
-    abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)));
-    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
-    EACH_LANE each(depth_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
-    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    sunk = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0;
-    derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
-    derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
-    (*lanes_at(&work_t, region + layout__REGION_OWN)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
-    v6 = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) = (each((*lanes_at(&work_t, region + layout__REGION_COS))) - v6 * each(cosine_t)) / cosine;
-    (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = v6;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_GAP))) = each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) * depth + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * each(depth_t) - each((*lanes_at(&work_t, point + layout__DEEP_POINT_DEPTH)));
-    (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, abscissa, abscissa_t, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) = each(v7_t);
-    (*cspan_at(&work, region + layout__REGION_OFFSET)) = v7;
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*lanes_at(&work_t, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)), (*lanes_at(&work_t, region + layout__REGION_GAP)));
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(sunk);
-    return INT64_C(0);
+    EACH_LANE each(cosine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    cosine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    EACH_LANE each(abscissa_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    abscissa = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
+    height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT);
+    EACH_LANE each(depth_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+    sunk = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0;
+    derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
+    derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), aside, aside_t, shift, shift_t);
+    RATE_AT(work_t, region + layout__REGION_OWN) = all_lanes(0.0);
+    AT(work, region + layout__REGION_OWN) = (double)true;
+    v6 = AT(work, region + layout__REGION_COS) / cosine;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) = (each(RATE_AT(work_t, region + layout__REGION_COS)) - v6 * each(cosine_t)) / cosine;
+    AT(work, region + layout__REGION_ALIGNMENT) = v6;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_GAP)) = each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) * depth + AT(work, region + layout__REGION_ALIGNMENT) * each(depth_t) - each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH));
+    AT(work, region + layout__REGION_GAP) = AT(work, region + layout__REGION_ALIGNMENT) * depth - AT(work, point + layout__DEEP_POINT_DEPTH);
+    derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, abscissa, abscissa_t, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_OFFSET)) = each(v7_t);
+    AT(work, region + layout__REGION_OFFSET) = v7;
+    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, AT(work, point + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP), RATE_AT(work_t, region + layout__REGION_GAP));
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)sunk;
+    return 0;
 }
 
 /* Derivative of ``gather_overlaps``. */
 static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
-    int64_t contact;
-    int64_t i_1;
-    int64_t index;
-    int64_t region;
-    int64_t point;
-    double gap;
-    lanes gap_t;
-    double rate;
-    lanes rate_t;
-    double bend;
-    lanes bend_t;
-    double curvature;
-    lanes curvature_t;
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    int64_t i_2;
-    int64_t i_3;
-    int64_t count;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
+    int64_t count, contact, i_1, index, region, point, i_2, i_3;
+    double gap, rate, bend, curvature, v1, v2;
+    lanes gap_t, rate_t, bend_t, curvature_t, v1_t, v2_t;
+    count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     contact = deep_points__deepest_entry(work);
-    for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
         derivative_pressed_regions__open_pressed_region_t(tables, work, work_t, pair, region, point);
-        if ((index != contact) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
+        if (index != contact || AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
         {
             derivative_pressed_regions__give_own_frame_t(tables, work, work_t, pair, region, point);
         }
-        derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
+        derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
         derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
-        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_BEND))) = each(bend_t);
-        (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
-        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_CURVATURE))) = each(curvature_t);
-        (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-        (*lanes_at(&work_t, region + layout__REGION_LOW)) = all_lanes(0.0);
-        (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
-        (*lanes_at(&work_t, region + layout__REGION_HIGH)) = all_lanes(0.0);
-        (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
-        if (index > INT64_C(0))
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(bend_t);
+        AT(work, region + layout__REGION_BEND) = bend;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(curvature_t);
+        AT(work, region + layout__REGION_CURVATURE) = curvature;
+        RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
+        AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
+        RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
+        AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
+        if (index > 0)
         {
-            derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
-            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOW))) = each(v1_t);
-            (*cspan_at(&work, region + layout__REGION_LOW)) = v1;
+            derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(v1_t);
+            AT(work, region + layout__REGION_LOW) = v1;
         }
-        if (index < count - INT64_C(1))
+        if (index < count - 1)
         {
-            derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
-            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_HIGH))) = each(v2_t);
-            (*cspan_at(&work, region + layout__REGION_HIGH)) = v2;
+            derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(v2_t);
+            AT(work, region + layout__REGION_HIGH) = v2;
         }
-        for (i_2 = INT64_C(0); i_2 < layout__FRAME_SIZE; i_2 += INT64_C(1))
+        for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2)));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
-        for (i_3 = INT64_C(0); i_3 < INT64_C(27); i_3 += INT64_C(1))
+        for (i_3 = 0; i_3 < 27; i_3 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3)));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3);
         }
     }
-    if (count > INT64_C(1))
+    if (count > 1)
     {
         derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
     }
@@ -1789,132 +1388,55 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
  */
 
 /* Derivative of ``vertical_rise``. */
-static inline int64_t derivative_separation__vertical_rise_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* result_4, lanes* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
+static inline void derivative_separation__vertical_rise_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
-    lanes per_station_t;
-    double per_station;
-    double v1;
-    lanes lateral_t;
-    double lateral;
-    bool n2;
-    double across;
-    lanes across_t;
-    double rail_down;
-    lanes rail_down_t;
-    double rail_slope;
-    lanes rail_slope_t;
-    double along;
-    lanes along_t;
-    double rail_bend;
-    lanes rail_bend_t;
-    double down;
-    lanes down_t;
-    double slope;
-    lanes slope_t;
-    double stretch;
-    lanes stretch_t;
-    double bend;
-    lanes bend_t;
-    double v3;
-    double v4;
-    double v5;
-    EACH_LANE each(per_station_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-    per_station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    v1 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION));
-    EACH_LANE each(lateral_t) = (each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)))) * per_station + v1 * each(per_station_t);
+    lanes per_station_t, lateral_t, across_t, rail_down_t, rail_slope_t, along_t, rail_bend_t, down_t, slope_t, stretch_t, bend_t;
+    double per_station, v1, lateral, across, rail_down, rail_slope, along, rail_bend, down, slope, stretch, bend, v3, v4, v5;
+    bool n2, exists;
+    EACH_LANE each(per_station_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    per_station = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    v1 = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION);
+    EACH_LANE each(lateral_t) = (each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * each(per_station_t);
     lateral = v1 * per_station;
     n2 = derivative_curves__across_rule_t(tables, work, work_t, pair, lateral, lateral_t);
-    (*exists) = n2;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y))) + each(lateral_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
-    if (curves__within(tables, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
+    exists = n2;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + each(lateral_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y) + lateral;
+    if (curves__within(tables, pair, layout__RAIL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) != AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))
     {
-        (*exists) = 0;
+        exists = false;
     }
-    derivative_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, tables, work, work_t, pair, layout__RAIL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     v3 = bend / stretch;
     EACH_LANE each(bend_t) = each(rail_bend_t) - (each(bend_t) - v3 * each(stretch_t)) / stretch;
     bend = rail_bend - v3;
     v4 = rail_slope - slope;
     v5 = bend * per_station;
-    (*result_0) = rail_down - down;
-    EACH_LANE each((*result_1)) = each(rail_down_t) - each(down_t);
-    (*result_2) = v4 * per_station;
-    EACH_LANE each((*result_3)) = (each(rail_slope_t) - each(slope_t)) * per_station + v4 * each(per_station_t);
-    (*result_4) = v5 * per_station;
-    EACH_LANE each((*result_5)) = (each(bend_t) * per_station + bend * each(per_station_t)) * per_station + v5 * each(per_station_t);
-    return 0;
+    *out_0 = rail_down - down;
+    EACH_LANE each(*out_1) = each(rail_down_t) - each(down_t);
+    *out_2 = v4 * per_station;
+    EACH_LANE each(*out_3) = (each(rail_slope_t) - each(slope_t)) * per_station + v4 * each(per_station_t);
+    *out_4 = v5 * per_station;
+    EACH_LANE each(*out_5) = (each(bend_t) * per_station + bend * each(per_station_t)) * per_station + v5 * each(per_station_t);
+    *exists_out = exists;
 }
 
 /* Derivative of ``equidistant_rise``. */
-static inline int64_t derivative_separation__equidistant_rise_t(double* result_0, lanes* result_1, double* rate, lanes* rate_t, double* result_4, lanes* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
+static inline void derivative_separation__equidistant_rise_t(double* out_0, lanes* out_1, double* rate_out, lanes* rate_t_out, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
-    bool n1;
-    bool on_rail;
-    bool n2;
-    bool on_wheel;
-    double across;
-    lanes across_t;
-    double down;
-    lanes down_t;
-    double slope;
-    lanes slope_t;
-    double stretch;
-    lanes stretch_t;
-    double bend;
-    lanes bend_t;
-    double v3;
-    double v4;
-    double v5;
-    lanes rail_cos_t;
-    double rail_cos;
-    lanes rail_sin_t;
-    double rail_sin;
-    double v6;
-    double v7;
-    lanes rail_curvature_t;
-    double rail_curvature;
-    double wheel_across;
-    lanes wheel_across_t;
-    double wheel_down;
-    lanes wheel_down_t;
-    double v8;
-    double v9;
-    double v10;
-    lanes wheel_cos_t;
-    double wheel_cos;
-    lanes wheel_sin_t;
-    double wheel_sin;
-    double v11;
-    double v12;
-    double v13;
-    lanes wheel_curvature_t;
-    double wheel_curvature;
-    lanes cosine_t;
-    double cosine;
-    lanes sine_t;
-    double sine;
-    double v14;
-    double v15;
-    lanes size_t;
-    double size;
-    double v16;
-    double v17;
-    double v18;
-    double v19;
-    double v20;
-    double v21;
-    double v22;
+    bool n1, on_rail, n2, on_wheel, exists;
+    double across, down, slope, stretch, bend, v3, v4, v5, rail_cos, rail_sin, v6, v7, rail_curvature, wheel_across, wheel_down, v8, v9, v10, wheel_cos, wheel_sin, v11, v12, v13, wheel_curvature, cosine, sine, v14, v15, size, v16, v17, v18, v19, rate, v20, v21, v22;
+    lanes across_t, down_t, slope_t, stretch_t, bend_t, rail_cos_t, rail_sin_t, rail_curvature_t, wheel_across_t, wheel_down_t, wheel_cos_t, wheel_sin_t, wheel_curvature_t, cosine_t, sine_t, size_t, rate_t;
     n1 = derivative_curves__move_to_station_t(tables, work, work_t, pair, layout__RAIL, station, station_t);
     on_rail = n1;
     n2 = derivative_curves__move_to_station_t(tables, work, work_t, pair, layout__WHEEL, station, station_t);
     on_wheel = n2;
-    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__RAIL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
-    EACH_LANE each(rail_cos_t) = (-v5) * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
+    EACH_LANE each(rail_cos_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
     rail_cos = v5;
     EACH_LANE each(rail_sin_t) = each(slope_t) * rail_cos + slope * each(rail_cos_t);
     rail_sin = slope * rail_cos;
@@ -1922,11 +1444,11 @@ static inline int64_t derivative_separation__equidistant_rise_t(double* result_0
     v7 = v6 * rail_cos;
     EACH_LANE each(rail_curvature_t) = ((each(bend_t) * rail_cos + bend * each(rail_cos_t)) * rail_cos + v6 * each(rail_cos_t)) * rail_cos + v7 * each(rail_cos_t);
     rail_curvature = v7 * rail_cos;
-    derivative_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     v8 = 1.0 + slope * slope;
     v9 = sqrt(v8);
     v10 = 1.0 / v9;
-    EACH_LANE each(wheel_cos_t) = (-v10) * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
+    EACH_LANE each(wheel_cos_t) = -v10 * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
     wheel_cos = v10;
     EACH_LANE each(wheel_sin_t) = each(slope_t) * wheel_cos + slope * each(wheel_cos_t);
     wheel_sin = slope * wheel_cos;
@@ -1953,150 +1475,133 @@ static inline int64_t derivative_separation__equidistant_rise_t(double* result_0
     v17 = sine / size;
     EACH_LANE each(sine_t) = (each(sine_t) - v17 * each(size_t)) / size;
     sine = v17;
-    (*exists) = on_rail && on_wheel && (stretch > 0.0);
+    exists = on_rail && on_wheel && stretch > 0.0;
     v18 = wheel_cos - rail_cos;
     v19 = wheel_sin - rail_sin;
-    EACH_LANE each((*rate_t)) = (each(wheel_cos_t) - each(rail_cos_t)) * sine + v18 * each(sine_t) - ((each(wheel_sin_t) - each(rail_sin_t)) * cosine + v19 * each(cosine_t));
-    (*rate) = v18 * sine - v19 * cosine;
+    EACH_LANE each(rate_t) = (each(wheel_cos_t) - each(rail_cos_t)) * sine + v18 * each(sine_t) - ((each(wheel_sin_t) - each(rail_sin_t)) * cosine + v19 * each(cosine_t));
+    rate = v18 * sine - v19 * cosine;
     v20 = across * cosine + down * sine;
     v21 = 0.5 * v20;
     v22 = wheel_curvature + rail_curvature;
-    EACH_LANE each((*rate_t)) = each((*rate_t)) + (0.5 * (each(across_t) * cosine + across * each(cosine_t) + (each(down_t) * sine + down * each(sine_t))) * v22 + v21 * (each(wheel_curvature_t) + each(rail_curvature_t)));
-    (*rate) = (*rate) + v21 * v22;
-    (*result_0) = across * sine - down * cosine;
-    EACH_LANE each((*result_1)) = each(across_t) * sine + across * each(sine_t) - (each(down_t) * cosine + down * each(cosine_t));
-    (*result_4) = rail_curvature - wheel_curvature;
-    EACH_LANE each((*result_5)) = each(rail_curvature_t) - each(wheel_curvature_t);
-    return 0;
+    EACH_LANE each(rate_t) = each(rate_t) + (0.5 * (each(across_t) * cosine + across * each(cosine_t) + (each(down_t) * sine + down * each(sine_t))) * v22 + v21 * (each(wheel_curvature_t) + each(rail_curvature_t)));
+    rate = rate + v21 * v22;
+    *out_0 = across * sine - down * cosine;
+    EACH_LANE each(*out_1) = each(across_t) * sine + across * each(sine_t) - (each(down_t) * cosine + down * each(cosine_t));
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
+    *out_4 = rail_curvature - wheel_curvature;
+    EACH_LANE each(*out_5) = each(rail_curvature_t) - each(wheel_curvature_t);
+    *exists_out = exists;
 }
 
 /* Derivative of ``depth_lost``. */
-static inline int64_t derivative_separation__depth_lost_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline void derivative_separation__depth_lost_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
-    double height;
-    lanes height_t;
-    double slope;
-    lanes slope_t;
-    double bend;
-    lanes bend_t;
-    double v1;
-    double v2;
-    double v3;
-    lanes cosine_t;
-    double cosine;
-    double v4;
-    lanes along_t;
-    double along;
-    double v5;
-    lanes across_t;
-    double across;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    double height, slope, bend, v1, v2, v3, cosine, v4, along, v5, across, v6, v7, v8, v9, v10;
+    lanes height_t, slope_t, bend_t, cosine_t, along_t, across_t;
+    derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(cosine_t) = (-v3) * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
+    EACH_LANE each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     cosine = v3;
-    v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    EACH_LANE each(along_t) = each(cosine_t) * v4 + cosine * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) + (each(slope_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
+    v4 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+    EACH_LANE each(along_t) = each(cosine_t) * v4 + cosine * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
     along = cosine * v4;
-    v5 = slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    EACH_LANE each(across_t) = each(cosine_t) * v5 + cosine * (each(slope_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
+    v5 = slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+    EACH_LANE each(across_t) = each(cosine_t) * v5 + cosine * (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
     across = cosine * v5;
     v6 = 1.0 - along;
-    v7 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across;
+    v7 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * across;
     v8 = v7 * bend;
     v9 = v8 * cosine;
     v10 = v9 * cosine;
-    (*result_0) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * v6;
-    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) * v6 + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * (-each(along_t));
-    (*result_2) = v10 * cosine;
-    EACH_LANE each((*result_3)) = ((((each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) * across + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * each(across_t)) * bend + v7 * each(bend_t)) * cosine + v8 * each(cosine_t)) * cosine + v9 * each(cosine_t)) * cosine + v10 * each(cosine_t);
-    return 0;
+    *out_0 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * v6;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * v6 + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * -each(along_t);
+    *out_2 = v10 * cosine;
+    EACH_LANE each(*out_3) = ((((each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * each(across_t)) * bend + v7 * each(bend_t)) * cosine + v8 * each(cosine_t)) * cosine + v9 * each(cosine_t)) * cosine + v10 * each(cosine_t);
 }
 
 /* Derivative of ``moved_separation``. */
-static inline int64_t derivative_separation__moved_separation_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind)
+static inline void derivative_separation__moved_separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind)
 {
     int64_t k1;
+    double gap, rate, bend, lost, more, y, z, slope, wheel_bend, v2, v3, curvature;
+    lanes gap_t, rate_t, bend_t, lost_t, more_t, y_t, z_t, slope_t, wheel_bend_t, v2_t, v3_t, curvature_t;
     bool exists;
-    double lost;
-    lanes lost_t;
-    double more;
-    lanes more_t;
-    lanes y_t;
-    double y;
-    double z;
-    lanes z_t;
-    double slope;
-    lanes slope_t;
-    double wheel_bend;
-    lanes wheel_bend_t;
-    double v2;
-    lanes v2_t;
-    double v3;
-    lanes v3_t;
-    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
-    (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
+    AT(work, k1) = AT(work, k1) + 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
     {
-        derivative_separation__vertical_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, tables, work, work_t, pair, station, station_t);
+        derivative_separation__vertical_rise_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &exists, tables, work, work_t, pair, station, station_t);
     }
     else
     {
-        derivative_separation__equidistant_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, tables, work, work_t, pair, station, station_t);
+        derivative_separation__equidistant_rise_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &exists, tables, work, work_t, pair, station, station_t);
     }
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))) = each(station_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    EACH_LANE each((*gap_t)) = each((*gap_t)) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)));
-    (*gap) = (*gap) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
+    EACH_LANE each(gap_t) = each(gap_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
+    gap = gap + AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP);
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && kind != layout__SEPARATION_VERTICAL)
     {
         derivative_separation__depth_lost_t(&lost, &lost_t, &more, &more_t, tables, work, work_t, pair);
-        EACH_LANE each((*gap_t)) = each((*gap_t)) + each(lost_t);
-        (*gap) = (*gap) + lost;
-        EACH_LANE each((*rate_t)) = each((*rate_t)) + each(more_t);
-        (*rate) = (*rate) + more;
+        EACH_LANE each(gap_t) = each(gap_t) + each(lost_t);
+        gap = gap + lost;
+        EACH_LANE each(rate_t) = each(rate_t) + each(more_t);
+        rate = rate + more;
     }
     if (!exists)
     {
-        (*gap_t) = all_lanes(0.0);
-        (*gap) = frame__NO_GAP;
+        gap_t = all_lanes(0.0);
+        gap = frame__NO_GAP;
     }
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-    y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
+    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
     derivative_pressed__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, y, y_t, wheel_bend, wheel_bend_t);
     EACH_LANE each(wheel_bend_t) = each(v2_t);
     wheel_bend = v2;
-    derivative_curvature__longitudinal_curvature_t(&v3, &v3_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
-    EACH_LANE each((*curvature_t)) = each(v3_t);
-    (*curvature) = v3;
-    return 0;
+    derivative_curvature__longitudinal_curvature_t(&v3, &v3_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
+    EACH_LANE each(curvature_t) = each(v3_t);
+    curvature = v3;
+    *gap_out = gap;
+    EACH_LANE each(*gap_t_out) = each(gap_t);
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
+    *curvature_out = curvature;
+    EACH_LANE each(*curvature_t_out) = each(curvature_t);
 }
 
 /* Derivative of ``separation``. */
-static inline int64_t derivative_separation__separation_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_separation__separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t kind;
-    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
-    if ((kind == layout__SEPARATION_NORMAL) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)))
+    double gap, rate, bend, curvature;
+    lanes gap_t, rate_t, bend_t, curvature_t;
+    kind = (int64_t)AT(tables, layout__TABLES_SEPARATION);
+    if (kind == layout__SEPARATION_NORMAL && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0))
     {
-        derivative_frame__normal_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
+        derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        derivative_pressed__pressed_gap_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, pair, station, station_t);
+        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t);
     }
     else
     {
-        derivative_separation__moved_separation_t(gap, gap_t, rate, rate_t, bend, bend_t, curvature, curvature_t, tables, work, work_t, pair, station, station_t, kind);
+        derivative_separation__moved_separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, kind);
     }
-    return 0;
+    *gap_out = gap;
+    EACH_LANE each(*gap_t_out) = each(gap_t);
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
+    *curvature_out = curvature;
+    EACH_LANE each(*curvature_t_out) = each(curvature_t);
 }
 
 
@@ -2108,89 +1613,53 @@ static inline int64_t derivative_separation__separation_t(double* gap, lanes* ga
 /* Derivative of ``start_traces``. */
 static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_lanes_1d work_t, double station, lanes station_t, double abscissa, lanes abscissa_t, double y, lanes y_t)
 {
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))) = each(station_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) = each(abscissa_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = 0.0;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA))) = each(y_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = y;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = 0.0;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(abscissa_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = each(y_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) = y;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = 0.0;
+    return 0;
 }
 
 /* Derivative of ``first_abscissa``. */
-static inline int64_t derivative_traces__first_abscissa_t(double* u, lanes* u_t, array_double_1d work, array_lanes_1d work_t, int64_t trace, double away, lanes away_t)
+static inline void derivative_traces__first_abscissa_t(double* u_out, lanes* u_t_out, array_double_1d work, array_lanes_1d work_t, int64_t trace, double away, lanes away_t)
 {
-    double v1;
-    double v2;
-    EACH_LANE each((*u_t)) = each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) + (each(away_t) * (*cspan_at(&work, trace + layout__TRACE_RATE)) + away * each((*lanes_at(&work_t, trace + layout__TRACE_RATE))));
-    (*u) = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + away * (*cspan_at(&work, trace + layout__TRACE_RATE));
+    lanes u_t;
+    double u, v1, v2;
+    EACH_LANE each(u_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(away_t) * AT(work, trace + layout__TRACE_RATE) + away * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
+    u = AT(work, trace + layout__TRACE_ABSCISSA) + away * AT(work, trace + layout__TRACE_RATE);
     if (fabs(away) < traces__EXTRAPOLATED)
     {
         v1 = 0.5 * away;
         v2 = v1 * away;
-        EACH_LANE each((*u_t)) = each((*u_t)) + ((0.5 * each(away_t) * away + v1 * each(away_t)) * (*cspan_at(&work, trace + layout__TRACE_BEND)) + v2 * each((*lanes_at(&work_t, trace + layout__TRACE_BEND))));
-        (*u) = (*u) + v2 * (*cspan_at(&work, trace + layout__TRACE_BEND));
+        EACH_LANE each(u_t) = each(u_t) + ((0.5 * each(away_t) * away + v1 * each(away_t)) * AT(work, trace + layout__TRACE_BEND) + v2 * each(RATE_AT(work_t, trace + layout__TRACE_BEND)));
+        u = u + v2 * AT(work, trace + layout__TRACE_BEND);
     }
-    return 0;
+    *u_out = u;
+    EACH_LANE each(*u_t_out) = each(u_t);
 }
 
 /* Derivative of ``trace_profile``. */
-static inline int64_t derivative_traces__trace_profile_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* ordinate_bend, lanes* ordinate_bend_t, double* result_6, lanes* result_7, double* result_8, lanes* result_9, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* out_6, lanes* out_7, double* out_8, lanes* out_9, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
-    double v1;
-    lanes v1_t;
-    lanes u_t;
-    double u;
-    lanes excess_t;
-    double excess;
-    lanes forward_t;
-    double forward;
-    lanes height_t;
-    double height;
-    lanes slope_t;
-    double slope;
-    lanes bend_t;
-    double bend;
+    double v1, u, excess, forward, height, slope, bend, v2, v3, v4, v5, v6, v7, along, v8, rate, v9, v10, v11, ordinate_bend, v12, v13, ordinate, v14, move, v15, v16;
+    lanes v1_t, u_t, excess_t, forward_t, height_t, slope_t, bend_t, v2_t, v3_t, along_t, rate_t, ordinate_bend_t, ordinate_t, move_t, rates;
+    bool exists;
     int64_t i;
-    double v2;
-    lanes v2_t;
-    double v3;
-    lanes v3_t;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    lanes along_t;
-    double along;
-    double v8;
-    lanes rate_t;
-    double rate;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    lanes ordinate_t;
-    double ordinate;
-    double v14;
-    lanes move_t;
-    double move;
-    double v15;
-    double v16;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), rates_1);
+    EACH_LANE each(rates) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION), rates);
     EACH_LANE each(u_t) = each(v1_t);
     u = v1;
-    (*exists) = 0;
+    exists = false;
     excess_t = all_lanes(0.0);
     excess = 0.0;
     forward_t = all_lanes(0.0);
@@ -2201,36 +1670,36 @@ static inline int64_t derivative_traces__trace_profile_t(double* result_0, lanes
     slope = 0.0;
     bend_t = all_lanes(0.0);
     bend = 0.0;
-    for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < traces__TRACE_ITERATIONS; i += 1)
     {
         v2 = u;
         EACH_LANE each(v2_t) = each(u_t);
-        if ((*cspan_at(&tables, profile + layout__PROFILE_START)) > v2)
+        if (AT(tables, profile + layout__PROFILE_START) > v2)
         {
-            v2 = (*cspan_at(&tables, profile + layout__PROFILE_START));
+            v2 = AT(tables, profile + layout__PROFILE_START);
             v2_t = all_lanes(0.0);
         }
         v3 = v2;
         EACH_LANE each(v3_t) = each(v2_t);
-        if ((*cspan_at(&tables, profile + layout__PROFILE_STOP)) < v3)
+        if (AT(tables, profile + layout__PROFILE_STOP) < v3)
         {
-            v3 = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
+            v3 = AT(tables, profile + layout__PROFILE_STOP);
             v3_t = all_lanes(0.0);
         }
         EACH_LANE each(u_t) = each(v3_t);
         u = v3;
         derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, profile, u, u_t);
-        EACH_LANE each(forward_t) = each((*lanes_at(&work_t, plane + layout__DIRECTION_COS))) + (each(slope_t) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + slope * each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN))));
-        forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
-        v4 = u - (*cspan_at(&work, point + layout__POINT_Y));
-        v5 = height - (*cspan_at(&work, point + layout__POINT_Z));
-        EACH_LANE each(excess_t) = (each(u_t) - each((*lanes_at(&work_t, point + layout__POINT_Y)))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v4 * each((*lanes_at(&work_t, plane + layout__DIRECTION_COS))) + ((each(height_t) - each((*lanes_at(&work_t, point + layout__POINT_Z)))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v5 * each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN)))) - each(station_t);
-        excess = v4 * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v5 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
+        EACH_LANE each(forward_t) = each(RATE_AT(work_t, plane + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, plane + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)));
+        forward = AT(work, plane + layout__DIRECTION_COS) + slope * AT(work, plane + layout__DIRECTION_SIN);
+        v4 = u - AT(work, point + layout__POINT_Y);
+        v5 = height - AT(work, point + layout__POINT_Z);
+        EACH_LANE each(excess_t) = (each(u_t) - each(RATE_AT(work_t, point + layout__POINT_Y))) * AT(work, plane + layout__DIRECTION_COS) + v4 * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)) + ((each(height_t) - each(RATE_AT(work_t, point + layout__POINT_Z))) * AT(work, plane + layout__DIRECTION_SIN) + v5 * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN))) - each(station_t);
+        excess = v4 * AT(work, plane + layout__DIRECTION_COS) + v5 * AT(work, plane + layout__DIRECTION_SIN) - station;
         if (fabs(excess) < tolerance)
         {
             if (forward > 0.0)
             {
-                (*exists) = 1;
+                exists = true;
             }
             break;
         }
@@ -2239,172 +1708,117 @@ static inline int64_t derivative_traces__trace_profile_t(double* result_0, lanes
         u = u - v6;
     }
     v7 = 1.0 / forward;
-    EACH_LANE each(along_t) = (-v7) * each(forward_t) / forward;
+    EACH_LANE each(along_t) = -v7 * each(forward_t) / forward;
     along = v7;
-    v8 = (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - slope * (*cspan_at(&work, plane + layout__DIRECTION_COS));
-    EACH_LANE each(rate_t) = (each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN))) - (each(slope_t) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * each((*lanes_at(&work_t, plane + layout__DIRECTION_COS))))) * along + v8 * each(along_t);
+    v8 = AT(work, plane + layout__DIRECTION_SIN) - slope * AT(work, plane + layout__DIRECTION_COS);
+    EACH_LANE each(rate_t) = (each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)) - (each(slope_t) * AT(work, plane + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)))) * along + v8 * each(along_t);
     rate = v8 * along;
     v9 = -bend;
     v10 = v9 * along;
     v11 = v10 * along;
-    EACH_LANE each((*ordinate_bend_t)) = (((-each(bend_t)) * along + v9 * each(along_t)) * along + v10 * each(along_t)) * along + v11 * each(along_t);
-    (*ordinate_bend) = v11 * along;
-    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) = each(u_t) - (each(excess_t) * along + excess * each(along_t));
-    (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = u - excess * along;
-    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_RATE))) = each(along_t);
-    (*cspan_at(&work, trace + layout__TRACE_RATE)) = along;
-    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_BEND))) = each((*ordinate_bend_t)) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + (*ordinate_bend) * each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN)));
-    (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
-    v12 = u - (*cspan_at(&work, point + layout__POINT_Y));
-    v13 = height - (*cspan_at(&work, point + layout__POINT_Z));
-    EACH_LANE each(ordinate_t) = (each(u_t) - each((*lanes_at(&work_t, point + layout__POINT_Y)))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v12 * each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN))) - ((each(height_t) - each((*lanes_at(&work_t, point + layout__POINT_Z)))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v13 * each((*lanes_at(&work_t, plane + layout__DIRECTION_COS))));
-    ordinate = v12 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - v13 * (*cspan_at(&work, plane + layout__DIRECTION_COS));
+    EACH_LANE each(ordinate_bend_t) = ((-each(bend_t) * along + v9 * each(along_t)) * along + v10 * each(along_t)) * along + v11 * each(along_t);
+    ordinate_bend = v11 * along;
+    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(u_t) - (each(excess_t) * along + excess * each(along_t));
+    AT(work, trace + layout__TRACE_ABSCISSA) = u - excess * along;
+    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = each(along_t);
+    AT(work, trace + layout__TRACE_RATE) = along;
+    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = each(ordinate_bend_t) * AT(work, plane + layout__DIRECTION_SIN) + ordinate_bend * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN));
+    AT(work, trace + layout__TRACE_BEND) = ordinate_bend * AT(work, plane + layout__DIRECTION_SIN);
+    v12 = u - AT(work, point + layout__POINT_Y);
+    v13 = height - AT(work, point + layout__POINT_Z);
+    EACH_LANE each(ordinate_t) = (each(u_t) - each(RATE_AT(work_t, point + layout__POINT_Y))) * AT(work, plane + layout__DIRECTION_SIN) + v12 * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)) - ((each(height_t) - each(RATE_AT(work_t, point + layout__POINT_Z))) * AT(work, plane + layout__DIRECTION_COS) + v13 * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)));
+    ordinate = v12 * AT(work, plane + layout__DIRECTION_SIN) - v13 * AT(work, plane + layout__DIRECTION_COS);
     v14 = -excess;
-    EACH_LANE each(move_t) = (-each(excess_t)) * along + v14 * each(along_t);
+    EACH_LANE each(move_t) = -each(excess_t) * along + v14 * each(along_t);
     move = v14 * along;
     v15 = 0.5 * excess;
-    v16 = rate - v15 * (*ordinate_bend);
-    (*result_0) = ordinate - excess * v16;
-    EACH_LANE each((*result_1)) = each(ordinate_t) - (each(excess_t) * v16 + excess * (each(rate_t) - (0.5 * each(excess_t) * (*ordinate_bend) + v15 * each((*ordinate_bend_t)))));
-    (*result_2) = rate - excess * (*ordinate_bend);
-    EACH_LANE each((*result_3)) = each(rate_t) - (each(excess_t) * (*ordinate_bend) + excess * each((*ordinate_bend_t)));
-    (*result_6) = slope + move * bend;
-    EACH_LANE each((*result_7)) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
-    (*result_8) = height + move * slope;
-    EACH_LANE each((*result_9)) = each(height_t) + (each(move_t) * slope + move * each(slope_t));
-    return 0;
+    v16 = rate - v15 * ordinate_bend;
+    *out_0 = ordinate - excess * v16;
+    EACH_LANE each(*out_1) = each(ordinate_t) - (each(excess_t) * v16 + excess * (each(rate_t) - (0.5 * each(excess_t) * ordinate_bend + v15 * each(ordinate_bend_t))));
+    *out_2 = rate - excess * ordinate_bend;
+    EACH_LANE each(*out_3) = each(rate_t) - (each(excess_t) * ordinate_bend + excess * each(ordinate_bend_t));
+    *ordinate_bend_out = ordinate_bend;
+    EACH_LANE each(*ordinate_bend_t_out) = each(ordinate_bend_t);
+    *out_6 = slope + move * bend;
+    EACH_LANE each(*out_7) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
+    *out_8 = height + move * slope;
+    EACH_LANE each(*out_9) = each(height_t) + (each(move_t) * slope + move * each(slope_t));
+    *exists_out = exists;
 }
 
 /* Derivative of ``trace_rail``. */
-static inline int64_t derivative_traces__trace_rail_t(double* ordinate, lanes* ordinate_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_rail_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
-    double slope;
-    lanes slope_t;
-    double height;
-    lanes height_t;
-    derivative_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &height, &height_t, exists, tables, work, work_t, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
-    return 0;
+    double ordinate, rate, bend, slope, height;
+    lanes ordinate_t, rate_t, bend_t, slope_t, height_t;
+    bool exists;
+    derivative_traces__trace_profile_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &slope, &slope_t, &height, &height_t, &exists, tables, work, work_t, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
+    *ordinate_out = ordinate;
+    EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
+    *exists_out = exists;
 }
 
 /* Derivative of ``trace_wheel``. */
-static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, lanes* ordinate_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t place;
-    lanes lifted_t;
-    double lifted;
-    double slope;
-    lanes slope_t;
-    double z;
-    lanes z_t;
-    double v1;
-    lanes v1_t;
-    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
-    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
+    lanes lifted_t, ordinate_t, rate_t, bend_t, slope_t, z_t, v1_t, curvature_t;
+    double lifted, ordinate, rate, bend, slope, z, v1, curvature;
+    bool exists;
+    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
+    if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
-        EACH_LANE each(lifted_t) = each(station_t) - (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
-        lifted = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-        derivative_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
-        EACH_LANE each((*ordinate_t)) = each((*ordinate_t)) - (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))));
-        (*ordinate) = (*ordinate) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, (*bend), (*bend_t));
-        EACH_LANE each((*curvature_t)) = each(v1_t);
-        (*curvature) = v1;
+        EACH_LANE each(lifted_t) = each(station_t) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+        lifted = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+        derivative_traces__trace_profile_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &slope, &slope_t, &z, &z_t, &exists, tables, work, work_t, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
+        EACH_LANE each(ordinate_t) = each(ordinate_t) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+        ordinate = ordinate - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+        derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, bend, bend_t);
+        EACH_LANE each(curvature_t) = each(v1_t);
+        curvature = v1;
     }
     else
     {
-        derivative_traces__trace_outline_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, curvature, curvature_t, exists, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
+        derivative_traces__trace_outline_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, &exists, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     }
-    return 0;
+    *ordinate_out = ordinate;
+    EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
+    *curvature_out = curvature;
+    EACH_LANE each(*curvature_t_out) = each(curvature_t);
+    *exists_out = exists;
 }
 
 /* Derivative of ``trace_outline``. */
-static inline int64_t derivative_traces__trace_outline_t(double* ordinate, lanes* ordinate_t, double* result_2, lanes* result_3, double* ordinate_bend, lanes* ordinate_bend_t, double* curvature, lanes* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_outline_t(double* ordinate_out, lanes* ordinate_t_out, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* curvature_out, lanes* curvature_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
-    int64_t wheel;
-    int64_t place;
-    int64_t trace;
-    lanes cosine_t;
-    double cosine;
-    lanes sine_t;
-    double sine;
-    lanes left_t;
-    double left;
-    lanes above_t;
-    double above;
-    double v1;
-    lanes v1_t;
-    lanes y_t;
-    double y;
-    lanes excess_t;
-    double excess;
-    lanes along_t;
-    double along;
-    lanes across_t;
-    double across;
-    lanes up_t;
-    double up;
-    lanes stretch_t;
-    double stretch;
-    lanes z_t;
-    double z;
-    lanes slope_t;
-    double slope;
-    lanes bend_t;
-    double bend;
-    lanes outline_slope_t;
-    double outline_slope;
-    lanes outline_rate_t;
-    double outline_rate;
-    int64_t i;
-    double v2;
-    lanes v2_t;
-    double v3;
-    lanes v3_t;
-    double y_track;
-    lanes y_track_t;
-    double z_track;
-    lanes z_track_t;
-    double v4;
-    double v5;
-    double v6;
-    lanes per_along_t;
-    double per_along;
-    double v7;
-    lanes per_stretch_t;
-    double per_stretch;
-    double v8;
-    lanes rate_t;
-    double rate;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    lanes move_t;
-    double move;
-    double v15;
-    double v16;
-    lanes v16_t;
-    double v17;
-    double v18;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
+    int64_t wheel, place, trace, i;
+    lanes cosine_t, sine_t, left_t, above_t, v1_t, y_t, excess_t, along_t, across_t, up_t, stretch_t, z_t, slope_t, bend_t, outline_slope_t, outline_rate_t, v2_t, v3_t, y_track_t, z_track_t, per_along_t, per_stretch_t, rate_t, ordinate_bend_t, move_t, v16_t, curvature_t, ordinate_t, rates, rates_2, rates_3;
+    double cosine, sine, left, above, v1, y, excess, along, across, up, stretch, z, slope, bend, outline_slope, outline_rate, v2, v3, y_track, z_track, v4, v5, v6, per_along, v7, per_stretch, v8, rate, v9, v10, v11, v12, ordinate_bend, v13, v14, move, v15, v16, curvature, v17, v18, ordinate;
+    bool exists;
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-    EACH_LANE each(cosine_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    EACH_LANE each(sine_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    EACH_LANE each(left_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)));
-    left = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
-    EACH_LANE each(above_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
-    above = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), rates_1);
+    EACH_LANE each(cosine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    cosine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    EACH_LANE each(sine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    sine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+    EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
+    left = AT(tables, pair + layout__PAIR_RAIL_Y) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE);
+    EACH_LANE each(above_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    above = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z);
+    EACH_LANE each(rates) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION), rates);
     EACH_LANE each(y_t) = each(v1_t);
     y = v1;
-    (*exists) = 0;
+    exists = false;
     excess_t = all_lanes(0.0);
     excess = 0.0;
     along_t = all_lanes(0.0);
@@ -2425,20 +1839,20 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, lanes
     outline_slope = 0.0;
     outline_rate_t = all_lanes(0.0);
     outline_rate = 0.0;
-    for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < traces__TRACE_ITERATIONS; i += 1)
     {
         v2 = y;
         EACH_LANE each(v2_t) = each(y_t);
-        if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v2)
+        if (AT(tables, wheel + layout__PROFILE_START) > v2)
         {
-            v2 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
+            v2 = AT(tables, wheel + layout__PROFILE_START);
             v2_t = all_lanes(0.0);
         }
         v3 = v2;
         EACH_LANE each(v3_t) = each(v2_t);
-        if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v3)
+        if (AT(tables, wheel + layout__PROFILE_STOP) < v3)
         {
-            v3 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+            v3 = AT(tables, wheel + layout__PROFILE_STOP);
             v3_t = all_lanes(0.0);
         }
         EACH_LANE each(y_t) = each(v3_t);
@@ -2457,7 +1871,7 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, lanes
         {
             if (stretch * along > 0.0)
             {
-                (*exists) = 1;
+                exists = true;
             }
             break;
         }
@@ -2467,10 +1881,10 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, lanes
         y = y - v5;
     }
     v6 = 1.0 / along;
-    EACH_LANE each(per_along_t) = (-v6) * each(along_t) / along;
+    EACH_LANE each(per_along_t) = -v6 * each(along_t) / along;
     per_along = v6;
     v7 = 1.0 / stretch;
-    EACH_LANE each(per_stretch_t) = (-v7) * each(stretch_t) / stretch;
+    EACH_LANE each(per_stretch_t) = -v7 * each(stretch_t) / stretch;
     per_stretch = v7;
     v8 = sine - outline_slope * cosine;
     EACH_LANE each(rate_t) = (each(sine_t) - (each(outline_slope_t) * cosine + outline_slope * each(cosine_t))) * per_along + v8 * each(per_along_t);
@@ -2479,33 +1893,37 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, lanes
     v10 = v9 * per_stretch;
     v11 = v10 * per_along;
     v12 = v11 * per_along;
-    EACH_LANE each((*ordinate_bend_t)) = ((((-each(outline_rate_t)) * per_stretch + v9 * each(per_stretch_t)) * per_along + v10 * each(per_along_t)) * per_along + v11 * each(per_along_t)) * per_along + v12 * each(per_along_t);
-    (*ordinate_bend) = v12 * per_along;
+    EACH_LANE each(ordinate_bend_t) = (((-each(outline_rate_t) * per_stretch + v9 * each(per_stretch_t)) * per_along + v10 * each(per_along_t)) * per_along + v11 * each(per_along_t)) * per_along + v12 * each(per_along_t);
+    ordinate_bend = v12 * per_along;
     v13 = -excess;
     v14 = v13 * per_along;
-    EACH_LANE each(move_t) = ((-each(excess_t)) * per_along + v13 * each(per_along_t)) * per_stretch + v14 * each(per_stretch_t);
+    EACH_LANE each(move_t) = (-each(excess_t) * per_along + v13 * each(per_along_t)) * per_stretch + v14 * each(per_stretch_t);
     move = v14 * per_stretch;
-    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) = each(y_t) + each(move_t);
-    (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y + move;
-    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_RATE))) = each(per_along_t) * per_stretch + per_along * each(per_stretch_t);
-    (*cspan_at(&work, trace + layout__TRACE_RATE)) = per_along * per_stretch;
-    v15 = (*ordinate_bend) * sine;
-    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_BEND))) = (each((*ordinate_bend_t)) * sine + (*ordinate_bend) * each(sine_t)) * per_stretch + v15 * each(per_stretch_t);
-    (*cspan_at(&work, trace + layout__TRACE_BEND)) = v15 * per_stretch;
-    lanes rates_2;
+    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(y_t) + each(move_t);
+    AT(work, trace + layout__TRACE_ABSCISSA) = y + move;
+    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = each(per_along_t) * per_stretch + per_along * each(per_stretch_t);
+    AT(work, trace + layout__TRACE_RATE) = per_along * per_stretch;
+    v15 = ordinate_bend * sine;
+    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = (each(ordinate_bend_t) * sine + ordinate_bend * each(sine_t)) * per_stretch + v15 * each(per_stretch_t);
+    AT(work, trace + layout__TRACE_BEND) = v15 * per_stretch;
     EACH_LANE each(rates_2) = each(z_t) + (each(move_t) * slope + move * each(slope_t));
-    lanes rates_3;
     EACH_LANE each(rates_3) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
     derivative_curvature__longitudinal_curvature_t(&v16, &v16_t, work, work_t, tables, place, z + move * slope, rates_2, slope + move * bend, rates_3, bend, bend_t);
-    EACH_LANE each((*curvature_t)) = each(v16_t);
-    (*curvature) = v16;
+    EACH_LANE each(curvature_t) = each(v16_t);
+    curvature = v16;
     v17 = 0.5 * excess;
-    v18 = rate - v17 * (*ordinate_bend);
-    EACH_LANE each((*ordinate_t)) = each(across_t) * sine + across * each(sine_t) - (each(up_t) * cosine + up * each(cosine_t)) - (each(excess_t) * v18 + excess * (each(rate_t) - (0.5 * each(excess_t) * (*ordinate_bend) + v17 * each((*ordinate_bend_t)))));
-    (*ordinate) = across * sine - up * cosine - excess * v18;
-    (*result_2) = rate - excess * (*ordinate_bend);
-    EACH_LANE each((*result_3)) = each(rate_t) - (each(excess_t) * (*ordinate_bend) + excess * each((*ordinate_bend_t)));
-    return 0;
+    v18 = rate - v17 * ordinate_bend;
+    EACH_LANE each(ordinate_t) = each(across_t) * sine + across * each(sine_t) - (each(up_t) * cosine + up * each(cosine_t)) - (each(excess_t) * v18 + excess * (each(rate_t) - (0.5 * each(excess_t) * ordinate_bend + v17 * each(ordinate_bend_t))));
+    ordinate = across * sine - up * cosine - excess * v18;
+    *ordinate_out = ordinate;
+    EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
+    *out_2 = rate - excess * ordinate_bend;
+    EACH_LANE each(*out_3) = each(rate_t) - (each(excess_t) * ordinate_bend + excess * each(ordinate_bend_t));
+    *ordinate_bend_out = ordinate_bend;
+    EACH_LANE each(*ordinate_bend_t_out) = each(ordinate_bend_t);
+    *curvature_out = curvature;
+    EACH_LANE each(*curvature_t_out) = each(curvature_t);
+    *exists_out = exists;
 }
 
 
@@ -2515,23 +1933,26 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, lanes
  */
 
 /* Derivative of ``width_limit``. */
-static inline int64_t derivative_widths__width_limit_t(double* limit, lanes* limit_t, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t)
+static inline void derivative_widths__width_limit_t(double* limit_out, lanes* limit_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t)
 {
-    EACH_LANE each((*limit_t)) = each((*lanes_at(&work_t, region + layout__REGION_HIGH))) - each((*lanes_at(&work_t, region + layout__REGION_STATION)));
-    (*limit) = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
+    lanes limit_t;
+    double limit;
+    EACH_LANE each(limit_t) = each(RATE_AT(work_t, region + layout__REGION_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
+    limit = AT(work, region + layout__REGION_HIGH) - AT(work, region + layout__REGION_STATION);
     if (direction < 0.0)
     {
-        EACH_LANE each((*limit_t)) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) - each((*lanes_at(&work_t, region + layout__REGION_LOW)));
-        (*limit) = (*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW));
+        EACH_LANE each(limit_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) - each(RATE_AT(work_t, region + layout__REGION_LOW));
+        limit = AT(work, region + layout__REGION_STATION) - AT(work, region + layout__REGION_LOW);
     }
-    return 0;
+    *limit_out = limit;
+    EACH_LANE each(*limit_t_out) = each(limit_t);
 }
 
 /* Derivative of ``width_tolerance``. */
-static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, lanes* tolerance_t, double estimate, lanes estimate_t)
+static inline void derivative_widths__width_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double estimate, lanes estimate_t)
 {
-    double v1;
-    lanes v1_t;
+    double v1, tolerance;
+    lanes v1_t, tolerance_t;
     v1 = widths__TRACE_OF_WIDTH * estimate;
     EACH_LANE each(v1_t) = widths__TRACE_OF_WIDTH * each(estimate_t);
     if (widths__WIDTH_TRACE < v1)
@@ -2539,69 +1960,22 @@ static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, la
         v1 = widths__WIDTH_TRACE;
         v1_t = all_lanes(0.0);
     }
-    EACH_LANE each((*tolerance_t)) = each(v1_t);
-    (*tolerance) = v1;
-    return 0;
+    EACH_LANE each(tolerance_t) = each(v1_t);
+    tolerance = v1;
+    *tolerance_out = tolerance;
+    EACH_LANE each(*tolerance_t_out) = each(tolerance_t);
 }
 
 /* Derivative of ``zone_width``. */
-static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, lanes* result_1_0001, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
+static inline void derivative_widths__zone_width_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
 {
-    double v1;
-    lanes v1_t;
-    lanes limit_t;
-    double limit;
-    double v2;
-    lanes v2_t;
-    lanes tolerance_t;
-    double tolerance;
-    double v3;
-    lanes root_t;
-    double root;
-    lanes low_t;
-    double low;
-    lanes high_t;
-    double high;
-    lanes width_t;
-    double width;
-    lanes station_t;
-    double station;
-    lanes abscissa_t;
-    double abscissa;
-    lanes y_t;
-    double y;
-    double near;
+    double v1, limit, v2, tolerance, v3, root, low, high, width, station, abscissa, y, near, v4, gap, rate, bend, curvature, rise, following, sharp, v5, v6, square, v7, v8, v9, v10, v11, newton;
+    lanes v1_t, limit_t, v2_t, tolerance_t, root_t, low_t, high_t, width_t, station_t, abscissa_t, y_t, v4_t, gap_t, rate_t, bend_t, curvature_t, rise_t, following_t, square_t, newton_t, rates;
     int64_t i;
-    double v4;
-    lanes v4_t;
-    double gap;
-    lanes gap_t;
-    double rate;
-    lanes rate_t;
-    double bend;
-    lanes bend_t;
-    double curvature;
-    lanes curvature_t;
-    lanes rise_t;
-    double rise;
-    lanes following_t;
-    double following;
-    double sharp;
-    double v5;
-    double v6;
-    lanes square_t;
-    double square;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    lanes newton_t;
-    double newton;
     derivative_widths__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
     EACH_LANE each(limit_t) = each(v1_t);
     limit = v1;
-    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
     derivative_widths__width_tolerance_t(&v2, &v2_t, estimate, estimate_t);
     EACH_LANE each(tolerance_t) = each(v2_t);
@@ -2615,24 +1989,24 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, lan
     high = -1.0;
     EACH_LANE each(width_t) = each(estimate_t);
     width = estimate;
-    (*lanes_at(&work_t, region + layout__REGION_REACHED)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_REACHED)) = 0.0;
-    EACH_LANE each(station_t) = each((*lanes_at(&work_t, region + layout__REGION_STATION)));
-    station = (*cspan_at(&work, region + layout__REGION_STATION));
-    EACH_LANE each(abscissa_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
-    abscissa = (*cspan_at(&work, region + layout__REGION_RAIL));
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, region + layout__REGION_WHEEL)));
-    y = (*cspan_at(&work, region + layout__REGION_WHEEL));
+    RATE_AT(work_t, region + layout__REGION_REACHED) = all_lanes(0.0);
+    AT(work, region + layout__REGION_REACHED) = 0.0;
+    EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION));
+    station = AT(work, region + layout__REGION_STATION);
+    EACH_LANE each(abscissa_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
+    abscissa = AT(work, region + layout__REGION_RAIL);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL));
+    y = AT(work, region + layout__REGION_WHEEL);
     near = widths__WIDTH_SHARP;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
     {
         near = widths__SUNK_SHARP;
     }
-    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
         near = widths__PRESSED_SHARP;
     }
-    for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
+    for (i = 0; i < widths__WIDTH_ITERATIONS; i += 1)
     {
         v4 = width;
         EACH_LANE each(v4_t) = each(width_t);
@@ -2643,35 +2017,34 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, lan
         }
         EACH_LANE each(width_t) = each(v4_t);
         width = v4;
-        lanes rates_1;
-        EACH_LANE each(rates_1) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + (each(direction_t) * width + direction * each(width_t));
-        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, rates_1, tolerance, tolerance_t);
+        EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
+        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
         if (gap >= frame__NO_GAP)
         {
             derivative_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
         }
         else
         {
-            EACH_LANE each(station_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-            station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-            EACH_LANE each(abscissa_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-            abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            EACH_LANE each(y_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-            y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+            EACH_LANE each(station_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            station = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
+            EACH_LANE each(abscissa_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            abscissa = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA);
+            EACH_LANE each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+            y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
         }
-        EACH_LANE each(rise_t) = each(gap_t) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
-        rise = gap - (*cspan_at(&work, region + layout__REGION_GAP));
+        EACH_LANE each(rise_t) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
+        rise = gap - AT(work, region + layout__REGION_GAP);
         if (rise < level)
         {
             EACH_LANE each(low_t) = each(width_t);
             low = width;
-            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_REACHED))) = each(rise_t);
-            (*cspan_at(&work, region + layout__REGION_REACHED)) = rise;
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(rise_t);
+            AT(work, region + layout__REGION_REACHED) = rise;
             if (width >= limit)
             {
-                (*result_0_0001) = limit;
-                EACH_LANE each((*result_1_0001)) = each(limit_t);
-                return 0;
+                *width_out = limit;
+                EACH_LANE each(*width_t_out) = each(limit_t);
+                return;
             }
         }
         else
@@ -2688,7 +2061,7 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, lan
             EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
             following = 0.5 * v5;
         }
-        if ((rise > 0.0) && (rate * direction > 0.0))
+        if (rise > 0.0 && rate * direction > 0.0)
         {
             v6 = sqrt(rise);
             EACH_LANE each(square_t) = derivative_rates__root_rate(v6, each(rise_t));
@@ -2700,7 +2073,7 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, lan
             v11 = v9 / v10;
             EACH_LANE each(newton_t) = each(width_t) + ((each(root_t) - each(square_t)) * 2.0 * square + v8 * each(square_t) - v11 * (each(rate_t) * direction + rate * each(direction_t))) / v10;
             newton = width + v11;
-            if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
+            if (newton > low && newton < 4.0 * width && (high < 0.0 || newton < high))
             {
                 EACH_LANE each(following_t) = each(newton_t);
                 following = newton;
@@ -2711,119 +2084,76 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, lan
         {
             if (sharp == near)
             {
-                EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_REACHED))) = each(level_t);
-                (*cspan_at(&work, region + layout__REGION_REACHED)) = level;
+                EACH_LANE each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(level_t);
+                AT(work, region + layout__REGION_REACHED) = level;
             }
-            (*result_0_0001) = following;
-            EACH_LANE each((*result_1_0001)) = each(following_t);
-            return 0;
+            *width_out = following;
+            EACH_LANE each(*width_t_out) = each(following_t);
+            return;
         }
         EACH_LANE each(width_t) = each(following_t);
         width = following;
     }
-    (*result_0_0001) = width;
-    EACH_LANE each((*result_1_0001)) = each(width_t);
-    return 0;
+    *width_out = width;
+    EACH_LANE each(*width_t_out) = each(width_t);
 }
 
 /* Derivative of ``keep_widths``. */
 static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
 {
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION))) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    return 0;
 }
 
 /* Derivative of ``start_widths``. */
 static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
 {
-    lanes low_t;
-    double low;
-    lanes high_t;
-    double high;
-    (*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = all_lanes(0.0);
-    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    EACH_LANE each(low_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) + each((*lanes_at(&work_t, region + layout__REGION_OFFSET)));
-    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work, region + layout__REGION_OFFSET));
-    EACH_LANE each(high_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))) - each((*lanes_at(&work_t, region + layout__REGION_OFFSET)));
-    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work, region + layout__REGION_OFFSET));
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) > 0.0) && (low > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) && (high > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))))
+    lanes low_t, high_t;
+    double low, high;
+    RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION) = all_lanes(0.0);
+    AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
+    EACH_LANE each(low_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
+    EACH_LANE each(high_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))
     {
-        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)));
-        (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
-        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) = each(low_t);
-        (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))) = each(high_t);
-        (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION);
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
+        AT(work, region + layout__REGION_WIDTH_LOW) = low;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
+        AT(work, region + layout__REGION_WIDTH_HIGH) = high;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``measure_widths``. */
 static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double local_penetration, lanes local_penetration_t)
 {
-    double v1;
-    double v2;
-    lanes v2_t;
-    double v3;
-    double v4;
-    lanes v4_t;
-    lanes bend_t;
-    double bend;
-    double v5;
-    double v6;
-    double v7;
-    lanes low_t;
-    double low;
-    lanes high_t;
-    double high;
-    double v8;
-    double v9;
-    lanes grown_t;
-    double grown;
-    double v10;
-    lanes v10_t;
-    lanes high_reached_t;
-    double high_reached;
-    lanes slant_t;
-    double slant;
-    lanes start_t;
-    double start;
+    double v1, v2, v3, v4, bend, v5, v6, v7, low, high, v8, v9, grown, v10, high_reached, slant, start, v11, v12, v13, v14, v15, v17, v16, v19, v18, v20;
+    lanes v2_t, v4_t, bend_t, low_t, high_t, grown_t, v10_t, high_reached_t, slant_t, start_t, v11_t, v12_t, v13_t, v16_t, v18_t, rates, rates_2;
     bool yawed;
-    double v11;
-    lanes v11_t;
-    double v12;
-    lanes v12_t;
-    double v13;
-    lanes v13_t;
-    double v14;
-    double v15;
-    double v17;
-    double v16;
-    lanes v16_t;
-    double v19;
-    double v18;
-    lanes v18_t;
-    double v20;
-    v1 = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    v2 = (*cspan_at(&work, region + layout__REGION_BEND));
-    EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_BEND)));
+    v1 = widths__LEAST_BEND * AT(work, region + layout__REGION_CURVATURE);
+    v2 = AT(work, region + layout__REGION_BEND);
+    EACH_LANE each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_BEND));
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = widths__LEAST_BEND * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
+        EACH_LANE each(v2_t) = widths__LEAST_BEND * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
     }
-    v3 = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
+    v3 = widths__MOST_BEND * AT(work, region + layout__REGION_CURVATURE);
     v4 = v2;
     EACH_LANE each(v4_t) = each(v2_t);
     if (v3 < v4)
     {
         v4 = v3;
-        EACH_LANE each(v4_t) = widths__MOST_BEND * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
+        EACH_LANE each(v4_t) = widths__MOST_BEND * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
     }
     EACH_LANE each(bend_t) = each(v4_t);
     bend = v4;
@@ -2834,34 +2164,34 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables
     low = v7;
     EACH_LANE each(high_t) = each(low_t);
     high = low;
-    if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
+    if (AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0)
     {
-        v8 = local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
+        v8 = local_penetration / AT(work, region + layout__REGION_WIDTH_PENETRATION);
         v9 = sqrt(v8);
-        EACH_LANE each(grown_t) = derivative_rates__root_rate(v9, (each(local_penetration_t) - v8 * each((*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)))) / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
+        EACH_LANE each(grown_t) = derivative_rates__root_rate(v9, (each(local_penetration_t) - v8 * each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION))) / AT(work, region + layout__REGION_WIDTH_PENETRATION));
         grown = v9;
-        EACH_LANE each(low_t) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * each(grown_t);
-        low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
-        EACH_LANE each(high_t) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * each(grown_t);
-        high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
+        EACH_LANE each(low_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) * grown + AT(work, region + layout__REGION_WIDTH_LOW) * each(grown_t);
+        low = AT(work, region + layout__REGION_WIDTH_LOW) * grown;
+        EACH_LANE each(high_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) * grown + AT(work, region + layout__REGION_WIDTH_HIGH) * each(grown_t);
+        high = AT(work, region + layout__REGION_WIDTH_HIGH) * grown;
     }
     derivative_widths__width_rule_t(&v10, &v10_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), local_penetration, local_penetration_t, high, high_t);
     EACH_LANE each(high_t) = each(v10_t);
     high = v10;
-    EACH_LANE each(high_reached_t) = each((*lanes_at(&work_t, region + layout__REGION_REACHED)));
-    high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
+    EACH_LANE each(high_reached_t) = each(RATE_AT(work_t, region + layout__REGION_REACHED));
+    high_reached = AT(work, region + layout__REGION_REACHED);
     slant_t = all_lanes(0.0);
     slant = 0.0;
-    EACH_LANE each(start_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_LANE each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    start = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
     yawed = frame__is_yawed(work);
     if (yawed)
     {
-        derivative_locus__outline_x_t(&v11, &v11_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        derivative_locus__outline_x_t(&v11, &v11_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         EACH_LANE each(slant_t) = each(v11_t);
         slant = v11;
     }
-    if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
+    if (!(AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0))
     {
         EACH_LANE each(low_t) = each(high_t);
         low = high;
@@ -2871,54 +2201,46 @@ static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables
     low = v12;
     if (yawed)
     {
-        derivative_locus__outline_x_t(&v13, &v13_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        derivative_locus__outline_x_t(&v13, &v13_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         EACH_LANE each(slant_t) = each(slant_t) - each(v13_t);
         slant = slant - v13;
-        if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
+        if (start > AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))
         {
-            v14 = start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            v14 = start - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
             v15 = slant / v14;
-            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SLANT))) = (each(slant_t) - v15 * (each(start_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))))) / v14;
-            (*cspan_at(&work, region + layout__REGION_SLANT)) = v15;
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SLANT)) = (each(slant_t) - v15 * (each(start_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v14;
+            AT(work, region + layout__REGION_SLANT) = v15;
         }
     }
     v17 = low + high;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = 0.5 * (each(low_t) + each(high_t));
-    derivative_widths__side_curvature_t(&v16, &v16_t, high_reached, high_reached_t, high, high_t, 0.5 * v17, rates_1);
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIDE_HIGH))) = each(v16_t);
-    (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = v16;
+    EACH_LANE each(rates) = 0.5 * (each(low_t) + each(high_t));
+    derivative_widths__side_curvature_t(&v16, &v16_t, high_reached, high_reached_t, high, high_t, 0.5 * v17, rates);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIDE_HIGH)) = each(v16_t);
+    AT(work, region + layout__REGION_SIDE_HIGH) = v16;
     v19 = low + high;
-    lanes rates_2;
     EACH_LANE each(rates_2) = 0.5 * (each(low_t) + each(high_t));
-    derivative_widths__side_curvature_t(&v18, &v18_t, (*cspan_at(&work, region + layout__REGION_REACHED)), (*lanes_at(&work_t, region + layout__REGION_REACHED)), low, low_t, 0.5 * v19, rates_2);
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIDE_LOW))) = each(v18_t);
-    (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = v18;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))) = each(high_t);
-    (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) = each(low_t);
-    (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) = each(local_penetration_t);
-    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
+    derivative_widths__side_curvature_t(&v18, &v18_t, AT(work, region + layout__REGION_REACHED), RATE_AT(work_t, region + layout__REGION_REACHED), low, low_t, 0.5 * v19, rates_2);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIDE_LOW)) = each(v18_t);
+    AT(work, region + layout__REGION_SIDE_LOW) = v18;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
+    AT(work, region + layout__REGION_WIDTH_HIGH) = high;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
+    AT(work, region + layout__REGION_WIDTH_LOW) = low;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(local_penetration_t);
+    AT(work, region + layout__REGION_WIDTH_PENETRATION) = local_penetration;
     v20 = high - low;
-    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_MIDDLE))) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + 0.5 * (each(high_t) - each(low_t));
-    (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * v20;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_MIDDLE)) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + 0.5 * (each(high_t) - each(low_t));
+    AT(work, region + layout__REGION_MIDDLE) = AT(work, region + layout__REGION_STATION) + 0.5 * v20;
+    return 0;
 }
 
 /* Derivative of ``side_curvature``. */
-static inline int64_t derivative_widths__side_curvature_t(double* curvature, lanes* curvature_t, double reached, lanes reached_t, double own, lanes own_t, double mean, lanes mean_t)
+static inline void derivative_widths__side_curvature_t(double* curvature_out, lanes* curvature_t_out, double reached, lanes reached_t, double own, lanes own_t, double mean, lanes mean_t)
 {
-    double v1;
-    double v2;
-    lanes v2_t;
-    lanes ratio_t;
-    double ratio;
-    double v3;
-    double v4;
-    double v5;
-    (*curvature_t) = all_lanes(0.0);
-    (*curvature) = 0.0;
+    lanes curvature_t, v2_t, ratio_t;
+    double curvature, v1, v2, ratio, v3, v4, v5;
+    curvature_t = all_lanes(0.0);
+    curvature = 0.0;
     if (own > 0.0)
     {
         v1 = mean / own;
@@ -2934,92 +2256,72 @@ static inline int64_t derivative_widths__side_curvature_t(double* curvature, lan
         v3 = own * own;
         v4 = reached / v3;
         v5 = v4 * ratio;
-        EACH_LANE each((*curvature_t)) = ((each(reached_t) - v4 * (each(own_t) * own + own * each(own_t))) / v3 * ratio + v4 * each(ratio_t)) * ratio + v5 * each(ratio_t);
-        (*curvature) = v5 * ratio;
+        EACH_LANE each(curvature_t) = ((each(reached_t) - v4 * (each(own_t) * own + own * each(own_t))) / v3 * ratio + v4 * each(ratio_t)) * ratio + v5 * each(ratio_t);
+        curvature = v5 * ratio;
     }
-    return 0;
+    *curvature_out = curvature;
+    EACH_LANE each(*curvature_t_out) = each(curvature_t);
 }
 
 /* Derivative of ``width_rule``. */
-static inline int64_t derivative_widths__width_rule_t(double* width, lanes* width_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
+static inline void derivative_widths__width_rule_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
 {
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    lanes limit_t;
-    double limit;
-    double inner;
-    double v3;
-    lanes v3_t;
-    lanes tolerance_t;
-    double tolerance;
-    double gap;
-    lanes gap_t;
-    double rate;
-    lanes rate_t;
-    lanes rail_rate;
-    lanes wheel_rate;
-    lanes missing;
-    lanes moved;
-    lanes x_t;
-    double x;
-    lanes y_t;
-    double y;
-    lanes out;
+    double v1, width, v2, limit, inner, v3, tolerance, gap, rate, x, y;
+    lanes v1_t, width_t, v2_t, limit_t, v3_t, tolerance_t, gap_t, rate_t, rail_rate, wheel_rate, missing, moved, x_t, y_t, out;
     derivative_widths__zone_width_t(&v1, &v1_t, tables, work, work_t, pair, region, direction, direction_t, level, level_t, estimate, estimate_t);
-    EACH_LANE each((*width_t)) = each(v1_t);
-    (*width) = v1;
+    EACH_LANE each(width_t) = each(v1_t);
+    width = v1;
     derivative_widths__width_limit_t(&v2, &v2_t, work, work_t, region, direction, direction_t);
     EACH_LANE each(limit_t) = each(v2_t);
     limit = v2;
-    if (((*width) < limit) && ((*cspan_at(&work, region + layout__REGION_REACHED)) != level))
+    if (width < limit && AT(work, region + layout__REGION_REACHED) != level)
     {
-        inner = (*width) * (1.0 - 10.0 * widths__HALVED_SHARP);
+        inner = width * (1.0 - 10.0 * widths__HALVED_SHARP);
         derivative_widths__width_tolerance_t(&v3, &v3_t, estimate, all_lanes(0.0));
         EACH_LANE each(tolerance_t) = each(v3_t);
         tolerance = v3;
         derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, all_lanes(0.0), tolerance, tolerance_t);
-        EACH_LANE each(rail_rate) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-        EACH_LANE each(wheel_rate) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        EACH_LANE each(missing) = each(level_t) - each(gap_t) + each((*lanes_at(&work_t, region + layout__REGION_GAP)));
+        EACH_LANE each(rail_rate) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        EACH_LANE each(wheel_rate) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        EACH_LANE each(missing) = each(level_t) - each(gap_t) + each(RATE_AT(work_t, region + layout__REGION_GAP));
         moved = all_lanes(0.0);
         if (rate * direction > 0.0)
         {
             EACH_LANE each(moved) = each(missing) / (rate * direction);
         }
         derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, all_lanes(1.0), tolerance, tolerance_t);
-        EACH_LANE each(x_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-        x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        EACH_LANE each(y_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        EACH_LANE each(x_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        x = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA);
+        EACH_LANE each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
         EACH_LANE each(out) = each(x_t) - each(rail_rate);
-        if (derivative_rates__nonzero(out) && ((x < (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (x > (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
+        if (derivative_rates__nonzero(out) && (x < AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + widths__WIDTH_TRACE || x > AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) - widths__WIDTH_TRACE))
         {
-            EACH_LANE each(moved) = (-each(rail_rate)) / each(out);
+            EACH_LANE each(moved) = -each(rail_rate) / each(out);
         }
         EACH_LANE each(out) = each(y_t) - each(wheel_rate);
-        if (derivative_rates__nonzero(out) && ((y < (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (y > (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
+        if (derivative_rates__nonzero(out) && (y < AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL) + layout__PROFILE_START) + widths__WIDTH_TRACE || y > AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL) + layout__PROFILE_STOP) - widths__WIDTH_TRACE))
         {
-            EACH_LANE each(moved) = (-each(wheel_rate)) / each(out);
+            EACH_LANE each(moved) = -each(wheel_rate) / each(out);
         }
         derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, moved, tolerance, tolerance_t);
-        EACH_LANE each((*width_t)) = each(moved);
-        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_REACHED))) = each(gap_t) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
+        EACH_LANE each(width_t) = each(moved);
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
     }
-    return 0;
+    *width_out = width;
+    EACH_LANE each(*width_t_out) = each(width_t);
 }
 
 /* Derivative of ``width_jet``. */
-static inline int64_t derivative_widths__width_jet_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double width, lanes width_t, double tolerance, lanes tolerance_t)
+static inline void derivative_widths__width_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double width, lanes width_t, double tolerance, lanes tolerance_t)
 {
-    double bend;
-    lanes bend_t;
-    double curvature;
-    lanes curvature_t;
-    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + (each(direction_t) * width + direction * each(width_t));
-    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, rates_1, tolerance, tolerance_t);
-    return 0;
+    double gap, rate, bend, curvature;
+    lanes gap_t, rate_t, bend_t, curvature_t, rates;
+    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+    EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
+    *gap_out = gap;
+    EACH_LANE each(*gap_t_out) = each(gap_t);
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
 }

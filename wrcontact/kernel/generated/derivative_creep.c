@@ -8,72 +8,25 @@
  */
 
 /* Derivative of ``correct_force``. */
-static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double share, lanes share_t)
 {
-    int64_t table;
-    lanes bound_t;
-    double bound;
-    double v1;
-    double v2;
-    lanes mean_axis_t;
-    double mean_axis;
-    double v4;
-    double v3;
-    lanes v3_t;
-    double v5;
-    int64_t ratio;
-    double on_ratio;
-    lanes on_ratio_t;
-    double along;
-    lanes along_t;
-    double across;
-    lanes across_t;
-    double turning;
-    lanes turning_t;
-    double sign_x;
-    double sign_y;
-    int64_t at;
-    double on_elevation;
-    lanes on_elevation_t;
-    double on_azimuth;
-    lanes on_azimuth_t;
-    double on_radius;
-    lanes on_radius_t;
-    double v6;
-    double v7;
-    lanes v7_t;
-    double v8;
-    double v9;
-    lanes v9_t;
-    double v10;
-    double v11;
-    double v12;
-    lanes v12_t;
-    double v13;
-    lanes v13_t;
-    double v14;
-    lanes v14_t;
-    double v15;
-    lanes v15_t;
-    double force_x;
-    lanes force_x_t;
-    double force_y;
-    lanes force_y_t;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING)));
-    EACH_LANE each(bound_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-    bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    v2 = sqrt(v1);
-    EACH_LANE each(mean_axis_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH))));
-    mean_axis = v2;
-    v4 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    lanes rates_1;
-    EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v4 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    derivative_powers__log_rule_t(&v3, &v3_t, v4, rates_1);
-    v5 = v3 - correction__LN_FIRST_RATIO;
-    lanes rates_2;
-    EACH_LANE each(rates_2) = each(v3_t) * correction__PER_DOUBLING;
-    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v5 * correction__PER_DOUBLING, rates_2, (double)(layout__CORRECTION_RATIOS - INT64_C(1)), all_lanes(0.0));
+    int64_t table, ratio, at, beyond;
+    double v1, bound, v2, v3, mean_axis, v5, v4, v6, on_ratio, along, across, turning, sign_x, sign_y, on_elevation, on_azimuth, on_radius, faint, scale, v7, v8, v9, v10, v11, v12, v13, v14, v15, v16, v17, v18, bend, v19, v20, v21, v22, v23, turned, v24, v25, v26, v27, v28, force_x, force_y;
+    lanes bound_t, mean_axis_t, v4_t, on_ratio_t, along_t, across_t, turning_t, on_elevation_t, on_azimuth_t, on_radius_t, faint_t, scale_t, v8_t, v11_t, v12_t, v16_t, v17_t, bend_t, v20_t, v22_t, v23_t, turned_t, v26_t, v27_t, v28_t, force_x_t, force_y_t, rates, rates_2;
+    table = (int64_t)AT(tables, layout__TABLES_ROLLING);
+    v1 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    EACH_LANE each(bound_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * share + v1 * each(share_t);
+    bound = v1 * share;
+    v2 = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
+    v3 = sqrt(v2);
+    EACH_LANE each(mean_axis_t) = derivative_rates__root_rate(v3, each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + AT(work, patch + layout__PATCH_HALF_LENGTH) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)));
+    mean_axis = v3;
+    v5 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(rates) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v5 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    derivative_powers__log_rule_t(&v4, &v4_t, v5, rates);
+    v6 = v4 - correction__LN_FIRST_RATIO;
+    EACH_LANE each(rates_2) = each(v4_t) * correction__PER_DOUBLING;
+    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v6 * correction__PER_DOUBLING, rates_2, (double)(layout__CORRECTION_RATIOS - 1), all_lanes(0.0));
     derivative_correction__saturation_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch, ratio, on_ratio, on_ratio_t);
     sign_x = 1.0;
     if (along < 0.0)
@@ -91,172 +44,141 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
         EACH_LANE each(turning_t) = -each(turning_t);
         turning = -turning;
     }
-    derivative_correction__node_at_t(&at, &on_elevation, &on_elevation_t, &on_azimuth, &on_azimuth_t, &on_radius, &on_radius_t, tables, table, along, along_t, across, across_t, turning, turning_t);
+    derivative_correction__node_at_t(&at, &on_elevation, &on_elevation_t, &on_azimuth, &on_azimuth_t, &on_radius, &on_radius_t, &faint, &faint_t, tables, table, along, along_t, across, across_t, turning, turning_t);
+    if (faint > 0.0)
+    {
+        EACH_LANE each(scale_t) = each(faint_t) * bound + faint * each(bound_t);
+        scale = faint * bound;
+        v7 = scale * sign_x;
+        derivative_correction__slope_at_t(&v8, &v8_t, tables, table, 0, ratio, on_ratio, on_ratio_t);
+        v9 = v7 * v8;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + ((each(scale_t) * sign_x * v8 + v7 * each(v8_t)) * along + v9 * each(along_t));
+        AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + v9 * along;
+        v10 = scale * sign_y;
+        derivative_correction__slope_at_t(&v11, &v11_t, tables, table, 1, ratio, on_ratio, on_ratio_t);
+        derivative_correction__slope_at_t(&v12, &v12_t, tables, table, 2, ratio, on_ratio, on_ratio_t);
+        v13 = v11 * across + v12 * turning;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(scale_t) * sign_y * v13 + v10 * (each(v11_t) * across + v11 * each(across_t) + (each(v12_t) * turning + v12 * each(turning_t))));
+        AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v10 * v13;
+        v14 = scale * sign_y;
+        v15 = v14 * mean_axis;
+        derivative_correction__slope_at_t(&v16, &v16_t, tables, table, 3, ratio, on_ratio, on_ratio_t);
+        derivative_correction__slope_at_t(&v17, &v17_t, tables, table, 4, ratio, on_ratio, on_ratio_t);
+        v18 = v16 * across + v17 * turning;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((each(scale_t) * sign_y * mean_axis + v14 * each(mean_axis_t)) * v18 + v15 * (each(v16_t) * across + v16 * each(across_t) + (each(v17_t) * turning + v17 * each(turning_t))));
+        AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v15 * v18;
+    }
     at = at + ratio * correction__RATIO_STRIDE;
-    v6 = sign_x * bound;
-    derivative_correction__missing_t(&v7, &v7_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (sign_x * each(bound_t) * v7 + v6 * each(v7_t));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + v6 * v7;
-    v8 = sign_y * bound;
-    derivative_correction__missing_t(&v9, &v9_t, tables, table, at + INT64_C(1), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) + (sign_y * each(bound_t) * v9 + v8 * each(v9_t));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + v8 * v9;
-    v10 = sign_y * bound;
-    v11 = v10 * mean_axis;
-    derivative_correction__missing_t(&v12, &v12_t, tables, table, at + INT64_C(2), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) + ((sign_y * each(bound_t) * mean_axis + v10 * each(mean_axis_t)) * v12 + v11 * each(v12_t));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v11 * v12;
-    derivative_correction__missing_t(&v13, &v13_t, tables, table, at + INT64_C(3), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) + each(v13_t);
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) + v13;
-    v14 = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
-    EACH_LANE each(v14_t) = each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE)));
-    if (0.0 > v14)
+    derivative_correction__middle_bend_t(&beyond, &bend, &bend_t, at, on_azimuth, on_azimuth_t);
+    v19 = sign_x * bound;
+    derivative_correction__missing_t(&v20, &v20_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * each(bound_t) * v20 + v19 * each(v20_t));
+    AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + v19 * v20;
+    if (modulo(at, correction__RATIO_STRIDE) < correction__ELEVATION_STRIDE)
     {
-        v14 = 0.0;
-        v14_t = all_lanes(0.0);
+        EACH_LANE each(on_elevation_t) = each(on_elevation_t) * on_elevation + on_elevation * each(on_elevation_t);
+        on_elevation = on_elevation * on_elevation;
     }
-    v15 = v14;
-    EACH_LANE each(v15_t) = each(v14_t);
-    if (1.0 < v15)
+    v21 = sign_y * bound;
+    derivative_correction__missing_t(&v22, &v22_t, tables, table, at + 1, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * each(bound_t) * v22 + v21 * each(v22_t));
+    AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v21 * v22;
+    derivative_correction__missing_t(&v23, &v23_t, tables, table, at + 2, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(turned_t) = each(v23_t);
+    turned = v23;
+    v24 = sign_y * bound;
+    v25 = v24 * mean_axis;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * each(bound_t) * mean_axis + v24 * each(mean_axis_t)) * turned + v25 * each(turned_t));
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v25 * turned;
+    derivative_correction__missing_t(&v26, &v26_t, tables, table, at + 3, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) + each(v26_t);
+    AT(work, patch + layout__PATCH_STICK_SHARE) = AT(work, patch + layout__PATCH_STICK_SHARE) + v26;
+    v27 = AT(work, patch + layout__PATCH_STICK_SHARE);
+    EACH_LANE each(v27_t) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE));
+    if (0.0 > v27)
     {
-        v15 = 1.0;
-        v15_t = all_lanes(0.0);
+        v27 = 0.0;
+        v27_t = all_lanes(0.0);
     }
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = each(v15_t);
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v15;
-    derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, (*cspan_at(&work, patch + layout__PATCH_CREEP_X)), (*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)), (*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)), bound, bound_t);
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = each(force_x_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = force_x;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each(force_y_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = force_y;
-    return INT64_C(0);
+    v28 = v27;
+    EACH_LANE each(v28_t) = each(v27_t);
+    if (1.0 < v28)
+    {
+        v28 = 1.0;
+        v28_t = all_lanes(0.0);
+    }
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(v28_t);
+    AT(work, patch + layout__PATCH_STICK_SHARE) = v28;
+    derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, AT(work, patch + layout__PATCH_CREEP_X), RATE_AT(work_t, patch + layout__PATCH_CREEP_X), AT(work, patch + layout__PATCH_CREEP_Y), RATE_AT(work_t, patch + layout__PATCH_CREEP_Y), bound, bound_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(force_x_t);
+    AT(work, patch + layout__PATCH_CREEP_X) = force_x;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(force_y_t);
+    AT(work, patch + layout__PATCH_CREEP_Y) = force_y;
+    return 0;
 }
 
 /* Derivative of ``saturation``. */
-static inline int64_t derivative_correction__saturation_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* result_4, lanes* result_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, lanes share_t)
+static inline void derivative_correction__saturation_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, lanes share_t)
 {
-    double v1;
-    lanes ratio_t;
-    double ratio;
-    lanes area_t;
-    double area;
-    double first;
-    lanes first_t;
-    double second;
-    lanes second_t;
-    double third;
-    lanes third_t;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    lanes scale_t;
-    double scale;
-    double v7;
-    double v8;
-    lanes v8_t;
-    double v6;
-    lanes v6_t;
-    double v9;
-    double v10;
-    lanes wide_t;
-    double wide;
+    double v1, ratio, area, first, second, third, v2, v3, v4, v5, scale, v7, v8, v6, v9, v10, wide, v11, v12, v13, v14, v15, v16, v17, v18, v19, v20, v21, v22;
+    lanes ratio_t, area_t, first_t, second_t, third_t, scale_t, v8_t, v6_t, wide_t, v12_t, v15_t, v20_t, rates;
     int64_t at;
-    double v11;
-    double v12;
-    lanes v12_t;
-    double v13;
-    double v14;
-    double v15;
-    lanes v15_t;
-    double v16;
-    double v17;
-    double v18;
-    double v19;
-    double v20;
-    lanes v20_t;
-    double v21;
-    double v22;
-    v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    EACH_LANE each(ratio_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
-    EACH_LANE each(area_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
-    area = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio, ratio_t);
+    EACH_LANE each(area_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + AT(work, patch + layout__PATCH_HALF_LENGTH) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
+    area = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
+    derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio, ratio_t);
     v2 = -area;
-    v3 = v2 * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
-    v4 = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    v3 = v2 * AT(tables, layout__TABLES_SHEAR_MODULUS);
+    v4 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     v5 = v3 / v4;
-    EACH_LANE each(scale_t) = ((-each(area_t)) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) - v5 * (each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))))) / v4;
+    EACH_LANE each(scale_t) = (-each(area_t) * AT(tables, layout__TABLES_SHEAR_MODULUS) - v5 * (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v4;
     scale = v5;
     v7 = -2.7;
     derivative_powers__log_rule_t(&v8, &v8_t, ratio, ratio_t);
-    lanes rates_1;
-    EACH_LANE each(rates_1) = v7 * each(v8_t);
-    derivative_powers__exp_rule_t(&v6, &v6_t, v7 * v8, rates_1);
+    EACH_LANE each(rates) = v7 * each(v8_t);
+    derivative_powers__exp_rule_t(&v6, &v6_t, v7 * v8, rates);
     v9 = 1.0 + 0.66 * v6;
     v10 = sqrt(v9);
     EACH_LANE each(wide_t) = derivative_rates__root_rate(v10, 0.66 * each(v6_t));
     wide = v10;
-    at = INT64_C(3) * cell;
+    at = 3 * cell;
     v11 = scale * first;
-    derivative_correction__scale_at_t(&v12, &v12_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share, share_t);
+    derivative_correction__scale_at_t(&v12, &v12_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), at, share, share_t);
     v13 = v11 * v12;
     v14 = scale * second;
-    derivative_correction__scale_at_t(&v15, &v15_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share, share_t);
+    derivative_correction__scale_at_t(&v15, &v15_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), at + 1, share, share_t);
     v16 = v14 * v15;
     v17 = sqrt(area);
     v18 = scale * v17;
     v19 = v18 * third;
-    derivative_correction__scale_at_t(&v20, &v20_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(2), share, share_t);
+    derivative_correction__scale_at_t(&v20, &v20_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), at + 2, share, share_t);
     v21 = v19 * v20;
-    v22 = v21 * (*cspan_at(&work, patch + layout__PATCH_SPIN));
-    (*result_0) = v13 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    EACH_LANE each((*result_1)) = ((each(scale_t) * first + scale * each(first_t)) * v12 + v11 * each(v12_t)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v13 * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)));
-    (*result_2) = v16 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    EACH_LANE each((*result_3)) = ((each(scale_t) * second + scale * each(second_t)) * v15 + v14 * each(v15_t)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v16 * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
-    (*result_4) = v22 * wide;
-    EACH_LANE each((*result_5)) = ((((each(scale_t) * v17 + scale * derivative_rates__root_rate(v17, each(area_t))) * third + v18 * each(third_t)) * v20 + v19 * each(v20_t)) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + v21 * each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)))) * wide + v22 * each(wide_t);
-    return 0;
+    v22 = v21 * AT(work, patch + layout__PATCH_SPIN);
+    *out_0 = v13 * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    EACH_LANE each(*out_1) = ((each(scale_t) * first + scale * each(first_t)) * v12 + v11 * each(v12_t)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v13 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    *out_2 = v16 * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    EACH_LANE each(*out_3) = ((each(scale_t) * second + scale * each(second_t)) * v15 + v14 * each(v15_t)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + v16 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+    *out_4 = v22 * wide;
+    EACH_LANE each(*out_5) = ((((each(scale_t) * v17 + scale * derivative_rates__root_rate(v17, each(area_t))) * third + v18 * each(third_t)) * v20 + v19 * each(v20_t)) * AT(work, patch + layout__PATCH_SPIN) + v21 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) * wide + v22 * each(wide_t);
 }
 
 /* Derivative of ``scale_at``. */
-static inline int64_t derivative_correction__scale_at_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double share, lanes share_t)
+static inline void derivative_correction__scale_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double share, lanes share_t)
 {
     double v1;
-    v1 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + (at + INT64_C(3)))) - (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + at));
-    (*result_0) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + at)) + share * v1;
-    EACH_LANE each((*result_1)) = each(share_t) * v1;
-    return 0;
+    v1 = AT(tables, table + layout__ROLLING_TABLE_SCALES + (at + 3)) - AT(tables, table + layout__ROLLING_TABLE_SCALES + at);
+    *out_0 = AT(tables, table + layout__ROLLING_TABLE_SCALES + at) + share * v1;
+    EACH_LANE each(*out_1) = each(share_t) * v1;
 }
 
 /* Derivative of ``node_at``. */
-static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_elevation, lanes* on_elevation_t, double* on_azimuth, lanes* on_azimuth_t, double* on_radius, lanes* on_radius_t, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t)
+static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, lanes* on_elevation_t_out, double* on_azimuth_out, lanes* on_azimuth_t_out, double* on_radius_out, lanes* on_radius_t_out, double* faint_out, lanes* faint_t_out, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t)
 {
-    double v1;
-    double v2;
-    lanes flat_t;
-    double flat;
-    double v3;
-    double v4;
-    lanes radius_t;
-    double radius;
-    double v5;
-    lanes v5_t;
-    lanes place_t;
-    double place;
-    double v6;
-    lanes v6_t;
-    int64_t elevation;
-    double v7;
-    lanes v7_t;
-    double v8;
-    double v9;
-    int64_t azimuth;
-    double v10;
-    double v11;
-    int64_t cell;
+    double v1, v2, flat, v3, v4, radius, v5, place, v6, on_elevation, v7, v8, v9, on_azimuth, v10, v11, on_radius, faint, v12, v13, v14;
+    lanes flat_t, radius_t, v5_t, place_t, v6_t, on_elevation_t, v7_t, on_azimuth_t, on_radius_t, faint_t, rates, rates_2, rates_3, rates_4;
+    int64_t elevation, azimuth, cell, at;
     v1 = across * across + turning * turning;
     v2 = sqrt(v1);
     EACH_LANE each(flat_t) = derivative_rates__root_rate(v2, each(across_t) * across + across * each(across_t) + (each(turning_t) * turning + turning * each(turning_t)));
@@ -275,113 +197,173 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
         v6 = 1.0;
         v6_t = all_lanes(0.0);
     }
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each(place_t) + each(v6_t);
-    derivative_tables__table_cell_t(&elevation, on_elevation, on_elevation_t, place + v6, rates_1, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), all_lanes(0.0));
-    lanes rates_2;
+    EACH_LANE each(rates) = each(place_t) + each(v6_t);
+    derivative_tables__table_cell_t(&elevation, &on_elevation, &on_elevation_t, place + v6, rates, (double)(layout__CORRECTION_ELEVATIONS - 1), all_lanes(0.0));
     EACH_LANE each(rates_2) = derivative_rates__size_rate(turning, each(turning_t));
     derivative_circle__atan2_rule_t(&v7, &v7_t, fabs(turning), rates_2, across, across_t);
     v8 = v7 / M_PI;
-    v9 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
-    lanes rates_3;
+    v9 = (double)(layout__CORRECTION_AZIMUTHS - 1);
     EACH_LANE each(rates_3) = each(v7_t) / M_PI * v9;
-    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v8 * v9, rates_3, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), all_lanes(0.0));
+    derivative_tables__table_cell_t(&azimuth, &on_azimuth, &on_azimuth_t, v8 * v9, rates_3, (double)(layout__CORRECTION_AZIMUTHS - 1), all_lanes(0.0));
     v10 = 1.0 + radius;
     v11 = radius / v10;
-    lanes rates_4;
     EACH_LANE each(rates_4) = (each(radius_t) - v11 * each(radius_t)) / v10;
-    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v11, rates_4);
-    (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
-    return 0;
+    derivative_correction__radius_cell_t(&cell, &on_radius, &on_radius_t, tables, table, v11, rates_4);
+    faint_t = all_lanes(0.0);
+    faint = 0.0;
+    if (cell == 0)
+    {
+        v12 = 1.0 - on_radius;
+        v13 = 1.0 + radius;
+        v14 = v12 / v13;
+        EACH_LANE each(faint_t) = (-each(on_radius_t) - v14 * each(radius_t)) / v13;
+        faint = v14;
+        EACH_LANE each(on_radius_t) = each(on_radius_t) * on_radius + on_radius * each(on_radius_t);
+        on_radius = on_radius * on_radius;
+    }
+    at = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
+    *at_out = at;
+    *on_elevation_out = on_elevation;
+    EACH_LANE each(*on_elevation_t_out) = each(on_elevation_t);
+    *on_azimuth_out = on_azimuth;
+    EACH_LANE each(*on_azimuth_t_out) = each(on_azimuth_t);
+    *on_radius_out = on_radius;
+    EACH_LANE each(*on_radius_t_out) = each(on_radius_t);
+    *faint_out = faint;
+    EACH_LANE each(*faint_t_out) = each(faint_t);
+}
+
+/* Derivative of ``slope_at``. */
+static inline void derivative_correction__slope_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share, lanes share_t)
+{
+    int64_t at;
+    double v1;
+    at = layout__CORRECTION_AXES * ratio + axis;
+    v1 = AT(tables, table + layout__ROLLING_TABLE_SLOPES + (at + layout__CORRECTION_AXES)) - AT(tables, table + layout__ROLLING_TABLE_SLOPES + at);
+    *out_0 = AT(tables, table + layout__ROLLING_TABLE_SLOPES + at) + share * v1;
+    EACH_LANE each(*out_1) = each(share_t) * v1;
 }
 
 /* Derivative of ``radius_cell``. */
-static inline int64_t derivative_correction__radius_cell_t(int64_t* cell, double* result_1, lanes* result_2, array_double_1d tables, int64_t table, double place, lanes place_t)
+static inline void derivative_correction__radius_cell_t(int64_t* cell_out, double* out_1, lanes* out_2, array_double_1d tables, int64_t table, double place, lanes place_t)
 {
-    double v1;
-    double v2;
-    (*cell) = INT64_C(0);
-    while(((*cell) < layout__CORRECTION_RADII - INT64_C(2)) && (place >= (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + ((*cell) + INT64_C(1))))))
+    int64_t cell;
+    double v1, v2;
+    cell = 0;
+    while (cell < layout__CORRECTION_RADII - 2 && place >= AT(tables, table + layout__ROLLING_TABLE_RADII + (cell + 1)))
     {
-        (*cell) = (*cell) + INT64_C(1);
+        cell = cell + 1;
     }
-    v1 = place - (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + (*cell)));
-    v2 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + ((*cell) + INT64_C(1)))) - (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + (*cell)));
-    (*result_1) = v1 / v2;
-    EACH_LANE each((*result_2)) = each(place_t) / v2;
-    return 0;
+    v1 = place - AT(tables, table + layout__ROLLING_TABLE_RADII + cell);
+    v2 = AT(tables, table + layout__ROLLING_TABLE_RADII + (cell + 1)) - AT(tables, table + layout__ROLLING_TABLE_RADII + cell);
+    *cell_out = cell;
+    *out_1 = v1 / v2;
+    EACH_LANE each(*out_2) = each(place_t) / v2;
+}
+
+/* Derivative of ``middle_bend``. */
+static inline void derivative_correction__middle_bend_t(int64_t* beyond_out, double* bend_out, lanes* bend_t_out, int64_t at, double on_azimuth, lanes on_azimuth_t)
+{
+    int64_t azimuth, beyond;
+    lanes bend_t;
+    double bend, v1, v2, v3, v4;
+    azimuth = floor_div(modulo(at, correction__ELEVATION_STRIDE), layout__CORRECTION_LINE);
+    beyond = 0;
+    bend_t = all_lanes(0.0);
+    bend = 0.0;
+    if (azimuth == correction__MIDDLE_AZIMUTH)
+    {
+        beyond = -layout__CORRECTION_LINE;
+        v1 = 0.5 * on_azimuth;
+        v2 = on_azimuth - 1.0;
+        EACH_LANE each(bend_t) = 0.5 * each(on_azimuth_t) * v2 + v1 * each(on_azimuth_t);
+        bend = v1 * v2;
+    }
+    else if (azimuth == correction__MIDDLE_AZIMUTH - 1)
+    {
+        beyond = 2 * layout__CORRECTION_LINE;
+        v3 = 0.5 * on_azimuth;
+        v4 = on_azimuth - 1.0;
+        EACH_LANE each(bend_t) = 0.5 * each(on_azimuth_t) * v4 + v3 * each(on_azimuth_t);
+        bend = v3 * v4;
+    }
+    *beyond_out = beyond;
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``missing``. */
-static inline int64_t derivative_correction__missing_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__missing_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
 {
-    double v1;
-    lanes v1_t;
-    lanes low_t;
-    double low;
-    double v2;
-    lanes v2_t;
-    double v3;
-    derivative_correction__on_plane_t(&v1, &v1_t, tables, table, at, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    double v1, low, v2, high, v3;
+    lanes v1_t, low_t, v2_t, high_t;
+    derivative_correction__on_plane_t(&v1, &v1_t, tables, table, at, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
     EACH_LANE each(low_t) = each(v1_t);
     low = v1;
-    derivative_correction__on_plane_t(&v2, &v2_t, tables, table, at + correction__RATIO_STRIDE, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    v3 = v2 - low;
-    (*result_0) = low + on_ratio * v3;
-    EACH_LANE each((*result_1)) = each(low_t) + (each(on_ratio_t) * v3 + on_ratio * (each(v2_t) - each(low_t)));
-    return 0;
+    derivative_correction__on_plane_t(&v2, &v2_t, tables, table, at + correction__RATIO_STRIDE, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(high_t) = each(v2_t);
+    high = v2;
+    v3 = high - low;
+    *out_0 = low + on_ratio * v3;
+    EACH_LANE each(*out_1) = each(low_t) + (each(on_ratio_t) * v3 + on_ratio * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``on_plane``. */
-static inline int64_t derivative_correction__on_plane_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__on_plane_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
 {
-    double v1;
-    lanes v1_t;
-    lanes low_t;
-    double low;
-    double v2;
-    lanes v2_t;
-    double v3;
-    derivative_correction__on_cone_t(&v1, &v1_t, tables, table, at, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    double v1, low, v2, high, v3;
+    lanes v1_t, low_t, v2_t, high_t;
+    derivative_correction__on_cone_t(&v1, &v1_t, tables, table, at, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
     EACH_LANE each(low_t) = each(v1_t);
     low = v1;
-    derivative_correction__on_cone_t(&v2, &v2_t, tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    v3 = v2 - low;
-    (*result_0) = low + on_elevation * v3;
-    EACH_LANE each((*result_1)) = each(low_t) + (each(on_elevation_t) * v3 + on_elevation * (each(v2_t) - each(low_t)));
-    return 0;
+    derivative_correction__on_cone_t(&v2, &v2_t, tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(high_t) = each(v2_t);
+    high = v2;
+    v3 = high - low;
+    *out_0 = low + on_elevation * v3;
+    EACH_LANE each(*out_1) = each(low_t) + (each(on_elevation_t) * v3 + on_elevation * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``on_cone``. */
-static inline int64_t derivative_correction__on_cone_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__on_cone_t(double* found_out, lanes* found_t_out, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
 {
-    double v1;
-    lanes v1_t;
-    lanes low_t;
-    double low;
-    double v2;
-    lanes v2_t;
-    double v3;
+    double v1, low, v2, high, v3, found, v4, v5, v6, v7;
+    lanes v1_t, low_t, v2_t, high_t, found_t, v4_t, v6_t;
     derivative_correction__on_line_t(&v1, &v1_t, tables, table, at, on_radius, on_radius_t);
     EACH_LANE each(low_t) = each(v1_t);
     low = v1;
     derivative_correction__on_line_t(&v2, &v2_t, tables, table, at + layout__CORRECTION_LINE, on_radius, on_radius_t);
-    v3 = v2 - low;
-    (*result_0) = low + on_azimuth * v3;
-    EACH_LANE each((*result_1)) = each(low_t) + (each(on_azimuth_t) * v3 + on_azimuth * (each(v2_t) - each(low_t)));
-    return 0;
+    EACH_LANE each(high_t) = each(v2_t);
+    high = v2;
+    v3 = high - low;
+    EACH_LANE each(found_t) = each(low_t) + (each(on_azimuth_t) * v3 + on_azimuth * (each(high_t) - each(low_t)));
+    found = low + on_azimuth * v3;
+    if (beyond < 0)
+    {
+        derivative_correction__on_line_t(&v4, &v4_t, tables, table, at + beyond, on_radius, on_radius_t);
+        v5 = v4 - low - (low - high);
+        EACH_LANE each(found_t) = each(found_t) + (each(bend_t) * v5 + bend * (each(v4_t) - each(low_t) - (each(low_t) - each(high_t))));
+        found = found + bend * v5;
+    }
+    else if (beyond > 0)
+    {
+        derivative_correction__on_line_t(&v6, &v6_t, tables, table, at + beyond, on_radius, on_radius_t);
+        v7 = v6 - high - (high - low);
+        EACH_LANE each(found_t) = each(found_t) + (each(bend_t) * v7 + bend * (each(v6_t) - each(high_t) - (each(high_t) - each(low_t))));
+        found = found + bend * v7;
+    }
+    *found_out = found;
+    EACH_LANE each(*found_t_out) = each(found_t);
 }
 
 /* Derivative of ``on_line``. */
-static inline int64_t derivative_correction__on_line_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__on_line_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, lanes on_radius_t)
 {
-    double low;
-    double v1;
-    low = (*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + at));
-    v1 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + (at + layout__CORRECTION_COLUMNS))) - low;
-    (*result_0) = low + on_radius * v1;
-    EACH_LANE each((*result_1)) = each(on_radius_t) * v1;
-    return 0;
+    double low, v1;
+    low = AT(tables, table + layout__ROLLING_TABLE_CORRECTIONS + at);
+    v1 = AT(tables, table + layout__ROLLING_TABLE_CORRECTIONS + (at + layout__CORRECTION_COLUMNS)) - low;
+    *out_0 = low + on_radius * v1;
+    EACH_LANE each(*out_1) = each(on_radius_t) * v1;
 }
 
 
@@ -393,142 +375,75 @@ static inline int64_t derivative_correction__on_line_t(double* result_0, lanes* 
 /* Derivative of ``open_stick_zone``. */
 static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double shift, lanes shift_t, double width, lanes width_t, double ratio, lanes ratio_t)
 {
-    lanes a_t;
-    double a;
-    double v1;
-    lanes inverse_t;
-    double inverse;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    lanes v9_t;
-    double depth;
-    lanes depth_t;
-    double weight;
-    lanes weight_t;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    EACH_LANE each(a_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    v1 = 1.0 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    EACH_LANE each(inverse_t) = (-v1) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    lanes a_t, inverse_t, v9_t, depth_t, weight_t, rates, rates_2;
+    double a, v1, inverse, v2, v3, v4, v5, v6, v7, v8, v9, depth, weight, v10, v11, v12, v13, v14;
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    v1 = 1.0 / AT(work, march + layout__ROLLING_MARCH_RATE);
+    EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) / AT(work, march + layout__ROLLING_MARCH_RATE);
     inverse = v1;
-    v2 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG));
-    v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + shift;
+    v2 = -AT(work, march + layout__ROLLING_MARCH_ALONG);
+    v3 = AT(work, march + layout__ROLLING_MARCH_SLIP) + shift;
     v4 = v2 * v3;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG)))) * v3 + v2 * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP))) + each(shift_t))) * inverse + v4 * each(inverse_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v4 * inverse;
-    v5 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS));
-    v6 = v5 * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + v5 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)))) * inverse + v6 * each(inverse_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v6 * inverse;
-    v7 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING));
-    v8 = v7 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING)))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v7 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN)))) * inverse + v8 * each(inverse_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = v8 * inverse;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each(width_t) * inverse + width * each(inverse_t);
-    derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, march, width * inverse, rates_1, (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), ratio, ratio_t);
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))) = each(v9_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) = v9;
-    lanes rates_2;
-    EACH_LANE each(rates_2) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) + each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPREAD)));
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), rates_2, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)), (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), a, a_t);
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each(depth_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) = each(weight_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) * v3 + v2 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP)) + each(shift_t))) * inverse + v4 * each(inverse_t);
+    AT(work, march + layout__ROLLING_MARCH_STICK_X) = v4 * inverse;
+    v5 = -AT(work, march + layout__ROLLING_MARCH_ACROSS);
+    v6 = v5 * AT(work, march + layout__ROLLING_MARCH_LATERAL);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) * AT(work, march + layout__ROLLING_MARCH_LATERAL) + v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL))) * inverse + v6 * each(inverse_t);
+    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v6 * inverse;
+    v7 = -AT(work, march + layout__ROLLING_MARCH_TURNING);
+    v8 = v7 * AT(work, march + layout__ROLLING_MARCH_SPIN);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) * AT(work, march + layout__ROLLING_MARCH_SPIN) + v7 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN))) * inverse + v8 * each(inverse_t);
+    AT(work, march + layout__ROLLING_MARCH_TWIST) = v8 * inverse;
+    EACH_LANE each(rates) = each(width_t) * inverse + width * each(inverse_t);
+    derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, march, width * inverse, rates, AT(work, march + layout__ROLLING_MARCH_TWIST), RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST), ratio, ratio_t);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPREAD)) = each(v9_t);
+    AT(work, march + layout__ROLLING_MARCH_SPREAD) = v9;
+    EACH_LANE each(rates_2) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + AT(work, march + layout__ROLLING_MARCH_STICK_X) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) + each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPREAD));
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, AT(work, march + layout__ROLLING_MARCH_STICK_X) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + AT(work, march + layout__ROLLING_MARCH_SPREAD), rates_2, AT(work, march + layout__ROLLING_MARCH_STICK_Y), RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y), AT(work, march + layout__ROLLING_MARCH_TWIST), RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST), a, a_t);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(depth_t);
+    AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT)) = each(weight_t);
+    AT(work, march + layout__ROLLING_MARCH_WEIGHT) = weight;
     if (depth < a)
     {
         v10 = 0.5 * depth;
         v11 = v10 / a;
         v12 = 1.0 - v11;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED))) = each(weight_t) * v12 + weight * (-((0.5 * each(depth_t) - v11 * each(a_t)) / a));
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * v12;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED)) = each(weight_t) * v12 + weight * -((0.5 * each(depth_t) - v11 * each(a_t)) / a);
+        AT(work, march + layout__ROLLING_MARCH_CARRIED) = weight * v12;
     }
     else
     {
         v13 = 0.5 * a;
         v14 = v13 / depth;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED))) = each(weight_t) * v14 + weight * ((0.5 * each(a_t) - v14 * each(depth_t)) / depth);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * v14;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED)) = each(weight_t) * v14 + weight * ((0.5 * each(a_t) - v14 * each(depth_t)) / depth);
+        AT(work, march + layout__ROLLING_MARCH_CARRIED) = weight * v14;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``find_stick_zone``. */
 static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double mean, lanes mean_t, double ratio, lanes ratio_t)
 {
-    lanes a_t;
-    double a;
-    double v2;
-    double v1;
-    lanes v1_t;
-    lanes share_t;
-    double share;
-    double v3;
-    double v4;
-    double v5;
-    lanes yielding_t;
-    double yielding;
-    double v6;
-    double v7;
-    double v8;
-    lanes v8_t;
-    double v9;
-    double v10;
-    double v11;
-    lanes push_t;
-    double push;
-    lanes u_t;
-    double u;
-    lanes v_t;
-    double v;
-    lanes k_t;
-    double k;
-    double v12;
-    double depth;
-    lanes depth_t;
-    double weight;
-    lanes weight_t;
-    double v13;
-    lanes v13_t;
-    double v14;
-    double v15;
-    double v16;
-    double v17;
-    double v19;
-    double v20;
-    double v18;
-    lanes v18_t;
-    double v21;
-    double v22;
-    lanes v22_t;
-    EACH_LANE each(a_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - v2 * each(a_t)) / a;
-    derivative_coupled_strips__later_share_t(&v1, &v1_t, v2, rates_1, ratio, ratio_t);
+    lanes a_t, v1_t, share_t, yielding_t, v8_t, push_t, u_t, v_t, k_t, depth_t, weight_t, v13_t, v18_t, v22_t, rates, rates_2, rates_3;
+    double a, v2, v1, share, v3, v4, v5, yielding, v6, v7, v8, v9, v10, v11, push, u, v, k, v12, depth, weight, v13, v14, v15, v16, v17, v19, v20, v18, v21, v22;
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    v2 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / a;
+    EACH_LANE each(rates) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v2 * each(a_t)) / a;
+    derivative_coupled_strips__later_share_t(&v1, &v1_t, v2, rates, ratio, ratio_t);
     EACH_LANE each(share_t) = each(v1_t);
     share = v1;
-    v3 = coupled_strips__YIELD_TWIST * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
-    v4 = 1.0 + v3 * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
+    v3 = coupled_strips__YIELD_TWIST * AT(work, march + layout__ROLLING_MARCH_TWIST);
+    v4 = 1.0 + v3 * AT(work, march + layout__ROLLING_MARCH_TWIST);
     v5 = coupled_strips__YIELD / v4;
-    EACH_LANE each(yielding_t) = (-v5) * (coupled_strips__YIELD_TWIST * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + v3 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST)))) / v4;
+    EACH_LANE each(yielding_t) = -v5 * (coupled_strips__YIELD_TWIST * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * AT(work, march + layout__ROLLING_MARCH_TWIST) + v3 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST))) / v4;
     yielding = v5;
-    v6 = (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean;
+    v6 = AT(work, march + layout__ROLLING_MARCH_CARRIED) - mean;
     v7 = yielding * v6;
-    v8 = (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
-    EACH_LANE each(v8_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)));
+    v8 = AT(work, march + layout__ROLLING_MARCH_CARRIED);
+    EACH_LANE each(v8_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED));
     if (mean > v8)
     {
         v8 = mean;
@@ -537,86 +452,73 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     v9 = v8 + march__NOTHING;
     v10 = v7 / v9;
     v11 = 1.0 + v10;
-    EACH_LANE each(push_t) = each(share_t) * v11 + share * ((each(yielding_t) * v6 + yielding * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED))) - each(mean_t)) - v10 * each(v8_t)) / v9);
+    EACH_LANE each(push_t) = each(share_t) * v11 + share * ((each(yielding_t) * v6 + yielding * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED)) - each(mean_t)) - v10 * each(v8_t)) / v9);
     push = share * v11;
-    EACH_LANE each(u_t) = each(push_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + push * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)));
-    u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-    EACH_LANE each(v_t) = each(push_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + push * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)));
-    v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-    EACH_LANE each(k_t) = each(share_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + share * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST)));
-    k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
+    EACH_LANE each(u_t) = each(push_t) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + push * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X));
+    u = push * AT(work, march + layout__ROLLING_MARCH_STICK_X);
+    EACH_LANE each(v_t) = each(push_t) * AT(work, march + layout__ROLLING_MARCH_STICK_Y) + push * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y));
+    v = push * AT(work, march + layout__ROLLING_MARCH_STICK_Y);
+    EACH_LANE each(k_t) = each(share_t) * AT(work, march + layout__ROLLING_MARCH_TWIST) + share * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST));
+    k = share * AT(work, march + layout__ROLLING_MARCH_TWIST);
     v12 = share * share;
-    lanes rates_2;
-    EACH_LANE each(rates_2) = each(u_t) * u + u * each(u_t) + ((each(share_t) * share + share * each(share_t)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) + v12 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))));
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v12 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), rates_2, v, v_t, k, k_t, a, a_t);
+    EACH_LANE each(rates_2) = each(u_t) * u + u * each(u_t) + ((each(share_t) * share + share * each(share_t)) * AT(work, march + layout__ROLLING_MARCH_SPREAD) + v12 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPREAD)));
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v12 * AT(work, march + layout__ROLLING_MARCH_SPREAD), rates_2, v, v_t, k, k_t, a, a_t);
     v13 = weight;
     EACH_LANE each(v13_t) = each(weight_t);
-    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < v13)
+    if (AT(work, march + layout__ROLLING_MARCH_WEIGHT) < v13)
     {
-        v13 = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-        EACH_LANE each(v13_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)));
+        v13 = AT(work, march + layout__ROLLING_MARCH_WEIGHT);
+        EACH_LANE each(v13_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT));
     }
     EACH_LANE each(weight_t) = each(v13_t);
     weight = v13;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each(a_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = a;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) = each(k_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    if ((weight > 0.0) && (depth < a))
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(a_t);
+    AT(work, march + layout__ROLLING_MARCH_DEPTH) = a;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_WEIGHT) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) = each(k_t);
+    AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) = each(u_t);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) = each(v_t);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
+    if (weight > 0.0 && depth < a)
     {
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each(depth_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(depth_t);
+        AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
         v14 = depth + march__NOTHING;
         v15 = u / v14;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) = (each(u_t) - v15 * each(depth_t)) / v14;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v15;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) = (each(u_t) - v15 * each(depth_t)) / v14;
+        AT(work, march + layout__ROLLING_MARCH_STICK_X) = v15;
         v16 = depth + march__NOTHING;
         v17 = v / v16;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) = (each(v_t) - v17 * each(depth_t)) / v16 + each(k_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v17 + k;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (each(v_t) - v17 * each(depth_t)) / v16 + each(k_t);
+        AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v17 + k;
         v19 = depth / a;
         v20 = 1.0 - v19;
-        lanes rates_3;
-        EACH_LANE each(rates_3) = (-((each(depth_t) - v19 * each(a_t)) / a)) / coupled_strips__FADE;
+        EACH_LANE each(rates_3) = -((each(depth_t) - v19 * each(a_t)) / a) / coupled_strips__FADE;
         derivative_coupled_strips__smooth_step_t(&v18, &v18_t, v20 / coupled_strips__FADE, rates_3);
         v21 = weight * v18;
         derivative_coupled_strips__edge_weight_t(&v22, &v22_t, work, work_t, march);
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) = (each(weight_t) * v18 + weight * each(v18_t)) * v22 + v21 * each(v22_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = v21 * v22;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT)) = (each(weight_t) * v18 + weight * each(v18_t)) * v22 + v21 * each(v22_t);
+        AT(work, march + layout__ROLLING_MARCH_WEIGHT) = v21 * v22;
     }
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_EDGE))) = 2.0 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - each(a_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - a;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - each(a_t);
+    AT(work, march + layout__ROLLING_MARCH_EDGE) = 2.0 * AT(work, march + layout__ROLLING_MARCH_DEPTH) - a;
+    return 0;
 }
 
 /* Derivative of ``spread_square``. */
-static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t march, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t)
+static inline void derivative_coupled_strips__spread_square_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t march, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t)
 {
-    double v1;
-    lanes over_width_t;
-    double over_width;
-    double v2;
-    lanes v2_t;
-    lanes twist_t;
-    double twist;
-    double v3;
-    lanes v3_t;
-    lanes long_t;
-    double long_0001;
-    double v4;
-    double v5;
-    double v6;
-    lanes floor_t;
-    double floor;
-    double v7;
-    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
-    EACH_LANE each(over_width_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN)))) * scale + v1 * each(scale_t);
+    double v1, over_width, v2, twist, v3, long_, v4, v5, v6, floor, v7;
+    lanes over_width_t, v2_t, twist_t, v3_t, long_t, floor_t;
+    v1 = AT(work, march + layout__ROLLING_MARCH_ALONG) * AT(work, march + layout__ROLLING_MARCH_SPIN);
+    EACH_LANE each(over_width_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) * AT(work, march + layout__ROLLING_MARCH_SPIN) + AT(work, march + layout__ROLLING_MARCH_ALONG) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN))) * scale + v1 * each(scale_t);
     over_width = v1 * scale;
     v2 = fabs(k);
     EACH_LANE each(v2_t) = derivative_rates__size_rate(k, each(k_t));
@@ -635,50 +537,33 @@ static inline int64_t derivative_coupled_strips__spread_square_t(double* result_
         v3_t = all_lanes(0.0);
     }
     EACH_LANE each(long_t) = each(v3_t);
-    long_0001 = v3;
-    v4 = coupled_strips__SPREAD_FLOOR * long_0001;
+    long_ = v3;
+    v4 = coupled_strips__SPREAD_FLOOR * long_;
     v5 = v4 * twist;
     v6 = v5 * twist;
-    EACH_LANE each(floor_t) = ((coupled_strips__SPREAD_FLOOR * each(long_t) * twist + v4 * each(twist_t)) * twist + v5 * each(twist_t)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + v6 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
-    floor = v6 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each(floor_t) = ((coupled_strips__SPREAD_FLOOR * each(long_t) * twist + v4 * each(twist_t)) * twist + v5 * each(twist_t)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + v6 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    floor = v6 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
     v7 = over_width * over_width;
-    (*result_0) = v7 / 6.0 + floor * floor;
-    EACH_LANE each((*result_1)) = (each(over_width_t) * over_width + over_width * each(over_width_t)) / 6.0 + (each(floor_t) * floor + floor * each(floor_t));
-    return 0;
+    *out_0 = v7 / 6.0 + floor * floor;
+    EACH_LANE each(*out_1) = (each(over_width_t) * over_width + over_width * each(over_width_t)) / 6.0 + (each(floor_t) * floor + floor * each(floor_t));
 }
 
 /* Derivative of ``slip_depth``. */
-static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, lanes* depth_t, double* weight, lanes* weight_t, double square, lanes square_t, double v, lanes v_t, double k, lanes k_t, double a, lanes a_t)
+static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, lanes* depth_t_out, double* weight_out, lanes* weight_t_out, double square, lanes square_t, double v, lanes v_t, double k, lanes k_t, double a, lanes a_t)
 {
-    lanes rest_t;
-    double rest;
-    lanes cross_t;
-    double cross;
-    lanes spread_t;
-    double spread;
-    double v1;
-    lanes root_t;
-    double root;
-    double v2;
-    double v3;
-    double v4;
-    double v6;
-    double v7;
-    double v5;
-    lanes v5_t;
-    double v8;
-    double v9;
+    lanes rest_t, cross_t, spread_t, depth_t, weight_t, root_t, v5_t, rates;
+    double rest, cross, spread, depth, weight, v1, root, v2, v3, v4, v6, v7, v5, v8, v9;
     EACH_LANE each(rest_t) = -(each(k_t) * k + k * each(k_t));
     rest = 1.0 - k * k;
     EACH_LANE each(cross_t) = each(v_t) * k + v * each(k_t);
     cross = v * k;
     EACH_LANE each(spread_t) = each(v_t) * v + v * each(v_t) + (each(rest_t) * square + rest * each(square_t));
     spread = v * v + rest * square;
-    EACH_LANE each((*depth_t)) = 2.0 * each(a_t);
-    (*depth) = 2.0 * a;
-    (*weight_t) = all_lanes(0.0);
-    (*weight) = 0.0;
-    if ((spread > 0.0) || ((rest > 0.0) && (spread == 0.0)))
+    EACH_LANE each(depth_t) = 2.0 * each(a_t);
+    depth = 2.0 * a;
+    weight_t = all_lanes(0.0);
+    weight = 0.0;
+    if (spread > 0.0 || (rest > 0.0 && spread == 0.0))
     {
         v1 = sqrt(spread);
         EACH_LANE each(root_t) = derivative_rates__root_rate(v1, each(spread_t));
@@ -688,54 +573,49 @@ static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, lan
             v2 = square + v * v;
             v3 = root - cross + march__NOTHING;
             v4 = v2 / v3;
-            EACH_LANE each((*depth_t)) = (each(square_t) + (each(v_t) * v + v * each(v_t)) - v4 * (each(root_t) - each(cross_t))) / v3;
-            (*depth) = v4;
-            (*weight_t) = all_lanes(0.0);
-            (*weight) = 1.0;
+            EACH_LANE each(depth_t) = (each(square_t) + (each(v_t) * v + v * each(v_t)) - v4 * (each(root_t) - each(cross_t))) / v3;
+            depth = v4;
+            weight_t = all_lanes(0.0);
+            weight = 1.0;
             if (rest < 0.0)
             {
                 v6 = v * v + march__NOTHING;
                 v7 = spread / v6;
-                lanes rates_1;
-                EACH_LANE each(rates_1) = (each(spread_t) - v7 * (each(v_t) * v + v * each(v_t))) / v6;
-                derivative_coupled_strips__smooth_step_t(&v5, &v5_t, v7, rates_1);
-                EACH_LANE each((*weight_t)) = each(v5_t);
-                (*weight) = v5;
+                EACH_LANE each(rates) = (each(spread_t) - v7 * (each(v_t) * v + v * each(v_t))) / v6;
+                derivative_coupled_strips__smooth_step_t(&v5, &v5_t, v7, rates);
+                EACH_LANE each(weight_t) = each(v5_t);
+                weight = v5;
             }
         }
         else if (rest > 0.0)
         {
             v8 = cross + root;
             v9 = v8 / rest;
-            EACH_LANE each((*depth_t)) = (each(cross_t) + each(root_t) - v9 * each(rest_t)) / rest;
-            (*depth) = v9;
-            (*weight_t) = all_lanes(0.0);
-            (*weight) = 1.0;
+            EACH_LANE each(depth_t) = (each(cross_t) + each(root_t) - v9 * each(rest_t)) / rest;
+            depth = v9;
+            weight_t = all_lanes(0.0);
+            weight = 1.0;
         }
     }
-    return 0;
+    *depth_out = depth;
+    EACH_LANE each(*depth_t_out) = each(depth_t);
+    *weight_out = weight;
+    EACH_LANE each(*weight_t_out) = each(weight_t);
 }
 
 /* Derivative of ``later_share``. */
-static inline int64_t derivative_coupled_strips__later_share_t(double* share, lanes* share_t, double depth, lanes depth_t, double ratio, lanes ratio_t)
+static inline void derivative_coupled_strips__later_share_t(double* share_out, lanes* share_t_out, double depth, lanes depth_t, double ratio, lanes ratio_t)
 {
-    lanes filled_t;
-    double filled;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
+    lanes filled_t, share_t;
+    double filled, share, v1, v2, v3, v4, v5, v6, v7;
     filled_t = all_lanes(0.0);
     filled = 1.0;
-    (*share_t) = all_lanes(0.0);
-    (*share) = 1.0;
+    share_t = all_lanes(0.0);
+    share = 1.0;
     if (depth < 1.0)
     {
         v1 = 2.0 - depth;
-        EACH_LANE each(filled_t) = each(depth_t) * v1 + depth * (-each(depth_t));
+        EACH_LANE each(filled_t) = each(depth_t) * v1 + depth * -each(depth_t);
         filled = depth * v1;
     }
     if (depth > 0.0)
@@ -746,299 +626,254 @@ static inline int64_t derivative_coupled_strips__later_share_t(double* share, la
         v5 = v3 / v4;
         v6 = v5 * filled;
         v7 = filled / depth;
-        EACH_LANE each((*share_t)) = -(((v2 * each(ratio_t) - v5 * each(ratio_t)) / v4 * filled + v5 * each(filled_t)) * v7 + v6 * ((each(filled_t) - v7 * each(depth_t)) / depth));
-        (*share) = 1.0 - v6 * v7;
+        EACH_LANE each(share_t) = -(((v2 * each(ratio_t) - v5 * each(ratio_t)) / v4 * filled + v5 * each(filled_t)) * v7 + v6 * ((each(filled_t) - v7 * each(depth_t)) / depth));
+        share = 1.0 - v6 * v7;
     }
-    return 0;
+    *share_out = share;
+    EACH_LANE each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``edge_weight``. */
-static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, lanes* weight_t, array_double_1d work, array_lanes_1d work_t, int64_t march)
+static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, lanes* weight_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march)
 {
-    double v1;
-    double v2;
-    double v3;
-    lanes t_t;
-    double t;
-    double v4;
-    lanes along_t;
-    double along;
-    double v5;
-    lanes across_t;
-    double across;
-    double v7;
-    double v8;
-    double v6;
-    lanes v6_t;
-    (*weight_t) = all_lanes(0.0);
-    (*weight) = 1.0;
-    if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
+    lanes weight_t, t_t, along_t, across_t, v6_t, rates;
+    double weight, v1, v2, v3, t, v4, along, v5, across, v7, v8, v6;
+    weight_t = all_lanes(0.0);
+    weight = 1.0;
+    if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
     {
-        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        v1 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
         v2 = 1.0 - v1;
         v3 = sqrt(v2);
-        EACH_LANE each(t_t) = derivative_rates__root_rate(v3, -((each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - v1 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH))));
+        EACH_LANE each(t_t) = derivative_rates__root_rate(v3, -((each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH)));
         t = v3;
         v4 = 1.0 - t;
-        EACH_LANE each(along_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-each(t_t));
-        along = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v4;
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * v4 + AT(work, march + layout__ROLLING_MARCH_STICK_X) * -each(t_t);
+        along = AT(work, march + layout__ROLLING_MARCH_STICK_X) * v4;
         v5 = 1.0 - t;
-        EACH_LANE each(across_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-each(t_t)) + (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * t + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * each(t_t));
-        across = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t;
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * -each(t_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * t + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(t_t));
+        across = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * v5 + AT(work, march + layout__ROLLING_MARCH_TWIST) * t;
         v7 = along * along + across * across;
         v8 = sqrt(v7);
-        lanes rates_1;
-        EACH_LANE each(rates_1) = derivative_rates__root_rate(v8, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
-        derivative_coupled_strips__smooth_step_t(&v6, &v6_t, v8 - 1.0, rates_1);
-        EACH_LANE each((*weight_t)) = -each(v6_t);
-        (*weight) = 1.0 - v6;
+        EACH_LANE each(rates) = derivative_rates__root_rate(v8, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+        derivative_coupled_strips__smooth_step_t(&v6, &v6_t, v8 - 1.0, rates);
+        EACH_LANE each(weight_t) = -each(v6_t);
+        weight = 1.0 - v6;
     }
-    return 0;
+    *weight_out = weight;
+    EACH_LANE each(*weight_t_out) = each(weight_t);
 }
 
 /* Derivative of ``smooth_step``. */
-static inline int64_t derivative_coupled_strips__smooth_step_t(double* value, lanes* value_t, double z, lanes z_t)
+static inline void derivative_coupled_strips__smooth_step_t(double* value_out, lanes* value_t_out, double z, lanes z_t)
 {
-    double v1;
-    double v2;
-    (*value_t) = all_lanes(0.0);
-    (*value) = 0.0;
+    lanes value_t;
+    double value, v1, v2;
+    value_t = all_lanes(0.0);
+    value = 0.0;
     if (z >= 1.0)
     {
-        (*value_t) = all_lanes(0.0);
-        (*value) = 1.0;
+        value_t = all_lanes(0.0);
+        value = 1.0;
     }
     else if (z > 0.0)
     {
         v1 = z * z;
         v2 = 3.0 - 2.0 * z;
-        EACH_LANE each((*value_t)) = (each(z_t) * z + z * each(z_t)) * v2 + v1 * (-(2.0 * each(z_t)));
-        (*value) = v1 * v2;
+        EACH_LANE each(value_t) = (each(z_t) * z + z * each(z_t)) * v2 + v1 * -(2.0 * each(z_t));
+        value = v1 * v2;
     }
-    return 0;
+    *value_out = value;
+    EACH_LANE each(*value_t_out) = each(value_t);
 }
 
 /* Derivative of ``solve_coupled_strips``. */
 static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    derivative_stiffness__find_stiffnesses_t(work, work_t, tables, patch);
-    derivative_coupled_strips__add_strips_t(work, work_t, tables, patch);
-    if (!((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) == 1.0))
+    double v1, share;
+    lanes v1_t, share_t;
+    derivative_stiffness__patch_stiffnesses_t(work, work_t, tables, patch);
+    derivative_coupled_strips__add_strips_t(&v1, &v1_t, work, work_t, tables, patch);
+    EACH_LANE each(share_t) = each(v1_t);
+    share = v1;
+    if (!(AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) == 1.0))
     {
-        derivative_correction__correct_force_t(work, work_t, tables, patch);
+        derivative_correction__correct_force_t(work, work_t, tables, patch, share, share_t);
     }
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * share + AT(work, patch + layout__PATCH_FRICTION) * each(share_t);
+    AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * share;
+    return 0;
 }
 
 /* Derivative of ``add_strips``. */
-static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline void derivative_coupled_strips__add_strips_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double v1;
-    lanes ratio_t;
-    double ratio;
-    double plane;
-    lanes plane_t;
-    double spinning;
-    lanes spinning_t;
-    double v2;
-    lanes v2_t;
-    lanes mean_t;
-    double mean;
-    lanes stuck_t;
-    double stuck;
-    int64_t i;
-    int64_t march;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    lanes v6_t;
-    double v7;
-    v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    EACH_LANE each(ratio_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    double v1, ratio, plane, spinning, v2, mean, stuck, v3, v4, v5, v6, v7, share, v8, v9, v10;
+    lanes ratio_t, plane_t, spinning_t, v2_t, mean_t, stuck_t, v6_t, share_t, v8_t;
+    bool falls;
+    int64_t i, march;
+    v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
     derivative_coupled_strips__flexibilities_t(&plane, &plane_t, &spinning, &spinning_t, work, work_t, patch);
     derivative_march__open_marches_t(work, work_t, ratio, ratio_t);
     derivative_coupled_strips__open_stick_zones_t(&v2, &v2_t, work, work_t, patch, ratio, ratio_t);
     EACH_LANE each(mean_t) = each(v2_t);
     mean = v2;
+    falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
+    if (falls)
+    {
+        derivative_falling__open_falling_t(work, work_t, patch);
+    }
     stuck_t = all_lanes(0.0);
     stuck = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
-        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
+        if (AT(work, march + layout__ROLLING_MARCH_RATE) > 0.0)
         {
             derivative_coupled_strips__find_stick_zone_t(work, work_t, march, mean, mean_t, ratio, ratio_t);
             derivative_march__set_pushes_t(work, work_t, march, i, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
-            derivative_march__set_stick_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), march, i);
-            v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
+            derivative_march__set_stick_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), march, i);
+            v3 = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
             v4 = 2.0 * v3;
-            v5 = v4 * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-            EACH_LANE each(stuck_t) = each(stuck_t) + ((2.0 * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) + v4 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + v5 * each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH))));
-            stuck = stuck + v5 * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+            v5 = v4 * AT(work, march + layout__ROLLING_MARCH_WEIGHT);
+            EACH_LANE each(stuck_t) = each(stuck_t) + ((2.0 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))) * AT(work, march + layout__ROLLING_MARCH_WEIGHT) + v4 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT))) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + v5 * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            stuck = stuck + v5 * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    derivative_march__march_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
+    derivative_march__march_strips_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), falls);
     derivative_coupled_strips__finish_marches_t(work, work_t, patch);
     derivative_tractions__patch_area_t(&v6, &v6_t, work, work_t, patch);
     v7 = stuck / v6;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = (each(stuck_t) - v7 * each(v6_t)) / v6;
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v7;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v7 * each(v6_t)) / v6;
+    AT(work, patch + layout__PATCH_STICK_SHARE) = v7;
+    share_t = all_lanes(0.0);
+    share = 1.0;
+    if (falls)
+    {
+        derivative_coupled_strips__lost_friction_t(&v8, &v8_t, work, work_t, patch);
+        v9 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+        v10 = v8 / v9;
+        EACH_LANE each(share_t) = -((each(v8_t) - v10 * (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v9);
+        share = 1.0 - v10;
+    }
+    *share_out = share;
+    EACH_LANE each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``open_stick_zones``. */
-static inline int64_t derivative_coupled_strips__open_stick_zones_t(double* v4, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double ratio, lanes ratio_t)
+static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double ratio, lanes ratio_t)
 {
-    lanes carried_t;
-    double carried;
-    lanes whole_t;
-    double whole;
-    int64_t i;
-    int64_t strip;
-    int64_t march;
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes weight_t;
-    double weight;
-    double v3;
+    lanes carried_t, whole_t, v1_t, weight_t;
+    double carried, whole, v1, v2, weight, v3, v4;
+    int64_t i, strip, march;
     carried_t = all_lanes(0.0);
     carried = 0.0;
     whole_t = all_lanes(0.0);
     whole = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) = each(v1_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) = v1;
-        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) = each(v1_t);
+        AT(work, march + layout__ROLLING_MARCH_RATE) = v1;
+        if (AT(work, march + layout__ROLLING_MARCH_RATE) > 0.0)
         {
             derivative_coupled_strips__begin_march_t(work, work_t, march, strip, i);
-            derivative_coupled_strips__open_stick_zone_t(work, work_t, march, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)), ratio, ratio_t);
-            v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-            EACH_LANE each(weight_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v2 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-            weight = v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            derivative_coupled_strips__open_stick_zone_t(work, work_t, march, AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT), AT(work, strip + layout__ROLLING_STRIP_WIDTH), RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH), ratio, ratio_t);
+            v2 = AT(work, march + layout__ROLLING_MARCH_ALONG) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+            EACH_LANE each(weight_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + AT(work, march + layout__ROLLING_MARCH_ALONG) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+            weight = v2 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
             EACH_LANE each(whole_t) = each(whole_t) + each(weight_t);
             whole = whole + weight;
-            EACH_LANE each(carried_t) = each(carried_t) + (each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED))));
-            carried = carried + weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
+            EACH_LANE each(carried_t) = each(carried_t) + (each(weight_t) * AT(work, march + layout__ROLLING_MARCH_CARRIED) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED)));
+            carried = carried + weight * AT(work, march + layout__ROLLING_MARCH_CARRIED);
         }
     }
     v3 = whole + march__NOTHING;
-    (*v4) = carried / v3;
-    EACH_LANE each((*result_1)) = (each(carried_t) - (*v4) * each(whole_t)) / v3;
-    return 0;
+    v4 = carried / v3;
+    *v4_out = v4;
+    EACH_LANE each(*out_1) = (each(carried_t) - v4 * each(whole_t)) / v3;
 }
 
 /* Derivative of ``flexibilities``. */
-static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, lanes* result_1, double* v7, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, lanes* out_1, double* v7_out, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    lanes first_t;
-    double first;
-    lanes second_t;
-    double second;
-    lanes third_t;
-    double third;
-    int64_t i;
-    int64_t strip;
-    lanes area_t;
-    double area;
-    double v1;
-    double v2;
-    double v3;
-    double v5;
-    double v6;
+    lanes first_t, second_t, third_t, area_t;
+    double first, second, third, area, v1, v2, v3, v4, v5, v6, v7;
+    int64_t i, strip;
     first_t = all_lanes(0.0);
     first = 0.0;
     second_t = all_lanes(0.0);
     second = 0.0;
     third_t = all_lanes(0.0);
     third = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(area_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-        area = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each(area_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        area = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         EACH_LANE each(first_t) = each(first_t) + each(area_t);
         first = first + area;
-        EACH_LANE each(second_t) = each(second_t) + (each(area_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + area * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))));
-        second = second + area * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        v1 = area * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        EACH_LANE each(third_t) = each(third_t) + ((each(area_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + area * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))));
-        third = third + v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        EACH_LANE each(second_t) = each(second_t) + (each(area_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + area * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        second = second + area * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        v1 = area * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        EACH_LANE each(third_t) = each(third_t) + ((each(area_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + area * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        third = third + v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
     }
     v2 = 0.5 * M_PI;
     v3 = v2 * first;
-    (*v4) = v3 / second;
+    v4 = v3 / second;
     v5 = 0.75 * M_PI;
     v6 = v5 * second;
-    (*v7) = v6 / third;
-    EACH_LANE each((*result_1)) = (v2 * each(first_t) - (*v4) * each(second_t)) / second;
-    EACH_LANE each((*result_3)) = (v5 * each(second_t) - (*v7) * each(third_t)) / third;
-    return 0;
+    v7 = v6 / third;
+    *v4_out = v4;
+    EACH_LANE each(*out_1) = (v2 * each(first_t) - v4 * each(second_t)) / second;
+    *v7_out = v7;
+    EACH_LANE each(*out_3) = (v5 * each(second_t) - v7 * each(third_t)) / third;
 }
 
 /* Derivative of ``begin_march``. */
 static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t strip, int64_t index)
 {
-    double along;
-    lanes along_t;
-    double across;
-    lanes across_t;
-    double turning;
-    lanes turning_t;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
-    derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) = each(along_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = along;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) = each(across_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = across;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) = each(turning_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = turning;
-    return INT64_C(0);
+    double along, across, turning;
+    lanes along_t, across_t, turning_t;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    AT(work, march + layout__ROLLING_MARCH_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
+    AT(work, march + layout__ROLLING_MARCH_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
+    AT(work, march + layout__ROLLING_MARCH_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
+    derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, index, AT(work, strip + layout__ROLLING_STRIP_STATION), RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) = each(along_t);
+    AT(work, march + layout__ROLLING_MARCH_ALONG) = along;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) = each(across_t);
+    AT(work, march + layout__ROLLING_MARCH_ACROSS) = across;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) = each(turning_t);
+    AT(work, march + layout__ROLLING_MARCH_TURNING) = turning;
+    return 0;
 }
 
 /* Derivative of ``finish_marches``. */
 static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    lanes largest_t;
-    double largest;
-    int64_t i;
-    int64_t strip;
-    double v1;
-    lanes v1_t;
-    lanes unit_t;
-    double unit;
-    double v2;
-    lanes square_t;
-    double square;
-    double v3;
-    lanes v3_t;
-    double v4;
-    lanes v4_t;
-    double v5;
-    double v6;
+    lanes largest_t, v1_t, unit_t, square_t, v3_t, v4_t, rates, rates_2, rates_3;
+    double largest, v1, unit, v2, square, v3, v4, v5, v6;
+    int64_t i, strip;
     largest_t = all_lanes(0.0);
     largest = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        EACH_LANE each(unit_t) = each(v1_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-        unit = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit;
-        EACH_LANE each(square_t) = (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i))) * unit + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * each(unit_t)) * unit + v2 * each(unit_t);
+        EACH_LANE each(unit_t) = each(v1_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        unit = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) * unit;
+        EACH_LANE each(square_t) = (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) * each(unit_t)) * unit + v2 * each(unit_t);
         square = v2 * unit;
         v3 = largest;
         EACH_LANE each(v3_t) = each(largest_t);
@@ -1054,20 +889,41 @@ static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1
             derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
             EACH_LANE each(unit_t) = each(unit_t) * v4 + unit * each(v4_t);
             unit = unit * v4;
-            v5 = unit * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-            lanes rates_1;
-            EACH_LANE each(rates_1) = each(unit_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + unit * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)));
-            lanes rates_2;
-            EACH_LANE each(rates_2) = each(unit_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + unit * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)));
-            lanes rates_3;
-            EACH_LANE each(rates_3) = (each(unit_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + unit * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v5 * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)));
-            derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), rates_1, unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), rates_2, v5 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)), rates_3);
+            v5 = unit * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+            EACH_LANE each(rates) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i));
+            EACH_LANE each(rates_2) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i));
+            EACH_LANE each(rates_3) = (each(unit_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + unit * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + v5 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i));
+            derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i), rates, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i), rates_2, v5 * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i), rates_3);
         }
     }
     v6 = sqrt(largest);
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) = derivative_rates__root_rate(v6, each(largest_t));
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v6;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v6, each(largest_t));
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = v6;
+    return 0;
+}
+
+/* Derivative of ``lost_friction``. */
+static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, lanes* lost_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    lanes lost_t, v1_t, v3_t, unit_t;
+    double lost, v1, v2, v3, v4, unit;
+    int64_t i, strip;
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
+        v2 = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        derivative_tractions__point_weight_t(&v3, &v3_t, work, work_t, strip);
+        v4 = v2 * v3;
+        EACH_LANE each(unit_t) = ((each(v1_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * v3 + v2 * each(v3_t)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        unit = v4 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        EACH_LANE each(lost_t) = each(lost_t) + (each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)));
+        lost = lost + unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i);
+    }
+    *lost_out = lost;
+    EACH_LANE each(*lost_t_out) = each(lost_t);
 }
 
 
@@ -1080,68 +936,67 @@ static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1
 static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     derivative_cut__clear_creep_t(work, work_t, patch);
-    if (((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_FRICTION)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) > 0.0))
+    if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_FRICTION) > 0.0 && AT(work, patch + layout__PATCH_HALF_LENGTH) > 0.0)
     {
-        if ((*cspan_at(&work, patch + layout__PATCH_BACKWARDS)) == 1.0)
+        if (AT(work, patch + layout__PATCH_BACKWARDS) == 1.0)
         {
             derivative_creep_force__mirror_rolling_t(work, work_t, patch);
         }
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_STRIPS)
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_STRIPS)
         {
             derivative_coupled_strips__solve_coupled_strips_t(work, work_t, tables, patch);
         }
-        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTSIM)
+        else if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_FASTSIM)
         {
             derivative_fastsim__solve_fastsim_t(work, work_t, tables, patch);
         }
-        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_FASTRIP)
+        else if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_FASTRIP)
         {
             derivative_fastrip__solve_fastrip_t(work, work_t, tables, patch);
         }
-        else if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) == layout__TANGENTIAL_POLACH)
+        else if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_POLACH)
         {
             derivative_polach__solve_polach_t(work, work_t, tables, patch);
         }
-        if (!((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) == 1.0))
+        if (!(AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) == 1.0))
         {
             derivative_friction__keep_dissipating_t(work, work_t, patch);
         }
-        if ((*cspan_at(&work, patch + layout__PATCH_BACKWARDS)) == 1.0)
+        if (AT(work, patch + layout__PATCH_BACKWARDS) == 1.0)
         {
             derivative_creep_force__mirror_rolling_t(work, work_t, patch);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``mirror_rolling``. */
 static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) = -each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)));
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = -(*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) = -each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)));
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = -(*cspan_at(&work, patch + layout__PATCH_SPIN));
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = -each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = -(*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) = -each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = -(*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    int64_t i, strip;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = -AT(work, patch + layout__PATCH_CREEPAGE_X);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = -each(RATE_AT(work_t, patch + layout__PATCH_SPIN));
+    AT(work, patch + layout__PATCH_SPIN) = -AT(work, patch + layout__PATCH_SPIN);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
+    AT(work, patch + layout__PATCH_CREEP_X) = -AT(work, patch + layout__PATCH_CREEP_X);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT));
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = -AT(work, patch + layout__PATCH_CREEP_MOMENT);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+        AT(work, strip + layout__ROLLING_STRIP_X) = -AT(work, strip + layout__ROLLING_STRIP_X);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+        AT(work, strip + layout__ROLLING_STRIP_SLIP) = -AT(work, strip + layout__ROLLING_STRIP_SLIP);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
+        AT(work, strip + layout__ROLLING_STRIP_SPIN) = -AT(work, strip + layout__ROLLING_STRIP_SPIN);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X));
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = -AT(work, strip + layout__ROLLING_STRIP_FORCE_X);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT));
+        AT(work, strip + layout__ROLLING_STRIP_MOMENT) = -AT(work, strip + layout__ROLLING_STRIP_MOMENT);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -1153,277 +1008,184 @@ static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d w
 /* Derivative of ``move_patch``. */
 static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
-    lanes x_t;
-    double x;
-    lanes y_t;
-    double y;
-    lanes z_t;
-    double z;
+    lanes x_t, y_t, z_t, rolling_x_t, rolling_y_t, rolling_z_t, share_t, v1_t, along_t, lateral_t, vertical_t, normal_y_t, normal_z_t, v4_t, speed_t;
+    double x, y, z, rolling_x, rolling_y, rolling_z, share, v1, along, v2, lateral, v3, vertical, normal_y, normal_z, v4, speed, v5, v6, v7, v8, v9, v10, v11;
     int64_t rail;
-    double rolling_x;
-    lanes rolling_x_t;
-    double rolling_y;
-    lanes rolling_y_t;
-    double rolling_z;
-    lanes rolling_z_t;
-    double share;
-    lanes share_t;
-    double v1;
-    lanes v1_t;
-    lanes along_t;
-    double along;
-    double v2;
-    lanes lateral_t;
-    double lateral;
-    double v3;
-    lanes vertical_t;
-    double vertical;
-    lanes normal_y_t;
-    double normal_y;
-    lanes normal_z_t;
-    double normal_z;
-    double v4;
-    lanes v4_t;
-    lanes speed_t;
-    double speed;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    EACH_LANE each(x_t) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)));
-    x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK));
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
-    y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    EACH_LANE each(z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
-    z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    EACH_LANE each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK));
+    x = AT(work, patch + layout__PATCH_X_TRACK);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    EACH_LANE each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
     rail = motion + layout__MOTION_RAIL;
-    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)), (*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)));
+    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, AT(work, patch + layout__PATCH_ROLLING_RADIUS), RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS));
     derivative_creepage__velocity_along_t(&v1, &v1_t, work, work_t, motion, y, y_t, z, z_t, rolling_x, rolling_x_t);
     EACH_LANE each(along_t) = each(v1_t);
     along = v1;
-    v2 = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
-    EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) * x + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * each(x_t)) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * each(x_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * each(z_t)) - each(rolling_y_t) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z)))));
-    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * x - (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z - rolling_y - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2;
-    v3 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
-    EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * each(y_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each(x_t)) - each(rolling_z_t) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v3 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y)))));
-    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v3;
-    EACH_LANE each(normal_y_t) = -each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_SIN)));
-    normal_y = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
-    EACH_LANE each(normal_z_t) = -each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS)));
-    normal_z = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
+    v2 = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, rail + layout__RAIL_MOTION_Z);
+    EACH_LANE each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * x + AT(work, motion + layout__MOTION_TRACK_RATE) * each(x_t)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * x + AT(work, motion + layout__MOTION_TURN_Z) * each(x_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * z + AT(work, motion + layout__MOTION_TURN_X) * each(z_t)) - each(rolling_y_t) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))));
+    lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TRACK_RATE) * x + AT(work, motion + layout__MOTION_TURN_Z) * x - AT(work, motion + layout__MOTION_TURN_X) * z - rolling_y - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * v2;
+    v3 = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, rail + layout__RAIL_MOTION_Y);
+    EACH_LANE each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * y + AT(work, motion + layout__MOTION_TURN_X) * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * x + AT(work, motion + layout__MOTION_TURN_Y) * each(x_t)) - each(rolling_z_t) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v3 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))));
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * v3;
+    EACH_LANE each(normal_y_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN));
+    normal_y = -AT(work, patch + layout__PATCH_ANGLE_SIN);
+    EACH_LANE each(normal_z_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS));
+    normal_z = -AT(work, patch + layout__PATCH_ANGLE_COS);
     derivative_creepage__reference_speed_t(&v4, &v4_t, work, work_t, motion, rolling_x, rolling_x_t);
     EACH_LANE each(speed_t) = each(v4_t);
     speed = v4;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) = each(speed_t);
-    (*cspan_at(&work, patch + layout__PATCH_SPEED)) = speed;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_RADIUS_SHARE))) = each(share_t);
-    (*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) = share;
-    (*lanes_at(&work_t, patch + layout__PATCH_BACKWARDS)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_BACKWARDS)) = (double)((*cspan_at(&work, motion + layout__MOTION_SPEED)) + rolling_x < 0.0);
-    (*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
-    (*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
-    (*lanes_at(&work_t, patch + layout__PATCH_SPIN)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
-    if (speed > creepage__STANDSTILL)
-    {
-        v5 = along / speed;
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) = (each(along_t) - v5 * each(speed_t)) / speed;
-        (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = v5;
-        v6 = -(normal_z * lateral - normal_y * vertical);
-        v7 = v6 / speed;
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) = ((-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t)))) - v7 * each(speed_t)) / speed;
-        (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = v7;
-        v8 = (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
-        v9 = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-        v10 = -(v8 * normal_y + v9 * normal_z);
-        v11 = v10 / speed;
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) = ((-((each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) - (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))))) * normal_y + v8 * each(normal_y_t) + ((each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) + each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) - (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))))) * normal_z + v9 * each(normal_z_t)))) - v11 * each(speed_t)) / speed;
-        (*cspan_at(&work, patch + layout__PATCH_SPIN)) = v11;
-    }
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) = each(speed_t);
+    AT(work, patch + layout__PATCH_SPEED) = speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_RADIUS_SHARE)) = each(share_t);
+    AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
+    RATE_AT(work_t, patch + layout__PATCH_BACKWARDS) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_BACKWARDS) = (double)(AT(work, motion + layout__MOTION_SPEED) + rolling_x < 0.0);
+    v5 = along / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = (each(along_t) - v5 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = v5;
+    v6 = -(normal_z * lateral - normal_y * vertical);
+    v7 = v6 / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = (-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t))) - v7 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = v7;
+    v8 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
+    v9 = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
+    v10 = -(v8 * normal_y + v9 * normal_z);
+    v11 = v10 / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = (-((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))) * normal_y + v8 * each(normal_y_t) + ((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) * normal_z + v9 * each(normal_z_t))) - v11 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_SPIN) = v11;
+    return 0;
 }
 
 /* Derivative of ``move_strips``. */
 static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
-    double v1;
+    double v1, inverse;
     lanes inverse_t;
-    double inverse;
     int64_t index;
-    v1 = 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-    EACH_LANE each(inverse_t) = (-v1) * each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) / (*cspan_at(&work, patch + layout__PATCH_SPEED));
+    v1 = 1.0 / AT(work, patch + layout__PATCH_SPEED);
+    EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) / AT(work, patch + layout__PATCH_SPEED);
     inverse = v1;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
     {
-        derivative_creepage__move_strip_t(work, work_t, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), (*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)), inverse, inverse_t);
+        derivative_creepage__move_strip_t(work, work_t, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, AT(work, patch + layout__PATCH_X_TRACK), RATE_AT(work_t, patch + layout__PATCH_X_TRACK), inverse, inverse_t);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``move_strip``. */
 static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t strip, double x_track, lanes x_track_t, double inverse, lanes inverse_t)
 {
     int64_t rail;
-    lanes x_t;
-    double x;
-    lanes y_t;
-    double y;
-    lanes z_t;
-    double z;
-    double rolling_x;
-    lanes rolling_x_t;
-    double rolling_y;
-    lanes rolling_y_t;
-    double rolling_z;
-    lanes rolling_z_t;
-    double share;
-    lanes share_t;
-    lanes turn_z_t;
-    double turn_z;
-    lanes along_t;
-    double along;
-    lanes roll_t;
-    double roll;
-    double v1;
-    lanes lateral_t;
-    double lateral;
-    double v2;
-    lanes vertical_t;
-    double vertical;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
+    lanes x_t, y_t, z_t, rolling_x_t, rolling_y_t, rolling_z_t, share_t, turn_z_t, along_t, roll_t, lateral_t, vertical_t;
+    double x, y, z, rolling_x, rolling_y, rolling_z, share, turn_z, along, roll, v1, lateral, v2, vertical, v3, v4, v5, v6;
     rail = motion + layout__MOTION_RAIL;
-    EACH_LANE each(x_t) = each(x_track_t) + each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-    x = x_track + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
-    y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    EACH_LANE each(z_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
-    z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
-    EACH_LANE each(turn_z_t) = each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) + each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE)));
-    turn_z = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
-    EACH_LANE each(along_t) = each((*lanes_at(&work_t, motion + layout__MOTION_SPEED))) - (each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)))) - (each(turn_z_t) * y + turn_z * each(y_t)) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each(z_t)) - each(rolling_x_t);
-    along = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - turn_z * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - rolling_x;
-    EACH_LANE each(roll_t) = each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL)));
-    roll = (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
-    v1 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
-    EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v1 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))))) + (each(turn_z_t) * x + turn_z * each(x_t)) - (each(roll_t) * z + roll * each(z_t)) - each(rolling_y_t);
-    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v1 + turn_z * x - roll * z - rolling_y;
-    v2 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
-    EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))))) + (each(roll_t) * y + roll * each(y_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each(x_t)) - each(rolling_z_t);
-    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2 + roll * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z;
-    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) = each(along_t) * inverse + along * each(inverse_t);
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = along * inverse;
-    v3 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical;
-    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * each(lateral_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) * vertical + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * each(vertical_t))) * inverse + v3 * each(inverse_t);
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = v3 * inverse;
-    v4 = turn_z - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    v5 = (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
-    v6 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * v4 - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * v5;
-    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) * v4 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * (each(turn_z_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))))) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) * v5 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) - (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))))))) * inverse + v6 * each(inverse_t);
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = v6 * inverse;
-    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE))) = each(share_t);
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
-    return INT64_C(0);
+    EACH_LANE each(x_t) = each(x_track_t) + each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+    x = x_track + AT(work, strip + layout__ROLLING_STRIP_X);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    y = AT(work, strip + layout__ROLLING_STRIP_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    EACH_LANE each(z_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    z = AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
+    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS), RATE_AT(work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS));
+    EACH_LANE each(turn_z_t) = each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE));
+    turn_z = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE);
+    EACH_LANE each(along_t) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) - (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * AT(work, motion + layout__MOTION_CENTRE_Y) + AT(work, motion + layout__MOTION_TRACK_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y))) - (each(turn_z_t) * y + turn_z * each(y_t)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * z + AT(work, motion + layout__MOTION_TURN_Y) * each(z_t)) - each(rolling_x_t);
+    along = AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * AT(work, motion + layout__MOTION_CENTRE_Y) - turn_z * y + AT(work, motion + layout__MOTION_TURN_Y) * z - rolling_x;
+    EACH_LANE each(roll_t) = each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL));
+    roll = AT(work, motion + layout__MOTION_TURN_X) - AT(work, rail + layout__RAIL_MOTION_ROLL);
+    v1 = AT(work, motion + layout__MOTION_CENTRE_Z) - AT(work, rail + layout__RAIL_MOTION_Z);
+    EACH_LANE each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)))) + (each(turn_z_t) * x + turn_z * each(x_t)) - (each(roll_t) * z + roll * each(z_t)) - each(rolling_y_t);
+    lateral = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * v1 + turn_z * x - roll * z - rolling_y;
+    v2 = AT(work, motion + layout__MOTION_CENTRE_Y) - AT(work, rail + layout__RAIL_MOTION_Y);
+    EACH_LANE each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)))) + (each(roll_t) * y + roll * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * x + AT(work, motion + layout__MOTION_TURN_Y) * each(x_t)) - each(rolling_z_t);
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * v2 + roll * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z;
+    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(along_t) * inverse + along * each(inverse_t);
+    AT(work, strip + layout__ROLLING_STRIP_SLIP) = along * inverse;
+    v3 = AT(work, strip + layout__ROLLING_STRIP_COS) * lateral + AT(work, strip + layout__ROLLING_STRIP_SIN) * vertical;
+    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * lateral + AT(work, strip + layout__ROLLING_STRIP_COS) * each(lateral_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * vertical + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(vertical_t))) * inverse + v3 * each(inverse_t);
+    AT(work, strip + layout__ROLLING_STRIP_LATERAL) = v3 * inverse;
+    v4 = turn_z - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
+    v5 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
+    v6 = AT(work, strip + layout__ROLLING_STRIP_COS) * v4 - AT(work, strip + layout__ROLLING_STRIP_SIN) * v5;
+    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * v4 + AT(work, strip + layout__ROLLING_STRIP_COS) * (each(turn_z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * v5 + AT(work, strip + layout__ROLLING_STRIP_SIN) * (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))))) * inverse + v6 * each(inverse_t);
+    AT(work, strip + layout__ROLLING_STRIP_SPIN) = v6 * inverse;
+    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = each(share_t);
+    AT(work, strip + layout__ROLLING_STRIP_RADIUS_SHARE) = share;
+    return 0;
 }
 
 /* Derivative of ``rolling_velocity``. */
-static inline int64_t derivative_creepage__rolling_velocity_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* result_4, lanes* result_5, double* v5, lanes* result_7, array_double_1d work, array_lanes_1d work_t, int64_t motion, double x, lanes x_t, double y, lanes y_t, double z, lanes z_t, double radius, lanes radius_t)
+static inline void derivative_creepage__rolling_velocity_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, double* v5_out, lanes* out_7, array_double_1d work, array_lanes_1d work_t, int64_t motion, double x, lanes x_t, double y, lanes y_t, double z, lanes z_t, double radius, lanes radius_t)
 {
-    lanes around_x_t;
-    double around_x;
-    lanes around_y_t;
-    double around_y;
-    lanes around_z_t;
-    double around_z;
-    double v1;
-    double v2;
-    lanes distance_t;
-    double distance;
-    double v3;
-    double v4;
-    lanes rolling_t;
-    double rolling;
-    EACH_LANE each(around_x_t) = each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))) * z + (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * each(z_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))) * y + (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * each(y_t));
-    around_x = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * z - (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * y;
-    EACH_LANE each(around_y_t) = each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))) * x + (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * each(x_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X))) * z + (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * each(z_t));
-    around_y = (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * x - (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * z;
-    EACH_LANE each(around_z_t) = each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X))) * y + (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * each(y_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))) * x + (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * each(x_t));
-    around_z = (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * y - (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * x;
+    lanes around_x_t, around_y_t, around_z_t, distance_t, rolling_t;
+    double around_x, around_y, around_z, v1, v2, distance, v3, v4, rolling, v5;
+    EACH_LANE each(around_x_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) * z + AT(work, motion + layout__MOTION_AXLE_Y) * each(z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) * y + AT(work, motion + layout__MOTION_AXLE_Z) * each(y_t));
+    around_x = AT(work, motion + layout__MOTION_AXLE_Y) * z - AT(work, motion + layout__MOTION_AXLE_Z) * y;
+    EACH_LANE each(around_y_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) * x + AT(work, motion + layout__MOTION_AXLE_Z) * each(x_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) * z + AT(work, motion + layout__MOTION_AXLE_X) * each(z_t));
+    around_y = AT(work, motion + layout__MOTION_AXLE_Z) * x - AT(work, motion + layout__MOTION_AXLE_X) * z;
+    EACH_LANE each(around_z_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) * y + AT(work, motion + layout__MOTION_AXLE_X) * each(y_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) * x + AT(work, motion + layout__MOTION_AXLE_Y) * each(x_t));
+    around_z = AT(work, motion + layout__MOTION_AXLE_X) * y - AT(work, motion + layout__MOTION_AXLE_Y) * x;
     v1 = around_x * around_x + around_y * around_y + around_z * around_z;
     v2 = sqrt(v1);
     EACH_LANE each(distance_t) = derivative_rates__root_rate(v2, each(around_x_t) * around_x + around_x * each(around_x_t) + (each(around_y_t) * around_y + around_y * each(around_y_t)) + (each(around_z_t) * around_z + around_z * each(around_z_t)));
     distance = v2;
-    v3 = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * radius;
+    v3 = AT(work, motion + layout__MOTION_WHEEL_RATE) * radius;
     v4 = v3 / distance;
-    EACH_LANE each(rolling_t) = (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * radius + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each(radius_t) - v4 * each(distance_t)) / distance;
+    EACH_LANE each(rolling_t) = (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * radius + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(radius_t) - v4 * each(distance_t)) / distance;
     rolling = v4;
-    (*v5) = radius / distance;
-    (*result_0) = rolling * around_x;
-    EACH_LANE each((*result_1)) = each(rolling_t) * around_x + rolling * each(around_x_t);
-    (*result_2) = rolling * around_y;
-    EACH_LANE each((*result_3)) = each(rolling_t) * around_y + rolling * each(around_y_t);
-    (*result_4) = rolling * around_z;
-    EACH_LANE each((*result_5)) = each(rolling_t) * around_z + rolling * each(around_z_t);
-    EACH_LANE each((*result_7)) = (each(radius_t) - (*v5) * each(distance_t)) / distance;
-    return 0;
+    v5 = radius / distance;
+    *out_0 = rolling * around_x;
+    EACH_LANE each(*out_1) = each(rolling_t) * around_x + rolling * each(around_x_t);
+    *out_2 = rolling * around_y;
+    EACH_LANE each(*out_3) = each(rolling_t) * around_y + rolling * each(around_y_t);
+    *out_4 = rolling * around_z;
+    EACH_LANE each(*out_5) = each(rolling_t) * around_z + rolling * each(around_z_t);
+    *v5_out = v5;
+    EACH_LANE each(*out_7) = (each(radius_t) - v5 * each(distance_t)) / distance;
 }
 
 /* Derivative of ``velocity_along``. */
-static inline int64_t derivative_creepage__velocity_along_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double y, lanes y_t, double z, lanes z_t, double rolling_x, lanes rolling_x_t)
+static inline void derivative_creepage__velocity_along_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double y, lanes y_t, double z, lanes z_t, double rolling_x, lanes rolling_x_t)
 {
     double v1;
-    v1 = y + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    (*result_0) = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * v1 + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * y - rolling_x;
-    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, motion + layout__MOTION_SPEED))) - (each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) * v1 + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (each(y_t) + each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each(z_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * each(y_t)) - each(rolling_x_t);
-    return 0;
+    v1 = y + AT(work, motion + layout__MOTION_CENTRE_Y);
+    *out_0 = AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * v1 + AT(work, motion + layout__MOTION_TURN_Y) * z - AT(work, motion + layout__MOTION_TURN_Z) * y - rolling_x;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) - (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * v1 + AT(work, motion + layout__MOTION_TRACK_RATE) * (each(y_t) + each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)))) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * z + AT(work, motion + layout__MOTION_TURN_Y) * each(z_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * y + AT(work, motion + layout__MOTION_TURN_Z) * each(y_t)) - each(rolling_x_t);
 }
 
 /* Derivative of ``reference_speed``. */
-static inline int64_t derivative_creepage__reference_speed_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t)
+static inline void derivative_creepage__reference_speed_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t)
 {
-    double v1;
-    v1 = fabs((*cspan_at(&work, motion + layout__MOTION_SPEED))) + fabs(rolling_x);
-    (*result_0) = 0.5 * v1;
-    EACH_LANE each((*result_1)) = 0.5 * (derivative_rates__size_rate((*cspan_at(&work, motion + layout__MOTION_SPEED)), each((*lanes_at(&work_t, motion + layout__MOTION_SPEED)))) + derivative_rates__size_rate(rolling_x, each(rolling_x_t)));
-    return 0;
+    double v1, speed, v2, v3;
+    lanes speed_t;
+    v1 = fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x);
+    EACH_LANE each(speed_t) = 0.5 * (derivative_rates__size_rate(AT(work, motion + layout__MOTION_SPEED), each(RATE_AT(work_t, motion + layout__MOTION_SPEED))) + derivative_rates__size_rate(rolling_x, each(rolling_x_t)));
+    speed = 0.5 * v1;
+    v2 = speed * speed + creepage__REST * creepage__REST;
+    v3 = sqrt(v2);
+    *v3_out = v3;
+    EACH_LANE each(*out_1) = derivative_rates__root_rate(v3, each(speed_t) * speed + speed * each(speed_t));
 }
 
 /* Derivative of ``approach_rate``. */
-static inline int64_t derivative_creepage__approach_rate_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline void derivative_creepage__approach_rate_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t rail;
-    lanes y_t;
-    double y;
-    lanes z_t;
-    double z;
-    double v1;
-    lanes lateral_t;
-    double lateral;
-    double v2;
-    lanes vertical_t;
-    double vertical;
+    lanes y_t, z_t, lateral_t, vertical_t;
+    double y, z, v1, lateral, v2, vertical;
     rail = motion + layout__MOTION_RAIL;
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
-    y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    EACH_LANE each(z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
-    z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    v1 = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
-    EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)))) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * each(z_t)) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v1 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z)))));
-    lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v1;
-    v2 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
-    EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * each(y_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y)))));
-    vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2;
-    (*result_0) = (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical;
-    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_SIN))) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * each(lateral_t) + (each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS))) * vertical + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * each(vertical_t));
-    return 0;
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    EACH_LANE each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
+    v1 = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, rail + layout__RAIL_MOTION_Z);
+    EACH_LANE each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * AT(work, patch + layout__PATCH_X_TRACK) + AT(work, motion + layout__MOTION_TURN_Z) * each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK))) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * z + AT(work, motion + layout__MOTION_TURN_X) * each(z_t)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))));
+    lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TURN_Z) * AT(work, patch + layout__PATCH_X_TRACK) - AT(work, motion + layout__MOTION_TURN_X) * z - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * v1;
+    v2 = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, rail + layout__RAIL_MOTION_Y);
+    EACH_LANE each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * y + AT(work, motion + layout__MOTION_TURN_X) * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * AT(work, patch + layout__PATCH_X_TRACK) + AT(work, motion + layout__MOTION_TURN_Y) * each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK))) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))));
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * AT(work, patch + layout__PATCH_X_TRACK) - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * v2;
+    *out_0 = AT(work, patch + layout__PATCH_ANGLE_SIN) * lateral + AT(work, patch + layout__PATCH_ANGLE_COS) * vertical;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN)) * lateral + AT(work, patch + layout__PATCH_ANGLE_SIN) * each(lateral_t) + (each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS)) * vertical + AT(work, patch + layout__PATCH_ANGLE_COS) * each(vertical_t));
 }
 
 
@@ -1438,10 +1200,10 @@ static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_la
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
     derivative_cut__describe_ellipse_t(work, work_t, patch);
-    derivative_cut__divide_patch_t(work, work_t, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*lanes_at(&work_t, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)), (*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
-    if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
+    derivative_cut__divide_patch_t(work, work_t, patch, AT(work, totals + layout__PATCH_TOTALS_START), RATE_AT(work_t, totals + layout__PATCH_TOTALS_START), AT(work, totals + layout__PATCH_TOTALS_STOP), RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP));
+    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
     {
-        if ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RULE))) == layout__RULE_ELLIPSE)
+        if ((int64_t)AT(work, patch + layout__PATCH_RULE) == layout__RULE_ELLIPSE)
         {
             derivative_cut__cut_ellipse_t(work, work_t, patch);
         }
@@ -1452,66 +1214,53 @@ static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_la
     }
     derivative_cut__finish_strips_t(work, work_t, patch);
     derivative_cut__plane_slips_t(work, work_t, patch);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``clear_creep``. */
 static inline int64_t derivative_cut__clear_creep_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
-    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
-    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
-    (*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
-    (*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    int64_t i, strip;
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_X) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_Y) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = all_lanes(0.0);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = 0.0;
-        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) = all_lanes(0.0);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) = 0.0;
-        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)) = all_lanes(0.0);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = 0.0;
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = 0.0;
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = 0.0;
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_MOMENT) = 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``describe_ellipse``. */
 static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t totals;
-    double v1;
-    double v2;
-    double v3;
-    lanes v3_t;
-    double v4;
-    lanes v4_t;
-    lanes ratio_t;
-    double ratio;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
+    double v1, v2, v3, v4, ratio, v5, v6, v7, v8, v9, v10;
+    lanes v3_t, v4_t, ratio_t;
     totals = patch + layout__PATCH_TOTALS;
-    (*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = 0.0;
-    (*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)) = all_lanes(0.0);
-    (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = 0.0;
-    if (((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0) && ((*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > 0.0))
+    RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_HALF_LENGTH) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_HALF_WIDTH) = 0.0;
+    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) > 0.0)
     {
-        v1 = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-        v2 = v1 / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
+        v1 = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+        v2 = v1 / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
         v3 = v2;
-        EACH_LANE each(v3_t) = (2.0 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH))) - v2 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)))) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
+        EACH_LANE each(v3_t) = (2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH))) / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
         if (cut__SHORTEST_PATCH > v3)
         {
             v3 = cut__SHORTEST_PATCH;
@@ -1526,37 +1275,26 @@ static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, a
         }
         EACH_LANE each(ratio_t) = each(v4_t);
         ratio = v4;
-        v5 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI;
+        v5 = AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI;
         v6 = v5 * ratio;
         v7 = sqrt(v6);
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) = derivative_rates__root_rate(v7, each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA))) / M_PI * ratio + v5 * each(ratio_t));
-        (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = v7;
-        v8 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) = derivative_rates__root_rate(v7, each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio + v5 * each(ratio_t));
+        AT(work, patch + layout__PATCH_HALF_LENGTH) = v7;
+        v8 = AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI;
         v9 = v8 / ratio;
         v10 = sqrt(v9);
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) = derivative_rates__root_rate(v10, (each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA))) / M_PI - v9 * each(ratio_t)) / ratio);
-        (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = v10;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)) = derivative_rates__root_rate(v10, (each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI - v9 * each(ratio_t)) / ratio);
+        AT(work, patch + layout__PATCH_HALF_WIDTH) = v10;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``divide_patch``. */
 static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double start, lanes start_t, double stop, lanes stop_t)
 {
-    double v1;
-    lanes middle_t;
-    double middle;
-    double v2;
-    lanes half_t;
-    double half;
-    double before;
-    double here;
-    lanes edge_t;
-    double edge;
-    int64_t i;
-    int64_t strip;
-    double after;
-    double v3;
+    double v1, middle, v2, half, before, here, edge, after, v3;
+    lanes middle_t, half_t, edge_t;
+    int64_t i, strip;
     v1 = start + stop;
     EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t));
     middle = 0.5 * v1;
@@ -1567,154 +1305,111 @@ static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array
     here = 1.0;
     EACH_LANE each(edge_t) = each(start_t);
     edge = start;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         after = 2.0 * cut__COSINE * here - before;
         before = here;
         here = after;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START))) = each(edge_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) = edge;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) = each(edge_t);
+        AT(work, strip + layout__ROLLING_STRIP_START) = edge;
         EACH_LANE each(edge_t) = each(middle_t) - each(half_t) * here;
         edge = middle - half * here;
-        if (i == layout__ROLLING_STRIP_LIMIT - INT64_C(1))
+        if (i == layout__ROLLING_STRIP_LIMIT - 1)
         {
             EACH_LANE each(edge_t) = each(stop_t);
             edge = stop;
         }
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STOP))) = each(edge_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) = edge;
-        v3 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) + edge;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION))) = 0.5 * (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START))) + each(edge_t));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * v3;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) = each(edge_t) - each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) = edge - (*cspan_at(&work, strip + layout__ROLLING_STRIP_START));
-        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = all_lanes(0.0);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = 0.0;
-        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = all_lanes(0.0);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = 0.0;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) = each(edge_t);
+        AT(work, strip + layout__ROLLING_STRIP_STOP) = edge;
+        v3 = AT(work, strip + layout__ROLLING_STRIP_START) + edge;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) + each(edge_t));
+        AT(work, strip + layout__ROLLING_STRIP_STATION) = 0.5 * v3;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) = each(edge_t) - each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
+        AT(work, strip + layout__ROLLING_STRIP_WIDTH) = edge - AT(work, strip + layout__ROLLING_STRIP_START);
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = 0.0;
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``cut_ellipse``. */
 static inline int64_t derivative_cut__cut_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    int64_t totals;
-    lanes square_t;
-    double square;
-    double v1;
-    double v2;
-    double v3;
-    lanes third_t;
-    double third;
-    int64_t i;
-    int64_t strip;
-    lanes low_t;
-    double low;
-    lanes high_t;
-    double high;
-    double v4;
-    double v5;
-    lanes share_t;
-    double share;
+    int64_t totals, i, strip;
+    lanes square_t, third_t, low_t, high_t, share_t;
+    double square, v1, v2, v3, third, low, high, v4, v5, share;
     totals = patch + layout__PATCH_TOTALS;
-    EACH_LANE each(square_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH))) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) + (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
-    square = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    v1 = 3.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
-    v2 = v1 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
+    EACH_LANE each(square_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) + AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    square = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    v1 = 3.0 * AT(work, totals + layout__PATCH_TOTALS_STOP);
+    v2 = v1 * AT(work, totals + layout__PATCH_TOTALS_STOP);
     v3 = 1.0 / v2;
-    EACH_LANE each(third_t) = (-v3) * (3.0 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP))) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) + v1 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP)))) / v2;
+    EACH_LANE each(third_t) = -v3 * (3.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) * AT(work, totals + layout__PATCH_TOTALS_STOP) + v1 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP))) / v2;
     third = v3;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(low_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START)));
-        low = (*cspan_at(&work, strip + layout__ROLLING_STRIP_START));
-        EACH_LANE each(high_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STOP)));
-        high = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP));
+        EACH_LANE each(low_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
+        low = AT(work, strip + layout__ROLLING_STRIP_START);
+        EACH_LANE each(high_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
+        high = AT(work, strip + layout__ROLLING_STRIP_STOP);
         v4 = low * low + low * high + high * high;
         v5 = 1.0 - third * v4;
-        EACH_LANE each(share_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) * v5 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) * (-(each(third_t) * v4 + third * (each(low_t) * low + low * each(low_t) + (each(low_t) * high + low * each(high_t)) + (each(high_t) * high + high * each(high_t)))));
-        share = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) * v5;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) = each(square_t) * share + square * each(share_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = square * share;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) = each(share_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = share;
+        EACH_LANE each(share_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) * v5 + AT(work, strip + layout__ROLLING_STRIP_WIDTH) * -(each(third_t) * v4 + third * (each(low_t) * low + low * each(low_t) + (each(low_t) * high + low * each(high_t)) + (each(high_t) * high + high * each(high_t))));
+        share = AT(work, strip + layout__ROLLING_STRIP_WIDTH) * v5;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(square_t) * share + square * each(share_t);
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = square * share;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(share_t);
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = share;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``cut_strips``. */
 static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    lanes low_t;
-    double low;
-    lanes low_square_t;
-    double low_square;
-    lanes low_load_t;
-    double low_load;
-    int64_t at;
-    int64_t k_end;
-    int64_t k;
-    int64_t node;
-    bool inside;
-    bool loaded;
-    int64_t n1;
-    EACH_LANE each(low_t) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)));
-    low = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    lanes low_t, low_square_t, low_load_t;
+    double low, low_square, low_load;
+    int64_t at, k, node, n1, k_end;
+    bool inside, loaded;
+    EACH_LANE each(low_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
     low_square_t = all_lanes(0.0);
     low_square = 0.0;
     low_load_t = all_lanes(0.0);
     low_load = 0.0;
-    at = INT64_C(0);
-    k_end = (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))); k < k_end; k += INT64_C(1))
+    at = 0;
+    k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
+    for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
     {
         node = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
-        inside = ((*cspan_at(&work, node + layout__SOLVED_STRIP_STATION)) > low) && ((*cspan_at(&work, node + layout__SOLVED_STRIP_STATION)) < (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)));
-        loaded = ((*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > 0.0) && ((*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD)) > 0.0);
-        if (inside && loaded && ((*cspan_at(&work, node + layout__SOLVED_STRIP_WIDTH)) > 0.0))
+        inside = AT(work, node + layout__SOLVED_STRIP_STATION) > low && AT(work, node + layout__SOLVED_STRIP_STATION) < AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP);
+        loaded = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) > 0.0 && AT(work, node + layout__SOLVED_STRIP_LINE_LOAD) > 0.0;
+        if (inside && loaded && AT(work, node + layout__SOLVED_STRIP_WIDTH) > 0.0)
         {
-            n1 = derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, (*cspan_at(&work, node + layout__SOLVED_STRIP_STATION)), (*lanes_at(&work_t, node + layout__SOLVED_STRIP_STATION)), (*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, node + layout__SOLVED_STRIP_LINE_LOAD)));
+            n1 = derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, node + layout__SOLVED_STRIP_STATION), RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION), AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, node + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
             at = n1;
-            EACH_LANE each(low_t) = each((*lanes_at(&work_t, node + layout__SOLVED_STRIP_STATION)));
-            low = (*cspan_at(&work, node + layout__SOLVED_STRIP_STATION));
-            EACH_LANE each(low_square_t) = each((*lanes_at(&work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
-            low_square = (*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-            EACH_LANE each(low_load_t) = each((*lanes_at(&work_t, node + layout__SOLVED_STRIP_LINE_LOAD)));
-            low_load = (*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD));
+            EACH_LANE each(low_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION));
+            low = AT(work, node + layout__SOLVED_STRIP_STATION);
+            EACH_LANE each(low_square_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            low_square = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
+            EACH_LANE each(low_load_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
+            low_load = AT(work, node + layout__SOLVED_STRIP_LINE_LOAD);
         }
     }
-    derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)), (*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)), 0.0, all_lanes(0.0), 0.0, all_lanes(0.0));
-    return INT64_C(0);
+    derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), 0.0, all_lanes(0.0), 0.0, all_lanes(0.0));
+    return 0;
 }
 
 /* Derivative of ``add_piece``. */
 static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t at, double low, lanes low_t, double low_square, lanes low_square_t, double low_load, lanes low_load_t, double high, lanes high_t, double high_square, lanes high_square_t, double high_load, lanes high_load_t)
 {
-    lanes width_t;
-    double width;
-    double v1;
-    double v2;
-    lanes square_slope_t;
-    double square_slope;
-    double v3;
-    double v4;
-    lanes load_slope_t;
-    double load_slope;
-    lanes start_t;
-    double start;
+    lanes width_t, square_slope_t, load_slope_t, start_t, stop_t, middle_t;
+    double width, v1, v2, square_slope, v3, v4, load_slope, start, stop, v5, middle, v6, v7, v8, v9;
     int64_t strip;
-    lanes stop_t;
-    double stop;
-    double v5;
-    lanes middle_t;
-    double middle;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
     EACH_LANE each(width_t) = each(high_t) - each(low_t);
     width = high - low;
     v1 = high_square - low_square;
@@ -1727,30 +1422,30 @@ static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_la
     load_slope = v4;
     EACH_LANE each(start_t) = each(low_t);
     start = low;
-    while(start < high)
+    while (start < high)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * at;
         EACH_LANE each(stop_t) = each(high_t);
         stop = high;
-        if (((*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) < high) && (at < layout__ROLLING_STRIP_LIMIT - INT64_C(1)))
+        if (AT(work, strip + layout__ROLLING_STRIP_STOP) < high && at < layout__ROLLING_STRIP_LIMIT - 1)
         {
-            EACH_LANE each(stop_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STOP)));
-            stop = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP));
+            EACH_LANE each(stop_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
+            stop = AT(work, strip + layout__ROLLING_STRIP_STOP);
         }
         v5 = start + stop;
         EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t)) - each(low_t);
         middle = 0.5 * v5 - low;
         v6 = stop - start;
         v7 = low_square + square_slope * middle;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) + ((each(stop_t) - each(start_t)) * v7 + v6 * (each(low_square_t) + (each(square_slope_t) * middle + square_slope * each(middle_t))));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v6 * v7;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + ((each(stop_t) - each(start_t)) * v7 + v6 * (each(low_square_t) + (each(square_slope_t) * middle + square_slope * each(middle_t))));
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v6 * v7;
         v8 = stop - start;
         v9 = low_load + load_slope * middle;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) + ((each(stop_t) - each(start_t)) * v9 + v8 * (each(low_load_t) + (each(load_slope_t) * middle + load_slope * each(middle_t))));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) + v8 * v9;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) + ((each(stop_t) - each(start_t)) * v9 + v8 * (each(low_load_t) + (each(load_slope_t) * middle + load_slope * each(middle_t))));
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) + v8 * v9;
         if (stop < high)
         {
-            at = at + INT64_C(1);
+            at = at + 1;
         }
         EACH_LANE each(start_t) = each(stop_t);
         start = stop;
@@ -1761,68 +1456,223 @@ static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_la
 /* Derivative of ``finish_strips``. */
 static inline int64_t derivative_cut__finish_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    lanes carried_t;
-    double carried;
-    int64_t i;
-    lanes scale_t;
-    double scale;
-    double v1;
-    int64_t strip;
-    double v2;
-    double v3;
-    double v4;
+    lanes carried_t, scale_t;
+    double carried, scale, v1, v2, v3, v4;
+    int64_t i, strip;
     carried_t = all_lanes(0.0);
     carried = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(carried_t) = each(carried_t) + each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD)));
-        carried = carried + (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+        EACH_LANE each(carried_t) = each(carried_t) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+        carried = carried + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
     }
     scale_t = all_lanes(0.0);
     scale = 0.0;
     if (carried > 0.0)
     {
-        v1 = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) / carried;
-        EACH_LANE each(scale_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) - v1 * each(carried_t)) / carried;
+        v1 = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) / carried;
+        EACH_LANE each(scale_t) = (each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v1 * each(carried_t)) / carried;
         scale = v1;
     }
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION))) - each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_SLANT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SLANT)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = (*cspan_at(&work, patch + layout__PATCH_SLANT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) > 0.0)
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) - each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+        AT(work, strip + layout__ROLLING_STRIP_Y) = AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_SLANT)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SLANT) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y));
+        AT(work, strip + layout__ROLLING_STRIP_X) = AT(work, patch + layout__PATCH_SLANT) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        if (AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
         {
-            v2 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            v2 = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
             v3 = sqrt(v2);
-            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) = derivative_rates__root_rate(v3, (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) - v2 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)))) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)));
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = v3;
-            v4 = scale / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) * v4 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * ((each(scale_t) - v4 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)))) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)));
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * v4;
+            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v3, (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
+            AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = v3;
+            v4 = scale / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * v4 + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * ((each(scale_t) - v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
+            AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * v4;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``plane_slips``. */
 static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    int64_t i, strip;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) - (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) + (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) = each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)));
+        AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)));
+        AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = each(RATE_AT(work_t, patch + layout__PATCH_SPIN));
+        AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, patch + layout__PATCH_SPIN);
     }
-    return INT64_C(0);
+    return 0;
+}
+
+
+/* ---- From derivative_falling.py; change that one.
+ *
+ * Derivatives of falling.py.
+ */
+
+/* Derivative of ``open_falling``. */
+static inline int64_t derivative_falling__open_falling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t i, strip;
+    double v1;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR) = AT(work, patch + layout__PATCH_FALL_FLOOR);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_LATERAL);
+        v1 = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SPIN);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i)) = (each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_SPIN) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN))) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = all_lanes(0.0);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = 0.0;
+    }
+    return 0;
+}
+
+/* Derivative of ``find_shares``. */
+static inline int64_t derivative_falling__find_shares_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t)
+{
+    lanes floor_t, along_t, across_t, v2_t, rates;
+    double floor, along, across, v1, v3, v4, v2;
+    int64_t i;
+    EACH_LANE each(floor_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR));
+    floor = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i));
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i);
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i)) * x + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * each(x_t));
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * x;
+        v1 = 1.0 - floor;
+        v3 = along * along + across * across;
+        v4 = sqrt(v3);
+        EACH_LANE each(rates) = derivative_rates__root_rate(v4, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+        derivative_falling__decay_t(&v2, &v2_t, v4, rates);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i)) = each(floor_t) + (-each(floor_t) * v2 + v1 * each(v2_t));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i) = floor + v1 * v2;
+    }
+    return 0;
+}
+
+/* Derivative of ``point_share``. */
+static inline void derivative_falling__point_share_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double x, lanes x_t)
+{
+    lanes along_t, across_t, slide_t, v4_t;
+    double along, across, v1, v2, slide, v3, v4;
+    EACH_LANE each(along_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    along = AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * x + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(x_t));
+    across = AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * x;
+    v1 = along * along + across * across;
+    v2 = sqrt(v1);
+    EACH_LANE each(slide_t) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * v2 + AT(work, patch + layout__PATCH_FALL_RATE) * derivative_rates__root_rate(v2, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+    slide = AT(work, patch + layout__PATCH_FALL_RATE) * v2;
+    v3 = 1.0 - AT(work, patch + layout__PATCH_FALL_FLOOR);
+    derivative_falling__decay_t(&v4, &v4_t, slide, slide_t);
+    *out_0 = AT(work, patch + layout__PATCH_FALL_FLOOR) + v3 * v4;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR)) + (-each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR)) * v4 + v3 * each(v4_t));
+}
+
+/* Derivative of ``decay``. */
+static inline void derivative_falling__decay_t(double* out_0, lanes* out_1, double t, lanes t_t)
+{
+    double v1, z, v2, v3, v4, v5, p, v6, v7, v8, v9, v10, v11, v12, v13;
+    lanes v1_t, z_t, p_t;
+    v1 = t;
+    EACH_LANE each(v1_t) = each(t_t);
+    if (falling__LARGEST < v1)
+    {
+        v1 = falling__LARGEST;
+        v1_t = all_lanes(0.0);
+    }
+    EACH_LANE each(z_t) = each(v1_t) / falling__POWER;
+    z = v1 / falling__POWER;
+    v2 = z / 6.0;
+    v3 = z / 7.0;
+    v4 = 1.0 - z / 8.0;
+    v5 = 1.0 - v3 * v4;
+    EACH_LANE each(p_t) = -(each(z_t) / 6.0 * v5 + v2 * -(each(z_t) / 7.0 * v4 + v3 * -(each(z_t) / 8.0)));
+    p = 1.0 - v2 * v5;
+    v6 = z / 2.0;
+    v7 = z / 3.0;
+    v8 = z / 4.0;
+    v9 = z / 5.0;
+    v10 = 1.0 - v9 * p;
+    v11 = 1.0 - v8 * v10;
+    v12 = 1.0 - v7 * v11;
+    v13 = 1.0 - v6 * v12;
+    EACH_LANE each(p_t) = -(each(z_t) * v13 + z * -(each(z_t) / 2.0 * v12 + v6 * -(each(z_t) / 3.0 * v11 + v7 * -(each(z_t) / 4.0 * v10 + v8 * -(each(z_t) / 5.0 * p + v9 * each(p_t))))));
+    p = 1.0 - z * v13;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    *out_0 = p * p;
+    EACH_LANE each(*out_1) = each(p_t) * p + p * each(p_t);
+}
+
+/* Derivative of ``weigh_slips``. */
+static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, array_lanes_1d work_t, double bound, lanes bound_t)
+{
+    int64_t i;
+    lanes share_t, slips_t, noted_t;
+    double share, slips, noted, v1, v2, v3, v4;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i));
+        share = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i);
+        EACH_LANE each(slips_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
+        slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
+        EACH_LANE each(noted_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i));
+        noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i)) = each(slips_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i) = slips;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i)) = each(noted_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i) = noted;
+        v1 = bound * bound;
+        v2 = v1 * slips;
+        v3 = 1.0 - share;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) + (((each(bound_t) * bound + bound * each(bound_t)) * slips + v1 * each(slips_t)) * v3 + v2 * -each(share_t));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) + v2 * v3;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = each(slips_t) * share + slips * each(share_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = slips * share;
+        v4 = noted * share;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = (each(noted_t) * share + noted * each(share_t)) * share + v4 * each(share_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = v4 * share;
+    }
+    return 0;
+}
+
+/* Derivative of ``restore_slips``. */
+static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, array_lanes_1d work_t)
+{
+    int64_t i;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
+    }
+    return 0;
 }
 
 
@@ -1834,40 +1684,18 @@ static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_
 /* Derivative of ``solve_fastrip``. */
 static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double along;
-    lanes along_t;
-    double across;
-    lanes across_t;
-    double turning;
-    lanes turning_t;
-    lanes stuck_t;
-    double stuck;
-    int64_t i;
-    int64_t strip;
-    double v1;
-    lanes v1_t;
-    lanes rate_t;
-    double rate;
-    lanes slanted_t;
-    double slanted;
-    double v2;
-    lanes v2_t;
-    double v3;
-    lanes v3_t;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    lanes v8_t;
-    double v9;
+    double along, across, turning, stuck, lost, v1, rate, slanted, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11;
+    lanes along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, slanted_t, v2_t, v3_t, v5_t, v10_t;
+    int64_t i, strip;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
     derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
-    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST) = 0.0;
     stuck_t = all_lanes(0.0);
     stuck = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
@@ -1875,161 +1703,111 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
         rate = v1;
         if (rate > 0.0)
         {
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) = each(rate_t);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-            EACH_LANE each(slanted_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-            slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = each(rate_t);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE) = rate;
+            EACH_LANE each(slanted_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+            slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
             derivative_fastrip__longitudinal_t(&v2, &v2_t, work, work_t, tables, patch, strip);
-            derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH, v2, v2_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
+            derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH, v2, v2_t, AT(work, strip + layout__ROLLING_STRIP_LATERAL), RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL), AT(work, strip + layout__ROLLING_STRIP_SPIN), RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
             derivative_fastsim__strip_push_t(&v3, &v3_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X))) = each(v3_t);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3;
-            v4 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted;
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y))) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - each(slanted_t)) * across + v4 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = v4 * across + slanted * turning;
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each(turning_t);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
-            derivative_fastrip__add_tractions_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
-            v5 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
-            v6 = 2.0 * v5;
-            EACH_LANE each(stuck_t) = each(stuck_t) + (2.0 * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v6 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-            stuck = stuck + v6 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = each(v3_t);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X) = v3;
+            v4 = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - each(slanted_t)) * across + v4 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y) = v4 * across + slanted * turning;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
+            derivative_fastrip__add_tractions_t(&v5, &v5_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
+            EACH_LANE each(lost_t) = each(lost_t) + each(v5_t);
+            lost = lost + v5;
+            v6 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH);
+            v7 = 2.0 * v6;
+            EACH_LANE each(stuck_t) = each(stuck_t) + (2.0 * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v7 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+            stuck = stuck + v7 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    v7 = sqrt((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)));
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) = derivative_rates__root_rate(v7, each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST))));
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v7;
-    derivative_tractions__patch_area_t(&v8, &v8_t, work, work_t, patch);
-    v9 = stuck / v8;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = (each(stuck_t) - v9 * each(v8_t)) / v8;
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v9;
-    return INT64_C(0);
+    v8 = lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v8 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) - v8;
+    v9 = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v9, each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)));
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = v9;
+    derivative_tractions__patch_area_t(&v10, &v10_t, work, work_t, patch);
+    v11 = stuck / v10;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v11 * each(v10_t)) / v10;
+    AT(work, patch + layout__PATCH_STICK_SHARE) = v11;
+    return 0;
 }
 
 /* Derivative of ``set_stiffnesses``. */
 static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t march)
 {
-    double v1;
-    lanes ratio_t;
-    double ratio;
-    double first;
-    lanes first_t;
-    double second;
-    lanes second_t;
-    double third;
-    lanes third_t;
-    double modulus;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    EACH_LANE each(ratio_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    double v1, ratio, first, second, third, modulus, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12;
+    lanes ratio_t, first_t, second_t, third_t;
+    v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
-    derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio, ratio_t);
-    modulus = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
+    derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio, ratio_t);
+    modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
     v2 = 2.0 * first;
     v3 = v2 * modulus;
     v4 = M_PI * M_PI;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) = 2.0 * each(first_t) * modulus / v4;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = v3 / v4;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) = 2.0 * each(first_t) * modulus / v4;
+    AT(work, march + layout__ROLLING_MARCH_ALONG) = v3 / v4;
     v5 = 2.0 * second;
     v6 = v5 * modulus;
     v7 = M_PI * M_PI;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) = 2.0 * each(second_t) * modulus / v7;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = v6 / v7;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) = 2.0 * each(second_t) * modulus / v7;
+    AT(work, march + layout__ROLLING_MARCH_ACROSS) = v6 / v7;
     v8 = 1.5 * third;
     v9 = v8 * modulus;
     v10 = sqrt(ratio);
     v11 = M_PI * v10;
     v12 = v9 / v11;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) = (1.5 * each(third_t) * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, each(ratio_t)))) / v11;
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = v12;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) = (1.5 * each(third_t) * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, each(ratio_t)))) / v11;
+    AT(work, march + layout__ROLLING_MARCH_TURNING) = v12;
+    return 0;
 }
 
 /* Derivative of ``longitudinal``. */
-static inline int64_t derivative_fastrip__longitudinal_t(double* push, lanes* push_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t strip)
+static inline void derivative_fastrip__longitudinal_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t strip)
 {
-    double v1;
-    double v2;
-    double v3;
-    EACH_LANE each((*push_t)) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)));
-    (*push) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) == 1.0)
+    lanes push_t;
+    double push, v1, v2, v3;
+    EACH_LANE each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    push = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    if (AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) == 1.0)
     {
-        v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-        v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * v1;
-        v3 = 1.0 - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
-        EACH_LANE each((*push_t)) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING))) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) - each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))))) / v3;
-        (*push) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v2 / v3;
+        v1 = AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X);
+        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING) * v1;
+        v3 = 1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO);
+        EACH_LANE each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING) * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)))) / v3;
+        push = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v2 / v3;
     }
-    return 0;
+    *push_out = push;
+    EACH_LANE each(*push_t_out) = each(push_t);
 }
 
 /* Derivative of ``find_stick``. */
 static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t)
 {
-    double v1;
-    double v2;
-    lanes u_t;
-    double u;
-    double v3;
-    double v4;
-    double v5;
-    lanes v_t;
-    double v;
-    double v6;
-    double v7;
-    double v8;
-    lanes k_t;
-    double k;
-    lanes rest_t;
-    double rest;
-    lanes cross_t;
-    double cross;
-    double v9;
-    lanes spread_t;
-    double spread;
-    lanes depth_t;
-    double depth;
-    double v10;
-    lanes root_t;
-    double root;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    double v15;
-    double v16;
-    double v17;
-    double v18;
-    double v19;
-    double v20;
-    double v21;
-    double v22;
+    double v1, v2, u, v3, v4, v5, v, v6, v7, v8, k, rest, cross, v9, spread, depth, v10, root, v11, v12, v13, v14, v15, v16, v17, v18, v19, v20, v21, v22;
+    lanes u_t, v_t, k_t, rest_t, cross_t, spread_t, depth_t, root_t;
     v1 = -push;
-    v2 = v1 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    EACH_LANE each(u_t) = ((-each(push_t)) - v2 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v2 = v1 / AT(work, march + layout__ROLLING_MARCH_RATE);
+    EACH_LANE each(u_t) = (-each(push_t) - v2 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
     u = v2;
-    v3 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS));
+    v3 = -AT(work, march + layout__ROLLING_MARCH_ACROSS);
     v4 = v3 * lateral;
-    v5 = v4 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    EACH_LANE each(v_t) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)))) * lateral + v3 * each(lateral_t) - v5 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v5 = v4 / AT(work, march + layout__ROLLING_MARCH_RATE);
+    EACH_LANE each(v_t) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) * lateral + v3 * each(lateral_t) - v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
     v = v5;
-    v6 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING));
+    v6 = -AT(work, march + layout__ROLLING_MARCH_TURNING);
     v7 = v6 * spin;
-    v8 = v7 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    EACH_LANE each(k_t) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING)))) * spin + v6 * each(spin_t) - v8 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v8 = v7 / AT(work, march + layout__ROLLING_MARCH_RATE);
+    EACH_LANE each(k_t) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) * spin + v6 * each(spin_t) - v8 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
     k = v8;
     EACH_LANE each(rest_t) = -(each(k_t) * k + k * each(k_t));
     rest = 1.0 - k * k;
@@ -2038,8 +1816,8 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
     v9 = rest * u;
     EACH_LANE each(spread_t) = each(v_t) * v + v * each(v_t) + ((each(rest_t) * u + rest * each(u_t)) * u + v9 * each(u_t));
     spread = v * v + v9 * u;
-    EACH_LANE each(depth_t) = 2.0 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
-    depth = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each(depth_t) = 2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    depth = 2.0 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
     if (rest > 0.0)
     {
         v10 = sqrt(spread);
@@ -2059,7 +1837,7 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
         EACH_LANE each(depth_t) = (each(depth_t) - v14 * each(rest_t)) / rest;
         depth = v14;
     }
-    else if ((cross < 0.0) && (spread > 0.0))
+    else if (cross < 0.0 && spread > 0.0)
     {
         v15 = u * u + v * v;
         v16 = sqrt(spread);
@@ -2068,187 +1846,239 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
         EACH_LANE each(depth_t) = (each(u_t) * u + u * each(u_t) + (each(v_t) * v + v * each(v_t)) - v18 * (derivative_rates__root_rate(v16, each(spread_t)) - each(cross_t))) / v17;
         depth = v18;
     }
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) = each(k_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
-    if (depth < (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)))
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) = each(k_t);
+    AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    AT(work, march + layout__ROLLING_MARCH_DEPTH) = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) = each(u_t);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) = each(v_t);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
+    if (depth < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
     {
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each(depth_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(depth_t);
+        AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
         v19 = depth + 1e-300;
         v20 = u / v19;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) = (each(u_t) - v20 * each(depth_t)) / v19;
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v20;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) = (each(u_t) - v20 * each(depth_t)) / v19;
+        AT(work, march + layout__ROLLING_MARCH_STICK_X) = v20;
         v21 = depth + 1e-300;
         v22 = v / v21;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) = (each(v_t) - v22 * each(depth_t)) / v21 + each(k_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v22 + k;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (each(v_t) - v22 * each(depth_t)) / v21 + each(k_t);
+        AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v22 + k;
     }
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_EDGE))) = 2.0 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    AT(work, march + layout__ROLLING_MARCH_EDGE) = 2.0 * AT(work, march + layout__ROLLING_MARCH_DEPTH) - AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    return 0;
 }
 
 /* Derivative of ``add_tractions``. */
-static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
+static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
 {
-    lanes a_t;
-    double a;
+    lanes a_t, lost_t, x_t, bound_t, p_x_t, p_y_t, without_x_t, without_y_t, v2_t, share_t, square_t, v5_t, v10_t, weight_t, rates, rates_2, rates_3;
+    double a, lost, x, v1, bound, p_x, p_y, without_x, without_y, v2, share, v3, v4, square, v5, v6, v7, v8, v9, v10, weight, v11;
     int64_t q;
-    lanes x_t;
-    double x;
-    double v1;
-    lanes bound_t;
-    double bound;
-    double p_x;
-    lanes p_x_t;
-    double p_y;
-    lanes p_y_t;
-    lanes square_t;
-    double square;
-    double v2;
-    lanes v2_t;
-    double v3;
-    double v4;
-    lanes v4_t;
-    lanes weight_t;
-    double weight;
-    EACH_LANE each(a_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
-    a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_X))) = each(a_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = a;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = all_lanes(0.0);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
-    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_X)) = each(a_t);
+    AT(work, march + layout__ROLLING_MARCH_X) = a;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_FIRST_X) = 0.0;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = 0.0;
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
+    derivative_fastrip__open_stick_t(work, work_t, march);
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        EACH_LANE each(x_t) = each(a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-        EACH_LANE each(bound_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * each(a_t)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        bound = v1 * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        derivative_fastrip__next_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, x, x_t, bound, bound_t);
+        EACH_LANE each(x_t) = each(a_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        v1 = AT(work, march + layout__ROLLING_MARCH_RATE) * a;
+        EACH_LANE each(bound_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * a + AT(work, march + layout__ROLLING_MARCH_RATE) * each(a_t)) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        bound = v1 * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        derivative_fastrip__march_on_t(work, work_t, march, x, x_t, bound, bound_t);
+        derivative_fastrip__slip_direction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, bound, bound_t);
+        EACH_LANE each(without_x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * bound + AT(work, march + layout__ROLLING_MARCH_STICK_X) * each(bound_t);
+        without_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * bound;
+        EACH_LANE each(without_y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * bound + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * each(bound_t);
+        without_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * bound;
+        if (x > AT(work, march + layout__ROLLING_MARCH_EDGE))
+        {
+            derivative_fastrip__stick_traction_t(&without_x, &without_x_t, &without_y, &without_y_t, work, work_t, march, x, x_t, bound, bound_t);
+            derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, without_x, without_x_t, without_y, without_y_t, bound, bound_t);
+        }
+        else if (AT(work, patch + layout__PATCH_FALL_RATE) > 0.0)
+        {
+            derivative_falling__point_share_t(&v2, &v2_t, work, work_t, patch, strip, x, x_t);
+            EACH_LANE each(share_t) = each(v2_t);
+            share = v2;
+            EACH_LANE each(p_x_t) = each(p_x_t) * share + p_x * each(share_t);
+            p_x = p_x * share;
+            EACH_LANE each(p_y_t) = each(p_y_t) * share + p_y * each(share_t);
+            p_y = p_y * share;
+            v3 = AT(tables, table + layout__ROLLING_TABLE_SINES + q) * bound;
+            v4 = 1.0 - share;
+            EACH_LANE each(lost_t) = each(lost_t) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(bound_t) * v4 + v3 * -each(share_t));
+            lost = lost + v3 * v4;
+        }
         EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
         square = p_x * p_x + p_y * p_y;
-        v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST));
-        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)));
-        if (square > v2)
+        v5 = AT(work, march + layout__ROLLING_MARCH_LARGEST);
+        EACH_LANE each(v5_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LARGEST));
+        if (square > v5)
         {
-            v2 = square;
-            EACH_LANE each(v2_t) = each(square_t);
+            v5 = square;
+            EACH_LANE each(v5_t) = each(square_t);
         }
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LARGEST))) = each(v2_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = v2;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_X))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_X))) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * each(p_x_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y))) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * each(p_y_t);
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
-        v3 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x;
-        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT))) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * each(x_t) * p_y + v3 * each(p_y_t));
-        (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + v3 * p_y;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LARGEST)) = each(v5_t);
+        AT(work, march + layout__ROLLING_MARCH_LARGEST) = v5;
+        v6 = p_x - without_x;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_x_t) - each(without_x_t));
+        AT(work, march + layout__ROLLING_MARCH_SUM_X) = AT(work, march + layout__ROLLING_MARCH_SUM_X) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v6;
+        v7 = p_y - without_y;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_y_t) - each(without_y_t));
+        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = AT(work, march + layout__ROLLING_MARCH_SUM_Y) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v7;
+        v8 = AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x;
+        v9 = p_y - without_y;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(x_t) * v9 + v8 * (each(p_y_t) - each(without_y_t)));
+        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) + v8 * v9;
     }
-    derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
-    EACH_LANE each(weight_t) = each(v4_t);
-    weight = v4;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)));
-    lanes rates_2;
-    EACH_LANE each(rates_2) = each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)));
-    lanes rates_3;
-    EACH_LANE each(rates_3) = each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)));
-    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)), rates_1, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)), rates_2, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)), rates_3);
-    return INT64_C(0);
+    derivative_tractions__point_weight_t(&v10, &v10_t, work, work_t, strip);
+    EACH_LANE each(weight_t) = each(v10_t);
+    weight = v10;
+    EACH_LANE each(rates) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_X) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X));
+    EACH_LANE each(rates_2) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_Y) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y));
+    EACH_LANE each(rates_3) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT));
+    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * AT(work, march + layout__ROLLING_MARCH_SUM_X), rates, weight * AT(work, march + layout__ROLLING_MARCH_SUM_Y), rates_2, weight * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT), rates_3);
+    v11 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    *out_0 = v11 * lost;
+    EACH_LANE each(*out_1) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v11 * each(lost_t);
 }
 
-/* Derivative of ``next_traction``. */
-static inline int64_t derivative_fastrip__next_traction_t(double* p_x, lanes* p_x_t, double* p_y, lanes* p_y_t, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
+/* Derivative of ``open_stick``. */
+static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march)
 {
-    lanes step_t;
-    double step;
-    double v1;
-    lanes across_t;
-    double across;
-    lanes reach_t;
-    double reach;
-    double v2;
-    double v3;
-    lanes inner_t;
-    double inner;
-    double v4;
-    lanes root_t;
-    double root;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    lanes size_t;
-    double size;
-    double v9;
-    double v10;
-    EACH_LANE each(step_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_X))) - each(x_t);
-    step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
-    v1 = x + 0.5 * step;
-    EACH_LANE each(across_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y))) + (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN))) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * (each(x_t) + 0.5 * each(step_t)));
-    across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X))) - (each(step_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)) + step * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X))));
-    lanes rates_2;
-    EACH_LANE each(rates_2) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y))) - (each(step_t) * across + step * each(across_t));
-    derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)), rates_1, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, rates_2, bound, bound_t);
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_X))) = each(x_t);
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X))) = each((*p_x_t));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
-    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y))) = each((*p_y_t));
-    (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
-    EACH_LANE each(reach_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)));
-    reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    v2 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    v3 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    EACH_LANE each(inner_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)))) * v3 + v2 * (each(x_t) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)))));
-    inner = reach * reach - v2 * v3;
-    if (inner > 0.0)
+    double v1, depth, v2, whole, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12;
+    lanes depth_t, whole_t;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_SUM_X) = 0.0;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_SUM_Y) = 0.0;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = 0.0;
+    if (AT(work, march + layout__ROLLING_MARCH_DEPTH) < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
     {
-        v4 = sqrt(inner);
-        EACH_LANE each(root_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * derivative_rates__root_rate(v4, each(inner_t));
-        root = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * v4;
-        v5 = bound - root;
-        v6 = bound - root;
-        lanes rates_3;
-        EACH_LANE each(rates_3) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (each(bound_t) - each(root_t));
-        lanes rates_4;
-        EACH_LANE each(rates_4) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (each(bound_t) - each(root_t)) + (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * each(root_t));
-        derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5, rates_3, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root, rates_4, bound, bound_t);
-    }
-    else
-    {
-        v7 = (*p_x) * (*p_x) + (*p_y) * (*p_y);
-        v8 = sqrt(v7);
-        EACH_LANE each(size_t) = derivative_rates__root_rate(v8, each((*p_x_t)) * (*p_x) + (*p_x) * each((*p_x_t)) + (each((*p_y_t)) * (*p_y) + (*p_y) * each((*p_y_t))));
-        size = v8;
-        if (size > 0.0)
-        {
-            v9 = bound / size;
-            EACH_LANE each((*p_x_t)) = each((*p_x_t)) * v9 + (*p_x) * ((each(bound_t) - v9 * each(size_t)) / size);
-            (*p_x) = (*p_x) * v9;
-            v10 = bound / size;
-            EACH_LANE each((*p_y_t)) = each((*p_y_t)) * v10 + (*p_y) * ((each(bound_t) - v10 * each(size_t)) / size);
-            (*p_y) = (*p_y) * v10;
-        }
+        v1 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        depth = v1;
+        v2 = 0.5 * (double)(layout__POINT_LIMIT + 1);
+        EACH_LANE each(whole_t) = v2 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE));
+        whole = v2 * AT(work, march + layout__ROLLING_MARCH_RATE);
+        v3 = whole * AT(work, march + layout__ROLLING_MARCH_LEAD_X);
+        v4 = 2.0 - depth;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) = (each(whole_t) * AT(work, march + layout__ROLLING_MARCH_LEAD_X) + whole * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X))) * v4 + v3 * -each(depth_t);
+        AT(work, march + layout__ROLLING_MARCH_SUM_X) = v3 * v4;
+        v5 = 2.0 - depth;
+        v6 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * v5 + AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) = each(whole_t) * v6 + whole * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) * v5 + AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * -each(depth_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))));
+        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = whole * v6;
+        v7 = -whole;
+        v8 = v7 * AT(work, march + layout__ROLLING_MARCH_LEAD_Y);
+        v9 = v8 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        v10 = 1.0 - depth;
+        v11 = v9 * v10;
+        v12 = 1.0 - depth;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (((-each(whole_t) * AT(work, march + layout__ROLLING_MARCH_LEAD_Y) + v7 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y))) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + v8 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * v10 + v9 * -each(depth_t)) * v12 + v11 * -each(depth_t);
+        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = v11 * v12;
     }
     return 0;
+}
+
+/* Derivative of ``march_on``. */
+static inline int64_t derivative_fastrip__march_on_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
+{
+    lanes step_t, across_t, p_x_t, p_y_t, rates, rates_2;
+    double step, v1, across, p_x, p_y;
+    EACH_LANE each(step_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_X)) - each(x_t);
+    step = AT(work, march + layout__ROLLING_MARCH_X) - x;
+    v1 = x + 0.5 * step;
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_PUSH_Y)) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1 + AT(work, march + layout__ROLLING_MARCH_PUSH_TURN) * (each(x_t) + 0.5 * each(step_t)));
+    across = AT(work, march + layout__ROLLING_MARCH_PUSH_Y) + AT(work, march + layout__ROLLING_MARCH_PUSH_TURN) * v1;
+    EACH_LANE each(rates) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X)) - (each(step_t) * AT(work, march + layout__ROLLING_MARCH_PUSH_X) + step * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_PUSH_X)));
+    EACH_LANE each(rates_2) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y)) - (each(step_t) * across + step * each(across_t));
+    derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, AT(work, march + layout__ROLLING_MARCH_FIRST_X) - step * AT(work, march + layout__ROLLING_MARCH_PUSH_X), rates, AT(work, march + layout__ROLLING_MARCH_FIRST_Y) - step * across, rates_2, bound, bound_t);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_X)) = each(x_t);
+    AT(work, march + layout__ROLLING_MARCH_X) = x;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X)) = each(p_x_t);
+    AT(work, march + layout__ROLLING_MARCH_FIRST_X) = p_x;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = each(p_y_t);
+    AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = p_y;
+    return 0;
+}
+
+/* Derivative of ``slip_direction``. */
+static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march, double bound, lanes bound_t)
+{
+    lanes p_x_t, p_y_t, size_t;
+    double p_x, p_y, v1, v2, size, v3, v4;
+    EACH_LANE each(p_x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X));
+    p_x = AT(work, march + layout__ROLLING_MARCH_FIRST_X);
+    EACH_LANE each(p_y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y));
+    p_y = AT(work, march + layout__ROLLING_MARCH_FIRST_Y);
+    v1 = p_x * p_x + p_y * p_y;
+    v2 = sqrt(v1);
+    EACH_LANE each(size_t) = derivative_rates__root_rate(v2, each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t)));
+    size = v2;
+    if (size > 0.0)
+    {
+        v3 = bound / size;
+        EACH_LANE each(p_x_t) = each(p_x_t) * v3 + p_x * ((each(bound_t) - v3 * each(size_t)) / size);
+        p_x = p_x * v3;
+        v4 = bound / size;
+        EACH_LANE each(p_y_t) = each(p_y_t) * v4 + p_y * ((each(bound_t) - v4 * each(size_t)) / size);
+        p_y = p_y * v4;
+    }
+    *p_x_out = p_x;
+    EACH_LANE each(*p_x_t_out) = each(p_x_t);
+    *p_y_out = p_y;
+    EACH_LANE each(*p_y_t_out) = each(p_y_t);
+}
+
+/* Derivative of ``stick_traction``. */
+static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
+{
+    lanes reach_t, v3_t, root_t, lead_t;
+    double reach, v1, v2, v3, v4, root, v5, v6, v7, v8, v9, v10, lead;
+    EACH_LANE each(reach_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH));
+    reach = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    v1 = x - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    v2 = x - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    v3 = reach * reach - v1 * v2;
+    EACH_LANE each(v3_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))) * v2 + v1 * (each(x_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))));
+    if (0.0 > v3)
+    {
+        v3 = 0.0;
+        v3_t = all_lanes(0.0);
+    }
+    v4 = sqrt(v3);
+    EACH_LANE each(root_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * v4 + AT(work, march + layout__ROLLING_MARCH_RATE) * derivative_rates__root_rate(v4, each(v3_t));
+    root = AT(work, march + layout__ROLLING_MARCH_RATE) * v4;
+    v5 = 2.0 * AT(work, march + layout__ROLLING_MARCH_RATE);
+    v6 = v5 * AT(work, march + layout__ROLLING_MARCH_RATE);
+    v7 = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - x;
+    v8 = v6 * v7;
+    v9 = bound + root;
+    v10 = v8 / v9;
+    EACH_LANE each(lead_t) = ((2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * AT(work, march + layout__ROLLING_MARCH_RATE) + v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) * v7 + v6 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(x_t)) - v10 * (each(bound_t) + each(root_t))) / v9;
+    lead = v10;
+    *out_0 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) * lead;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) * lead + AT(work, march + layout__ROLLING_MARCH_LEAD_X) * each(lead_t);
+    *out_2 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * lead + AT(work, march + layout__ROLLING_MARCH_TWIST) * bound;
+    EACH_LANE each(*out_3) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) * lead + AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * each(lead_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * bound + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(bound_t));
 }
 
 
@@ -2260,35 +2090,15 @@ static inline int64_t derivative_fastrip__next_traction_t(double* p_x, lanes* p_
 /* Derivative of ``solve_fastsim``. */
 static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double along;
-    lanes along_t;
-    double across;
-    lanes across_t;
-    double turning;
-    lanes turning_t;
-    lanes stuck_t;
-    double stuck;
-    int64_t i;
-    int64_t strip;
-    double v1;
-    lanes v1_t;
-    lanes rate_t;
-    double rate;
-    double v2;
-    lanes v2_t;
-    lanes push_t;
-    double push;
-    double v3;
-    lanes v3_t;
-    double v4;
-    lanes v4_t;
-    lanes area_t;
-    double area;
-    double v5;
+    double along, across, turning, stuck, lost, v1, rate, v2, push, sticks, loses, v3, v4, area, v5;
+    lanes along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, v2_t, push_t, sticks_t, loses_t, v4_t, area_t;
+    int64_t i, strip;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
     stuck_t = all_lanes(0.0);
     stuck = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
@@ -2299,155 +2109,95 @@ static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, 
             derivative_fastsim__strip_push_t(&v2, &v2_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
             EACH_LANE each(push_t) = each(v2_t);
             push = v2;
-            derivative_fastsim__march_strip_t(&v3, &v3_t, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, strip, rate, rate_t, push, push_t, across, across_t, turning, turning_t);
-            EACH_LANE each(stuck_t) = each(stuck_t) + each(v3_t);
-            stuck = stuck + v3;
+            derivative_fastsim__march_strip_t(&sticks, &sticks_t, &loses, &loses_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, rate_t, push, push_t, across, across_t, turning, turning_t);
+            EACH_LANE each(stuck_t) = each(stuck_t) + each(sticks_t);
+            stuck = stuck + sticks;
+            EACH_LANE each(lost_t) = each(lost_t) + each(loses_t);
+            lost = lost + loses;
         }
     }
+    v3 = lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) - v3;
     derivative_tractions__patch_area_t(&v4, &v4_t, work, work_t, patch);
     EACH_LANE each(area_t) = each(v4_t);
     area = v4;
     if (area > 0.0)
     {
         v5 = stuck / area;
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = (each(stuck_t) - v5 * each(area_t)) / area;
-        (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v5;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v5 * each(area_t)) / area;
+        AT(work, patch + layout__PATCH_STICK_SHARE) = v5;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``stiffnesses``. */
-static inline int64_t derivative_fastsim__stiffnesses_t(double* v5, lanes* result_1, double* v9, lanes* result_3, double* v15, lanes* result_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline void derivative_fastsim__stiffnesses_t(double* v5_out, lanes* out_1, double* v9_out, lanes* out_3, double* v15_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    lanes a_t;
-    double a;
-    double v1;
-    lanes ratio_t;
-    double ratio;
-    double first;
-    lanes first_t;
-    double second;
-    lanes second_t;
-    double third;
-    lanes third_t;
-    double modulus;
-    double v2;
-    double v3;
-    double v4;
-    double v6;
-    double v7;
-    double v8;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    EACH_LANE each(a_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
-    a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    v1 = a / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    EACH_LANE each(ratio_t) = (each(a_t) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    lanes a_t, ratio_t, first_t, second_t, third_t;
+    double a, v1, ratio, first, second, third, modulus, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12, v13, v14, v15;
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+    a = AT(work, patch + layout__PATCH_HALF_LENGTH);
+    v1 = a / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(ratio_t) = (each(a_t) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
-    derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio, ratio_t);
-    modulus = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
+    derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio, ratio_t);
+    modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
     v2 = 3.0 * first;
     v3 = v2 * modulus;
     v4 = 8.0 * a;
-    (*v5) = v3 / v4;
+    v5 = v3 / v4;
     v6 = 3.0 * second;
     v7 = v6 * modulus;
     v8 = 8.0 * a;
-    (*v9) = v7 / v8;
+    v9 = v7 / v8;
     v10 = 4.0 * third;
     v11 = v10 * modulus;
     v12 = M_PI * a;
     v13 = sqrt(ratio);
     v14 = v12 * v13;
-    (*v15) = v11 / v14;
-    EACH_LANE each((*result_1)) = (3.0 * each(first_t) * modulus - (*v5) * (8.0 * each(a_t))) / v4;
-    EACH_LANE each((*result_3)) = (3.0 * each(second_t) * modulus - (*v9) * (8.0 * each(a_t))) / v8;
-    EACH_LANE each((*result_5)) = (4.0 * each(third_t) * modulus - (*v15) * (M_PI * each(a_t) * v13 + v12 * derivative_rates__root_rate(v13, each(ratio_t)))) / v14;
-    return 0;
+    v15 = v11 / v14;
+    *v5_out = v5;
+    EACH_LANE each(*out_1) = (3.0 * each(first_t) * modulus - v5 * (8.0 * each(a_t))) / v4;
+    *v9_out = v9;
+    EACH_LANE each(*out_3) = (3.0 * each(second_t) * modulus - v9 * (8.0 * each(a_t))) / v8;
+    *v15_out = v15;
+    EACH_LANE each(*out_5) = (4.0 * each(third_t) * modulus - v15 * (M_PI * each(a_t) * v13 + v12 * derivative_rates__root_rate(v13, each(ratio_t)))) / v14;
 }
 
 /* Derivative of ``strip_push``. */
-static inline int64_t derivative_fastsim__strip_push_t(double* push, lanes* push_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double turning, lanes turning_t)
+static inline void derivative_fastsim__strip_push_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double turning, lanes turning_t)
 {
-    double v1;
-    EACH_LANE each((*push_t)) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * each(along_t);
-    (*push) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * along;
-    if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) == 1.0)
+    lanes push_t;
+    double push, v1;
+    EACH_LANE each(push_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * along + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(along_t);
+    push = AT(work, strip + layout__ROLLING_STRIP_SLIP) * along;
+    if (AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) == 1.0)
     {
-        v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-        EACH_LANE each((*push_t)) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * along + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each(along_t) + ((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) - each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)))) * turning + v1 * each(turning_t));
-        (*push) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * along + v1 * turning;
+        v1 = AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X);
+        EACH_LANE each(push_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * along + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(along_t) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X))) * turning + v1 * each(turning_t));
+        push = AT(work, patch + layout__PATCH_CREEPAGE_X) * along + v1 * turning;
     }
-    return 0;
+    *push_out = push;
+    EACH_LANE each(*push_t_out) = each(push_t);
 }
 
 /* Derivative of ``march_strip``. */
-static inline int64_t derivative_fastsim__march_strip_t(double* v12, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t)
+static inline void derivative_fastsim__march_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t)
 {
-    lanes a_t;
-    double a;
-    lanes slanted_t;
-    double slanted;
-    double v1;
-    lanes lateral_t;
-    double lateral;
-    lanes turn_t;
-    double turn;
-    lanes before_t;
-    double before;
-    lanes p_x_t;
-    double p_x;
-    lanes p_y_t;
-    double p_y;
-    lanes force_x_t;
-    double force_x;
-    lanes force_y_t;
-    double force_y;
-    lanes moment_t;
-    double moment;
-    lanes stuck_t;
-    double stuck;
-    lanes total_t;
-    double total;
-    lanes largest_t;
-    double largest;
+    lanes a_t, slanted_t, lateral_t, turn_t, before_t, p_x_t, p_y_t, force_x_t, force_y_t, moment_t, stuck_t, total_t, lost_t, largest_t, x_t, weight_t, step_t, free_x_t, free_y_t, bound_t, last_x_t, last_y_t, along_t, sideways_t, v5_t, share_t, v7_t, square_t, v10_t, v13_t, rates, rates_2, rates_3, rates_4, rates_5;
+    double a, slanted, v1, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, lost, largest, x, weight, step, free_x, v2, v3, free_y, v4, bound, last_x, last_y, along, sideways, v5, share, v6, v7, v8, v9, square, v10, v11, v12, v13, v14, v15, v16, v17, v18;
+    bool falls;
     int64_t q;
-    lanes x_t;
-    double x;
-    lanes weight_t;
-    double weight;
-    lanes step_t;
-    double step;
-    lanes free_x_t;
-    double free_x;
-    double v2;
-    double v3;
-    lanes free_y_t;
-    double free_y;
-    double v4;
-    lanes square_t;
-    double square;
-    double v5;
-    lanes v5_t;
-    double v6;
-    double v7;
-    double v8;
-    lanes v8_t;
-    double v9;
-    double v10;
-    double v11;
-    EACH_LANE each(a_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-    a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    EACH_LANE each(slanted_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-    slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted;
-    EACH_LANE each(lateral_t) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - each(slanted_t)) * across + v1 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    a = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+    EACH_LANE each(slanted_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+    slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
+    v1 = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted;
+    EACH_LANE each(lateral_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - each(slanted_t)) * across + v1 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
     lateral = v1 * across + slanted * turning;
-    EACH_LANE each(turn_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each(turning_t);
-    turn = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
+    EACH_LANE each(turn_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
+    turn = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
     EACH_LANE each(before_t) = each(a_t);
     before = a;
     p_x_t = all_lanes(0.0);
@@ -2464,14 +2214,17 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, lanes* resu
     stuck = 0.0;
     total_t = all_lanes(0.0);
     total = 0.0;
-    EACH_LANE each(largest_t) = each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) * (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) + (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) * each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR)));
-    largest = (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) * (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR));
-    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
+    falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
+    EACH_LANE each(largest_t) = each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) * AT(work, patch + layout__PATCH_MAX_SHEAR) + AT(work, patch + layout__PATCH_MAX_SHEAR) * each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR));
+    largest = AT(work, patch + layout__PATCH_MAX_SHEAR) * AT(work, patch + layout__PATCH_MAX_SHEAR);
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        EACH_LANE each(x_t) = each(a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+        EACH_LANE each(x_t) = each(a_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         weight_t = all_lanes(0.0);
-        weight = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        weight = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
         EACH_LANE each(step_t) = each(before_t) - each(x_t);
         step = before - x;
         EACH_LANE each(free_x_t) = each(p_x_t) - (each(step_t) * push + step * each(push_t));
@@ -2481,56 +2234,116 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, lanes* resu
         EACH_LANE each(free_y_t) = each(p_y_t) - (each(step_t) * v3 + step * (each(lateral_t) + (each(turn_t) * v2 + turn * (each(x_t) + 0.5 * each(step_t)))));
         free_y = p_y - step * v3;
         v4 = rate * a;
-        lanes rates_1;
-        EACH_LANE each(rates_1) = (each(rate_t) * a + rate * each(a_t)) * weight + v4 * each(weight_t);
-        derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, free_x, free_x_t, free_y, free_y_t, v4 * weight, rates_1);
-        if ((p_x == free_x) && (p_y == free_y))
+        EACH_LANE each(bound_t) = (each(rate_t) * a + rate * each(a_t)) * weight + v4 * each(weight_t);
+        bound = v4 * weight;
+        EACH_LANE each(last_x_t) = each(p_x_t);
+        last_x = p_x;
+        EACH_LANE each(last_y_t) = each(p_y_t);
+        last_y = p_y;
+        derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, free_x, free_x_t, free_y, free_y_t, bound, bound_t);
+        EACH_LANE each(along_t) = each(p_x_t);
+        along = p_x;
+        EACH_LANE each(sideways_t) = each(p_y_t);
+        sideways = p_y;
+        if (p_x == free_x && p_y == free_y)
         {
             EACH_LANE each(stuck_t) = each(stuck_t) + each(weight_t);
             stuck = stuck + weight;
         }
+        else if (falls)
+        {
+            derivative_falling__point_share_t(&v5, &v5_t, work, work_t, patch, strip, x, x_t);
+            EACH_LANE each(share_t) = each(v5_t);
+            share = v5;
+            v6 = 1.0 - share;
+            EACH_LANE each(rates) = each(free_x_t) - each(last_x_t);
+            EACH_LANE each(rates_2) = each(free_y_t) - each(last_y_t);
+            derivative_fastsim__sticking_t(&v7, &v7_t, free_x, free_x_t, free_y, free_y_t, free_x - last_x, rates, free_y - last_y, rates_2, bound, bound_t);
+            EACH_LANE each(share_t) = each(share_t) + (-each(share_t) * v7 + v6 * each(v7_t));
+            share = share + v6 * v7;
+            EACH_LANE each(along_t) = each(along_t) * share + along * each(share_t);
+            along = along * share;
+            EACH_LANE each(sideways_t) = each(sideways_t) * share + sideways * each(share_t);
+            sideways = sideways * share;
+            v8 = weight * bound;
+            v9 = 1.0 - share;
+            EACH_LANE each(lost_t) = each(lost_t) + ((each(weight_t) * bound + weight * each(bound_t)) * v9 + v8 * -each(share_t));
+            lost = lost + v8 * v9;
+        }
         EACH_LANE each(total_t) = each(total_t) + each(weight_t);
         total = total + weight;
-        EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
-        square = p_x * p_x + p_y * p_y;
-        v5 = largest;
-        EACH_LANE each(v5_t) = each(largest_t);
-        if (square > v5)
+        EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(sideways_t) * sideways + sideways * each(sideways_t));
+        square = along * along + sideways * sideways;
+        v10 = largest;
+        EACH_LANE each(v10_t) = each(largest_t);
+        if (square > v10)
         {
-            v5 = square;
-            EACH_LANE each(v5_t) = each(square_t);
+            v10 = square;
+            EACH_LANE each(v10_t) = each(square_t);
         }
-        EACH_LANE each(largest_t) = each(v5_t);
-        largest = v5;
-        EACH_LANE each(force_x_t) = each(force_x_t) + (each(weight_t) * p_x + weight * each(p_x_t));
-        force_x = force_x + weight * p_x;
-        EACH_LANE each(force_y_t) = each(force_y_t) + (each(weight_t) * p_y + weight * each(p_y_t));
-        force_y = force_y + weight * p_y;
-        v6 = weight * x;
-        EACH_LANE each(moment_t) = each(moment_t) + ((each(weight_t) * x + weight * each(x_t)) * p_y + v6 * each(p_y_t));
-        moment = moment + v6 * p_y;
+        EACH_LANE each(largest_t) = each(v10_t);
+        largest = v10;
+        EACH_LANE each(force_x_t) = each(force_x_t) + (each(weight_t) * along + weight * each(along_t));
+        force_x = force_x + weight * along;
+        EACH_LANE each(force_y_t) = each(force_y_t) + (each(weight_t) * sideways + weight * each(sideways_t));
+        force_y = force_y + weight * sideways;
+        v11 = weight * x;
+        EACH_LANE each(moment_t) = each(moment_t) + ((each(weight_t) * x + weight * each(x_t)) * sideways + v11 * each(sideways_t));
+        moment = moment + v11 * sideways;
         EACH_LANE each(before_t) = each(x_t);
         before = x;
     }
-    v7 = sqrt(largest);
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) = derivative_rates__root_rate(v7, each(largest_t));
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v7;
-    derivative_tractions__point_weight_t(&v8, &v8_t, work, work_t, strip);
-    EACH_LANE each(weight_t) = each(v8_t);
-    weight = v8;
-    lanes rates_2;
-    EACH_LANE each(rates_2) = each(weight_t) * force_x + weight * each(force_x_t);
-    lanes rates_3;
-    EACH_LANE each(rates_3) = each(weight_t) * force_y + weight * each(force_y_t);
-    lanes rates_4;
-    EACH_LANE each(rates_4) = each(weight_t) * moment + weight * each(moment_t);
-    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * force_x, rates_2, weight * force_y, rates_3, weight * moment, rates_4);
-    v9 = 2.0 * a;
-    v10 = v9 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    v11 = v10 * stuck;
-    (*v12) = v11 / total;
-    EACH_LANE each((*result_1)) = ((2.0 * each(a_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v9 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)))) * stuck + v10 * each(stuck_t) - (*v12) * each(total_t)) / total;
-    return 0;
+    v12 = sqrt(largest);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v12, each(largest_t));
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = v12;
+    derivative_tractions__point_weight_t(&v13, &v13_t, work, work_t, strip);
+    EACH_LANE each(weight_t) = each(v13_t);
+    weight = v13;
+    EACH_LANE each(rates_3) = each(weight_t) * force_x + weight * each(force_x_t);
+    EACH_LANE each(rates_4) = each(weight_t) * force_y + weight * each(force_y_t);
+    EACH_LANE each(rates_5) = each(weight_t) * moment + weight * each(moment_t);
+    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * force_x, rates_3, weight * force_y, rates_4, weight * moment, rates_5);
+    v14 = 2.0 * a;
+    v15 = v14 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    v16 = v15 * stuck;
+    v17 = v16 / total;
+    v18 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    *v17_out = v17;
+    EACH_LANE each(*out_1) = ((2.0 * each(a_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v14 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * stuck + v15 * each(stuck_t) - v17 * each(total_t)) / total;
+    *out_2 = v18 * lost;
+    EACH_LANE each(*out_3) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v18 * each(lost_t);
+}
+
+/* Derivative of ``sticking``. */
+static inline void derivative_fastsim__sticking_t(double* part_out, lanes* part_t_out, double free_x, lanes free_x_t, double free_y, lanes free_y_t, double push_x, lanes push_x_t, double push_y, lanes push_y_t, double bound, lanes bound_t)
+{
+    double v1, v2, excess, part, v3, v4, push, v5, v6;
+    lanes excess_t, part_t, push_t, v5_t;
+    v1 = free_x * free_x + free_y * free_y;
+    v2 = sqrt(v1);
+    EACH_LANE each(excess_t) = derivative_rates__root_rate(v2, each(free_x_t) * free_x + free_x * each(free_x_t) + (each(free_y_t) * free_y + free_y * each(free_y_t))) - each(bound_t);
+    excess = v2 - bound;
+    part_t = all_lanes(0.0);
+    part = 0.0;
+    v3 = push_x * push_x + push_y * push_y;
+    v4 = sqrt(v3);
+    EACH_LANE each(push_t) = fastsim__NEAR_STICK * derivative_rates__root_rate(v4, each(push_x_t) * push_x + push_x * each(push_x_t) + (each(push_y_t) * push_y + push_y * each(push_y_t)));
+    push = fastsim__NEAR_STICK * v4;
+    if (excess < push)
+    {
+        v5 = excess;
+        EACH_LANE each(v5_t) = each(excess_t);
+        if (0.0 > v5)
+        {
+            v5 = 0.0;
+            v5_t = all_lanes(0.0);
+        }
+        v6 = v5 / push;
+        EACH_LANE each(part_t) = -((each(v5_t) - v6 * each(push_t)) / push);
+        part = 1.0 - v6;
+    }
+    *part_out = part;
+    EACH_LANE each(*part_t_out) = each(part_t);
 }
 
 
@@ -2539,58 +2352,61 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, lanes* resu
  * Derivatives of friction.py.
  */
 
-/* Derivative of ``patch_friction``. */
-static inline int64_t derivative_friction__patch_friction_t(double* found, lanes* found_t, array_double_1d tables, double friction, lanes friction_t, double angle, lanes angle_t, double sliding, lanes sliding_t)
+/* Derivative of ``set_friction``. */
+static inline int64_t derivative_friction__set_friction_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t, bool resting)
 {
-    double v1;
-    double v2;
-    lanes v2_t;
-    double v3;
-    double fall;
-    double v4;
-    double v6;
-    double v5;
-    lanes v5_t;
-    double v7;
-    EACH_LANE each((*found_t)) = each(friction_t);
-    (*found) = friction;
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) != 1.0)
+    double v1, share, v2, v3, fall, v4, v5, creepage, sliding, v6, v8, v7, v9;
+    lanes v1_t, share_t, creepage_t, sliding_t, v7_t, rates;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(friction_t);
+    AT(work, patch + layout__PATCH_FRICTION) = friction;
+    RATE_AT(work_t, patch + layout__PATCH_FALL_RATE) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_FALL_RATE) = 0.0;
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) != 1.0)
     {
-        v1 = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) - 1.0;
-        derivative_friction__flange_share_t(&v2, &v2_t, tables, angle, angle_t);
-        v3 = 1.0 + v1 * v2;
-        EACH_LANE each((*found_t)) = each((*found_t)) * v3 + (*found) * (v1 * each(v2_t));
-        (*found) = (*found) * v3;
+        derivative_friction__flange_share_t(&v1, &v1_t, tables, AT(work, patch + layout__PATCH_CONTACT_ANGLE), RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE));
+        EACH_LANE each(share_t) = each(v1_t);
+        share = v1;
+        v2 = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) - 1.0;
+        v3 = 1.0 + v2 * share;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * v3 + AT(work, patch + layout__PATCH_FRICTION) * (v2 * each(share_t));
+        AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * v3;
     }
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE)) > 0.0)
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0 && !resting)
     {
-        fall = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL));
-        v4 = 1.0 - fall;
-        v6 = -(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE));
-        lanes rates_1;
-        EACH_LANE each(rates_1) = v6 * each(sliding_t);
-        derivative_powers__exp_rule_t(&v5, &v5_t, v6 * sliding, rates_1);
-        v7 = v4 * v5 + fall;
-        EACH_LANE each((*found_t)) = each((*found_t)) * v7 + (*found) * (v4 * each(v5_t));
-        (*found) = (*found) * v7;
+        fall = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL);
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_POLACH)
+        {
+            v4 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+            v5 = sqrt(v4);
+            EACH_LANE each(creepage_t) = derivative_rates__root_rate(v5, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y))));
+            creepage = v5;
+            EACH_LANE each(sliding_t) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * creepage + AT(work, patch + layout__PATCH_SPEED) * each(creepage_t);
+            sliding = AT(work, patch + layout__PATCH_SPEED) * creepage;
+            v6 = 1.0 - fall;
+            v8 = -AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE);
+            EACH_LANE each(rates) = v8 * each(sliding_t);
+            derivative_powers__exp_rule_t(&v7, &v7_t, v8 * sliding, rates);
+            v9 = v6 * v7 + fall;
+            EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * v9 + AT(work, patch + layout__PATCH_FRICTION) * (v6 * each(v7_t));
+            AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * v9;
+        }
+        else
+        {
+            EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * each(RATE_AT(work_t, patch + layout__PATCH_SPEED));
+            AT(work, patch + layout__PATCH_FALL_RATE) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * AT(work, patch + layout__PATCH_SPEED);
+            RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR) = all_lanes(0.0);
+            AT(work, patch + layout__PATCH_FALL_FLOOR) = fall;
+        }
     }
     return 0;
 }
 
 /* Derivative of ``flange_share``. */
-static inline int64_t derivative_friction__flange_share_t(double* result_0, lanes* result_1, array_double_1d tables, double angle, lanes angle_t)
+static inline void derivative_friction__flange_share_t(double* out_0, lanes* out_1, array_double_1d tables, double angle, lanes angle_t)
 {
-    double v1;
-    double v2;
-    lanes share_t;
-    double share;
-    double v3;
-    lanes v3_t;
-    double v4;
-    lanes v4_t;
-    double v5;
-    double v6;
-    v1 = angle - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE));
+    double v1, v2, share, v3, v4, v5, v6;
+    lanes share_t, v3_t, v4_t;
+    v1 = angle - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE);
     v2 = 0.5 * v1;
     EACH_LANE each(share_t) = 0.5 * each(angle_t) / friction__FLANGE_RANGE;
     share = 0.5 + v2 / friction__FLANGE_RANGE;
@@ -2612,152 +2428,110 @@ static inline int64_t derivative_friction__flange_share_t(double* result_0, lane
     share = v4;
     v5 = share * share;
     v6 = 3.0 - 2.0 * share;
-    (*result_0) = v5 * v6;
-    EACH_LANE each((*result_1)) = (each(share_t) * share + share * each(share_t)) * v6 + v5 * (-(2.0 * each(share_t)));
-    return 0;
+    *out_0 = v5 * v6;
+    EACH_LANE each(*out_1) = (each(share_t) * share + share * each(share_t)) * v6 + v5 * -(2.0 * each(share_t));
 }
 
 /* Derivative of ``slope_factor``. */
-static inline int64_t derivative_friction__slope_factor_t(double* factor, lanes* factor_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline void derivative_friction__slope_factor_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double initial;
-    lanes limit_t;
-    double limit;
-    lanes across_t;
-    double across;
-    double v1;
-    double v2;
-    lanes creepage_t;
-    double creepage;
-    double v3;
-    double c11;
-    lanes c11_t;
-    double c22;
-    lanes c22_t;
-    double c23;
-    lanes c23_t;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    lanes epsilon_t;
-    double epsilon;
-    double v12;
-    double v13;
-    double v14;
-    (*factor_t) = all_lanes(0.0);
-    (*factor) = 1.0;
-    if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION)) != 1.0) || ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0))
+    lanes factor_t, limit_t, across_t, creepage_t, c11_t, c22_t, c23_t, epsilon_t, rates;
+    double factor, initial, limit, across, v1, v2, creepage, v3, c11, c22, c23, v4, v5, v6, v7, v8, v9, v10, v11, epsilon, v12, v13, v14;
+    factor_t = all_lanes(0.0);
+    factor = 1.0;
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION) != 1.0 || AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) > 0.0)
     {
-        initial = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION));
-        EACH_LANE each(limit_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-        limit = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        (*factor_t) = all_lanes(0.0);
-        (*factor) = initial;
-        if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0) && (limit > 0.0))
+        initial = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION);
+        EACH_LANE each(limit_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+        limit = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+        factor_t = all_lanes(0.0);
+        factor = initial;
+        if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) > 0.0 && limit > 0.0)
         {
-            EACH_LANE each(across_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) + (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))));
-            across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-            v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + across * across;
+            EACH_LANE each(across_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, patch + layout__PATCH_HALF_LENGTH) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)));
+            across = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, patch + layout__PATCH_HALF_LENGTH);
+            v1 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + across * across;
             v2 = sqrt(v1);
-            EACH_LANE each(creepage_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each(across_t) * across + across * each(across_t)));
+            EACH_LANE each(creepage_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(across_t) * across + across * each(across_t)));
             creepage = v2;
-            v3 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-            lanes rates_1;
-            EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v3 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-            derivative_tractions__kalker_coefficients_t(&c11, &c11_t, &c22, &c22_t, &c23, &c23_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), v3, rates_1);
-            v4 = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) * friction__PI;
-            v5 = v4 * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-            v6 = v5 * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+            v3 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+            EACH_LANE each(rates) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+            derivative_tractions__kalker_coefficients_t(&c11, &c11_t, &c22, &c22_t, &c23, &c23_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), v3, rates);
+            v4 = AT(tables, layout__TABLES_SHEAR_MODULUS) * friction__PI;
+            v5 = v4 * AT(work, patch + layout__PATCH_HALF_LENGTH);
+            v6 = v5 * AT(work, patch + layout__PATCH_HALF_WIDTH);
             v7 = v6 * initial;
             v8 = v7 * c11;
             v9 = v8 * creepage;
             v10 = 4.0 * limit;
             v11 = v9 / v10;
-            EACH_LANE each(epsilon_t) = (((v4 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v5 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) * initial * c11 + v7 * each(c11_t)) * creepage + v8 * each(creepage_t) - v11 * (4.0 * each(limit_t))) / v10;
+            EACH_LANE each(epsilon_t) = (((v4 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v5 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) * initial * c11 + v7 * each(c11_t)) * creepage + v8 * each(creepage_t) - v11 * (4.0 * each(limit_t))) / v10;
             epsilon = v11;
-            (*factor_t) = all_lanes(0.0);
-            (*factor) = initial * (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_FLOOR));
-            v12 = initial - (*factor);
-            v13 = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * epsilon;
+            factor_t = all_lanes(0.0);
+            factor = initial * AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_FLOOR);
+            v12 = initial - factor;
+            v13 = 1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) * epsilon;
             v14 = v12 / v13;
-            EACH_LANE each((*factor_t)) = each((*factor_t)) + ((-each((*factor_t))) - v14 * ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * each(epsilon_t))) / v13;
-            (*factor) = (*factor) + v14;
+            EACH_LANE each(factor_t) = each(factor_t) + (-each(factor_t) - v14 * (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) * each(epsilon_t))) / v13;
+            factor = factor + v14;
         }
     }
-    return 0;
+    *factor_out = factor;
+    EACH_LANE each(*factor_t_out) = each(factor_t);
 }
 
 /* Derivative of ``multiply_creepages``. */
 static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
-    int64_t index;
-    int64_t strip;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * factor + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each(factor_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * factor;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) * factor + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * each(factor_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * factor;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) = each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * factor + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each(factor_t);
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * factor;
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    double v1;
+    int64_t index, strip;
+    v1 = AT(work, patch + layout__PATCH_FALL_RATE) / factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) = (each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) - v1 * each(factor_t)) / factor;
+    AT(work, patch + layout__PATCH_FALL_RATE) = v1;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * factor + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(factor_t);
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X) * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * factor + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(factor_t);
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = AT(work, patch + layout__PATCH_CREEPAGE_Y) * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * factor + AT(work, patch + layout__PATCH_SPIN) * each(factor_t);
+    AT(work, patch + layout__PATCH_SPIN) = AT(work, patch + layout__PATCH_SPIN) * factor;
+    for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * each(factor_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * each(factor_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * factor;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each(factor_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * factor;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * factor + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(factor_t);
+        AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP) * factor;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) * factor + AT(work, strip + layout__ROLLING_STRIP_LATERAL) * each(factor_t);
+        AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL) * factor;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * factor + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(factor_t);
+        AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * factor;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``keep_dissipating``. */
 static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double v1;
-    lanes v1_t;
-    lanes gain_t;
-    double gain;
-    double v2;
-    lanes v2_t;
-    lanes reach_t;
-    double reach;
-    double v3;
-    lanes most_t;
-    double most;
-    double v4;
-    double v5;
-    lanes v5_t;
-    double v6;
-    double v7;
-    lanes v7_t;
-    lanes moment_t;
-    double moment;
+    double v1, gain, v2, reach, v3, most, v4, v5, v6, v7, moment;
+    lanes v1_t, gain_t, v2_t, reach_t, most_t, v5_t, v7_t, moment_t;
     derivative_friction__creep_gain_t(&v1, &v1_t, work, work_t, patch);
     EACH_LANE each(gain_t) = each(v1_t);
     gain = v1;
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
+    if (gain > 0.0 && AT(work, patch + layout__PATCH_SPIN) != 0.0)
     {
-        v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
-        if ((*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) > v2)
+        v2 = AT(work, patch + layout__PATCH_HALF_LENGTH);
+        EACH_LANE each(v2_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+        if (AT(work, patch + layout__PATCH_HALF_WIDTH) > v2)
         {
-            v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-            EACH_LANE each(v2_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
+            v2 = AT(work, patch + layout__PATCH_HALF_WIDTH);
+            EACH_LANE each(v2_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
         }
         EACH_LANE each(reach_t) = each(v2_t);
         reach = v2;
-        v3 = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        EACH_LANE each(most_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) * reach + v3 * each(reach_t);
+        v3 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+        EACH_LANE each(most_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * reach + v3 * each(reach_t);
         most = v3 * reach;
-        v4 = gain / (*cspan_at(&work, patch + layout__PATCH_SPIN));
-        v5 = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) - v4;
-        EACH_LANE each(v5_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) - (each(gain_t) - v4 * each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)))) / (*cspan_at(&work, patch + layout__PATCH_SPIN));
+        v4 = gain / AT(work, patch + layout__PATCH_SPIN);
+        v5 = AT(work, patch + layout__PATCH_CREEP_MOMENT) - v4;
+        EACH_LANE each(v5_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) - (each(gain_t) - v4 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) / AT(work, patch + layout__PATCH_SPIN);
         if (most < v5)
         {
             v5 = most;
@@ -2773,40 +2547,35 @@ static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d wo
         }
         EACH_LANE each(moment_t) = each(v7_t);
         moment = v7;
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) = each(moment_t);
-        (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = moment;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(moment_t);
+        AT(work, patch + layout__PATCH_CREEP_MOMENT) = moment;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``creep_gain``. */
-static inline int64_t derivative_friction__creep_gain_t(double* gain, lanes* gain_t, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_friction__creep_gain_t(double* gain_out, lanes* gain_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    lanes plane_t;
-    double plane;
-    lanes lateral_t;
-    double lateral;
-    double v1;
-    double v2;
-    double v3;
-    EACH_LANE each((*gain_t)) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))) + (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))));
-    (*gain) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    lanes gain_t, plane_t, lateral_t;
+    double gain, plane, lateral, v1, v2, v3;
+    int64_t i, strip;
+    EACH_LANE each(gain_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, patch + layout__PATCH_CREEP_MOMENT) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)));
+    gain = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, patch + layout__PATCH_CREEP_MOMENT);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(plane_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) - (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))));
-        plane = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)))) - each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
-        lateral = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-        v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane;
-        v2 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work, patch + layout__PATCH_SPIN));
-        v3 = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + lateral * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
-        EACH_LANE each((*gain_t)) = each((*gain_t)) + (((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) - each(plane_t)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + (each(lateral_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + lateral * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))) + ((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) - each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + v2 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v3 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-        (*gain) = (*gain) + v3 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each(plane_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)));
+        plane = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        EACH_LANE each(lateral_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X))) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+        lateral = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X) - AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        v1 = AT(work, strip + layout__ROLLING_STRIP_SLIP) - plane;
+        v2 = AT(work, strip + layout__ROLLING_STRIP_SPIN) - AT(work, patch + layout__PATCH_SPIN);
+        v3 = v1 * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + lateral * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + v2 * AT(work, strip + layout__ROLLING_STRIP_MOMENT);
+        EACH_LANE each(gain_t) = each(gain_t) + (((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(plane_t)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(lateral_t) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + lateral * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) - each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) * AT(work, strip + layout__ROLLING_STRIP_MOMENT) + v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v3 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        gain = gain + v3 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     }
-    return 0;
+    *gain_out = gain;
+    EACH_LANE each(*gain_t_out) = each(gain_t);
 }
 
 
@@ -2818,23 +2587,18 @@ static inline int64_t derivative_friction__creep_gain_t(double* gain, lanes* gai
 /* Derivative of ``open_marches``. */
 static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_lanes_1d work_t, double ratio, lanes ratio_t)
 {
-    int64_t i_1;
-    int64_t q;
-    double v1;
-    double v2;
+    int64_t i_1, q;
+    double v1, v2, square, v3, v4;
     lanes square_t;
-    double square;
-    double v3;
-    double v4;
-    for (i_1 = INT64_C(0); i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += 1)
     {
-        (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = all_lanes(0.0);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = 0.0;
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1) = all_lanes(0.0);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1) = 0.0;
     }
-    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = all_lanes(0.0);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = -1.0;
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = all_lanes(0.0);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = -1.0;
     }
     v1 = ratio / march__SHARE_RATIO;
     v2 = ratio / march__SHARE_RATIO;
@@ -2842,89 +2606,30 @@ static inline int64_t derivative_march__open_marches_t(array_double_1d work, arr
     square = v1 * v2;
     v3 = 1.0 + square * square;
     v4 = march__SHARE / v3;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE))) = (-v4) * (each(square_t) * square + square * each(square_t)) / v3;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) = v4;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) = -v4 * (each(square_t) * square + square * each(square_t)) / v3;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) = v4;
+    return 0;
 }
 
 /* Derivative of ``set_pushes``. */
 static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t)
 {
-    lanes i1_t;
-    double i1;
-    lanes i2_t;
-    double i2;
-    lanes i3_t;
-    double i3;
-    double v1;
-    double v2;
-    lanes s_t;
-    double s;
-    lanes x_t;
-    double x;
-    lanes y_t;
-    double y;
-    lanes z_t;
-    double z;
-    double v3;
-    double v4;
-    double v5;
-    lanes centre_t;
-    double centre;
-    double v6;
-    double v7;
-    double v8;
-    lanes fills_t;
-    double fills;
-    double v9;
-    double v10;
-    lanes scale_t;
-    double scale;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    lanes near_t;
-    double near;
-    double v15;
-    double v16;
-    double v17;
-    double v18;
-    double v19;
-    double v20;
-    double v21;
-    double v22;
-    double v23;
-    lanes lag_t;
-    double lag;
-    double v24;
-    double v25;
-    double v26;
-    double v27;
-    double v28;
-    lanes along_t;
-    double along;
-    double v29;
-    lanes across_t;
-    double across;
-    double v30;
-    double v31;
-    lanes turning_t;
-    double turning;
-    EACH_LANE each(i1_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * each(plane_t);
-    i1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane;
-    EACH_LANE each(i2_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * each(plane_t);
-    i2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane;
-    EACH_LANE each(i3_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) * spinning + (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * each(spinning_t);
-    i3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning;
+    lanes i1_t, i2_t, i3_t, s_t, x_t, y_t, z_t, centre_t, fills_t, scale_t, near_t, lag_t, along_t, across_t, turning_t;
+    double i1, i2, i3, v1, v2, s, x, y, z, v3, v4, v5, centre, v6, v7, v8, fills, v9, v10, scale, v11, v12, v13, v14, near, v15, v16, v17, v18, v19, v20, v21, v22, v23, lag, v24, v25, v26, v27, v28, along, v29, across, v30, v31, turning;
+    EACH_LANE each(i1_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) * plane + AT(work, march + layout__ROLLING_MARCH_ALONG) * each(plane_t);
+    i1 = AT(work, march + layout__ROLLING_MARCH_ALONG) * plane;
+    EACH_LANE each(i2_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) * plane + AT(work, march + layout__ROLLING_MARCH_ACROSS) * each(plane_t);
+    i2 = AT(work, march + layout__ROLLING_MARCH_ACROSS) * plane;
+    EACH_LANE each(i3_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) * spinning + AT(work, march + layout__ROLLING_MARCH_TURNING) * each(spinning_t);
+    i3 = AT(work, march + layout__ROLLING_MARCH_TURNING) * spinning;
     v1 = 3.0 * M_PI / 32.0;
-    v2 = v1 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    EACH_LANE each(s_t) = v1 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v2 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN)));
-    s = v2 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
-    EACH_LANE each(x_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP)));
-    x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP));
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)));
-    y = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
+    v2 = v1 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    EACH_LANE each(s_t) = v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) * AT(work, march + layout__ROLLING_MARCH_SPIN) + v2 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN));
+    s = v2 * AT(work, march + layout__ROLLING_MARCH_SPIN);
+    EACH_LANE each(x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP)) * AT(work, march + layout__ROLLING_MARCH_SLIP) + AT(work, march + layout__ROLLING_MARCH_SLIP) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP));
+    x = AT(work, march + layout__ROLLING_MARCH_SLIP) * AT(work, march + layout__ROLLING_MARCH_SLIP);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL)) * AT(work, march + layout__ROLLING_MARCH_LATERAL) + AT(work, march + layout__ROLLING_MARCH_LATERAL) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL));
+    y = AT(work, march + layout__ROLLING_MARCH_LATERAL) * AT(work, march + layout__ROLLING_MARCH_LATERAL);
     EACH_LANE each(z_t) = each(s_t) * s + s * each(s_t);
     z = s * s;
     v3 = x * i1 + y * i2 + z * i3 + march__NOTHING * i1;
@@ -2937,15 +2642,15 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     v8 = z * i3;
     EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v6 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v7 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v8 * each(i3_t));
     fills = v6 * i1 + v7 * i2 + v8 * i3;
-    v9 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v9 = AT(work, march + layout__ROLLING_MARCH_RATE) * AT(work, march + layout__ROLLING_MARCH_RATE);
     v10 = 4.0 / v9;
-    EACH_LANE each(scale_t) = (-v10) * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / v9;
+    EACH_LANE each(scale_t) = -v10 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * AT(work, march + layout__ROLLING_MARCH_RATE) + AT(work, march + layout__ROLLING_MARCH_RATE) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / v9;
     scale = v10;
     v11 = scale * fills;
     v12 = march__FILLS * march__FILLS;
     v13 = 1.0 + v11 / v12;
     v14 = 1.0 / v13;
-    EACH_LANE each(near_t) = (-v14) * ((each(scale_t) * fills + scale * each(fills_t)) / v12) / v13;
+    EACH_LANE each(near_t) = -v14 * ((each(scale_t) * fills + scale * each(fills_t)) / v12) / v13;
     near = v14;
     v15 = i1 - centre;
     EACH_LANE each(i1_t) = each(centre_t) + ((each(i1_t) - each(centre_t)) * near + v15 * each(near_t));
@@ -2970,173 +2675,125 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     v25 = march__LAG_FILLS * march__LAG_FILLS;
     v26 = 1.0 + v24 / v25;
     v27 = lag / v26;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number))) = (each(lag_t) - v27 * ((each(scale_t) * fills + scale * each(fills_t)) / v25)) / v26;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = v27;
-    v28 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    EACH_LANE each(along_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP))) - v28 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = (each(lag_t) - v27 * ((each(scale_t) * fills + scale * each(fills_t)) / v25)) / v26;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number) = v27;
+    v28 = AT(work, march + layout__ROLLING_MARCH_SLIP) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    EACH_LANE each(along_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP)) - v28 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
     along = v28;
-    v29 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    EACH_LANE each(across_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) - v29 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v29 = AT(work, march + layout__ROLLING_MARCH_LATERAL) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    EACH_LANE each(across_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL)) - v29 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
     across = v29;
-    v30 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    v31 = v30 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    EACH_LANE each(turning_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) - v31 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    v30 = AT(work, march + layout__ROLLING_MARCH_SPIN) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    v31 = v30 / AT(work, march + layout__ROLLING_MARCH_RATE);
+    EACH_LANE each(turning_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + AT(work, march + layout__ROLLING_MARCH_SPIN) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - v31 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
     turning = v31;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number))) = each(along_t) * i1 + along * each(i1_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along * i1;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number))) = each(across_t) * i2 + across * each(i2_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number)) = across * i2;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number))) = each(turning_t) * i3 + turning * each(i3_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number)) = turning * i3;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number))) = each(along_t) * centre + along * each(centre_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number)) = along * centre;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number))) = each(across_t) * centre + across * each(centre_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number)) = across * centre;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number))) = each(turning_t) * centre + turning * each(centre_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = turning * centre;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = each(along_t) * i1 + along * each(i1_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number) = along * i1;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number)) = each(across_t) * i2 + across * each(i2_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number) = across * i2;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number)) = each(turning_t) * i3 + turning * each(i3_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number) = turning * i3;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number)) = each(along_t) * centre + along * each(centre_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number) = along * centre;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number)) = each(across_t) * centre + across * each(centre_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number) = across * centre;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = each(turning_t) * centre + turning * each(centre_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number) = turning * centre;
+    return 0;
 }
 
 /* Derivative of ``set_stick``. */
 static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number)
 {
-    lanes weight_t;
-    double weight;
-    double v1;
-    double v2;
-    double v3;
-    lanes depth_t;
-    double depth;
-    lanes edge_t;
-    double edge;
-    double total;
-    double moment;
+    lanes weight_t, depth_t, edge_t, lead_x_t, lead_y_t, inner_t;
+    double weight, v1, v2, v3, depth, edge, behind, turning, v4, lead_x, v5, lead_y, v6, v7, inner, v8, v9, v10, v11, v12, v13;
     int64_t q;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    lanes inner_t;
-    double inner;
-    double v8;
-    double v9;
-    lanes across_t;
-    double across;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    EACH_LANE each(weight_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)));
-    weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number))) = -each(weight_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = 1.0 - weight;
+    EACH_LANE each(weight_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT));
+    weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = -each(weight_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number) = 1.0 - weight;
     v1 = 1.0 - weight;
     v2 = 1.0 - weight;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number))) = (-each(weight_t)) * v2 + v1 * (-each(weight_t));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = v1 * v2;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = -each(weight_t) * v2 + v1 * -each(weight_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number) = v1 * v2;
     if (weight > 0.0)
     {
-        v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-        EACH_LANE each(depth_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - v3 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        v3 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v3 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
         depth = v3;
         EACH_LANE each(edge_t) = 2.0 * each(depth_t);
         edge = 2.0 * depth - 1.0;
-        total = 0.0;
-        moment = 0.0;
-        q = INT64_C(0);
-        while((q < layout__POINT_LIMIT) && ((*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) >= edge))
+        q = layout__POINT_LIMIT;
+        behind = 0.0;
+        turning = 0.0;
+        while (q > 0 && AT(tables, table + layout__ROLLING_TABLE_COSINES + (q - 1)) < edge)
         {
-            total = total + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-            moment = moment + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-            q = q + INT64_C(1);
+            q = q - 1;
+            behind = behind + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+            turning = turning + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         }
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number))) = each(weight_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number))) = each(edge_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge;
-        v4 = 0.5 * (double)(layout__POINT_LIMIT + INT64_C(1));
-        v5 = 1.0 - depth;
-        v6 = v4 * v5;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = each(weight_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number) = weight;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number) = AT(work, march + layout__ROLLING_MARCH_STICK_X);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number) = AT(work, march + layout__ROLLING_MARCH_STICK_Y);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = each(edge_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number) = edge;
+        v4 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(lead_x_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) - v4 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
+        lead_x = v4 * march__WHOLE;
+        v5 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(lead_y_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) - v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
+        lead_y = v5 * march__WHOLE;
+        v6 = 1.0 - depth;
         v7 = 1.0 - depth;
-        EACH_LANE each(inner_t) = v4 * (-each(depth_t)) * v7 + v6 * (-each(depth_t));
+        EACH_LANE each(inner_t) = -each(depth_t) * v7 + v6 * -each(depth_t);
         inner = v6 * v7;
-        v8 = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
-        v9 = weight * v8;
-        EACH_LANE each(across_t) = (each(weight_t) * v8 + weight * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))))) * inner + v9 * each(inner_t);
-        across = v9 * inner;
-        v10 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-        v11 = total - inner;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number))) = (each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)))) * v11 + v10 * (-each(inner_t));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = v10 * v11;
-        v12 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number))) = (each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)))) * total - each(across_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = v12 * total - across;
-        v13 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number))) = (each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)))) * moment - (each(across_t) * depth + across * each(depth_t));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = v13 * moment - across * depth;
-        if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
+        v8 = 2.0 - depth;
+        v9 = lead_x * v8 - AT(work, march + layout__ROLLING_MARCH_STICK_X) * behind;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = each(weight_t) * v9 + weight * (each(lead_x_t) * v8 + lead_x * -each(depth_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = weight * v9;
+        v10 = 2.0 - depth;
+        v11 = lead_y * v10 + AT(work, march + layout__ROLLING_MARCH_TWIST) * march__WHOLE - AT(work, march + layout__ROLLING_MARCH_STICK_Y) * behind;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = each(weight_t) * v11 + weight * (each(lead_y_t) * v10 + lead_y * -each(depth_t) + each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * march__WHOLE - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = weight * v11;
+        v12 = -weight;
+        v13 = lead_y * inner + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * turning;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = -each(weight_t) * v13 + v12 * (each(lead_y_t) * inner + lead_y * each(inner_t) + each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * turning);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = v12 * v13;
+        if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
         {
             derivative_march__add_beyond_t(tables, work, work_t, table, march, number, q);
         }
         if (q < layout__POINT_LIMIT)
         {
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q));
-            (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = all_lanes(0.0);
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = (double)(number);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q);
+            RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = all_lanes(0.0);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = (double)number;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``add_beyond``. */
 static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last)
 {
-    double v1;
-    lanes depth_t;
-    double depth;
+    double v1, depth, bound, away, v2, v3, inner, v4, root, v5, p_x, v6, p_y, cut_x, cut_y, weight, v7, v8, v9, v10;
+    lanes depth_t, away_t, inner_t, root_t, p_x_t, p_y_t, cut_x_t, cut_y_t, weight_t;
     int64_t q;
-    double bound;
-    lanes away_t;
-    double away;
-    double v2;
-    double v3;
-    lanes inner_t;
-    double inner;
-    double v4;
-    lanes root_t;
-    double root;
-    double v5;
-    lanes p_x_t;
-    double p_x;
-    double v6;
-    lanes p_y_t;
-    double p_y;
-    double cut_x;
-    lanes cut_x_t;
-    double cut_y;
-    lanes cut_y_t;
-    lanes weight_t;
-    double weight;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    EACH_LANE each(depth_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - v1 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    v1 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    EACH_LANE each(depth_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
     depth = v1;
-    for (q = INT64_C(0); q < last; q += INT64_C(1))
+    for (q = 0; q < last; q += 1)
     {
-        bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
         EACH_LANE each(away_t) = -each(depth_t);
-        away = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) - depth;
+        away = AT(tables, table + layout__ROLLING_TABLE_COSINES + q) - depth;
         v2 = 1.0 - depth;
         v3 = 1.0 - depth;
-        EACH_LANE each(inner_t) = (-each(depth_t)) * v3 + v2 * (-each(depth_t)) - (each(away_t) * away + away * each(away_t));
+        EACH_LANE each(inner_t) = -each(depth_t) * v3 + v2 * -each(depth_t) - (each(away_t) * away + away * each(away_t));
         inner = v2 * v3 - away * away;
         if (inner > 0.0)
         {
@@ -3144,101 +2801,107 @@ static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, arr
             EACH_LANE each(root_t) = derivative_rates__root_rate(v4, each(inner_t));
             root = v4;
             v5 = bound - root;
-            EACH_LANE each(p_x_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-each(root_t));
-            p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5;
+            EACH_LANE each(p_x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + AT(work, march + layout__ROLLING_MARCH_STICK_X) * -each(root_t);
+            p_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * v5;
             v6 = bound - root;
-            EACH_LANE each(p_y_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-each(root_t)) + (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * each(root_t));
-            p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
+            EACH_LANE each(p_y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * -each(root_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * root + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(root_t));
+            p_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * v6 + AT(work, march + layout__ROLLING_MARCH_TWIST) * root;
             derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, all_lanes(0.0));
-            EACH_LANE each(weight_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) * bound;
-            weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            EACH_LANE each(weight_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT) * bound;
             v7 = cut_x - p_x;
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number))) + (each(weight_t) * v7 + weight * (each(cut_x_t) - each(p_x_t)));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + weight * v7;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + (each(weight_t) * v7 + weight * (each(cut_x_t) - each(p_x_t)));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) + weight * v7;
             v8 = cut_y - p_y;
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number))) + (each(weight_t) * v8 + weight * (each(cut_y_t) - each(p_y_t)));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) + weight * v8;
-            v9 = weight * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) + (each(weight_t) * v8 + weight * (each(cut_y_t) - each(p_y_t)));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) + weight * v8;
+            v9 = weight * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
             v10 = cut_y - p_y;
-            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number))) + (each(weight_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) * v10 + v9 * (each(cut_y_t) - each(p_y_t)));
-            (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) + v9 * v10;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) + (each(weight_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q) * v10 + v9 * (each(cut_y_t) - each(p_y_t)));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) + v9 * v10;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``march_strips``. */
-static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table)
+static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls)
 {
-    double before;
+    double before, x, bound, friction, v1, v2, v3;
     bool slipping;
-    int64_t q;
-    double x;
-    double bound;
-    int64_t first;
-    int64_t strip;
+    int64_t q, first, strip;
+    lanes friction_t;
     before = 1.0;
     slipping = march__has_slip(work);
-    for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        x = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        first = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)));
+        x = AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        first = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q);
         strip = first;
-        while(strip >= INT64_C(0))
+        while (strip >= 0)
         {
             derivative_march__reach_edge_t(work, work_t, strip, before, all_lanes(0.0), x, all_lanes(0.0), bound, all_lanes(0.0));
-            strip = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip)));
+            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
         }
         derivative_march__march_first_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
+        if (falls)
+        {
+            derivative_falling__find_shares_t(work, work_t, x, all_lanes(0.0));
+        }
         if (slipping)
         {
+            if (falls)
+            {
+                derivative_falling__weigh_slips_t(work, work_t, bound, all_lanes(0.0));
+            }
             derivative_march__march_second_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
+            if (falls)
+            {
+                derivative_falling__restore_slips_t(work, work_t);
+            }
         }
         strip = first;
-        while(strip >= INT64_C(0))
+        while (strip >= 0)
         {
-            derivative_march__leave_edge_t(work, work_t, strip, x, all_lanes(0.0), bound, all_lanes(0.0));
-            slipping = 1;
-            strip = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip)));
+            friction_t = all_lanes(0.0);
+            friction = 1.0;
+            if (falls)
+            {
+                EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip));
+                friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
+                v1 = bound * bound;
+                v2 = v1 * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip);
+                v3 = 1.0 - friction;
+                EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) + (v1 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip)) * v3 + v2 * -each(friction_t));
+                AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) + v2 * v3;
+            }
+            derivative_march__leave_edge_t(work, work_t, strip, x, all_lanes(0.0), bound, all_lanes(0.0), friction, friction_t);
+            slipping = true;
+            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
         }
         before = x;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``march_first``. */
 static inline int64_t derivative_march__march_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
 {
-    lanes limit_t;
-    double limit;
+    lanes limit_t, at_t, along_t, across_t, v2_t, square_t, cut_t;
+    double limit, at, along, v1, across, v2, square, v3, v4, cut;
     int64_t i;
-    lanes at_t;
-    double at;
-    lanes along_t;
-    double along;
-    double v1;
-    lanes across_t;
-    double across;
-    double v2;
-    lanes v2_t;
-    lanes square_t;
-    double square;
-    double v3;
-    double v4;
-    lanes cut_t;
-    double cut;
     EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
     limit = bound * bound;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(at_t) = each(x_t) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i))) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * each(step_t));
-        at = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
-        EACH_LANE each(along_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))) - (each(step_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)) + step * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i))));
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i));
-        v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at;
-        EACH_LANE each(across_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))) - (each(step_t) * v1 + step * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i))) * at + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * each(at_t))));
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * v1;
+        EACH_LANE each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * each(step_t));
+        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)));
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i);
+        v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i) * at;
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - (each(step_t) * v1 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i) * each(at_t))));
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) - step * v1;
         v2 = along * along + across * across;
         EACH_LANE each(v2_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
         if (limit > v2)
@@ -3252,75 +2915,36 @@ static inline int64_t derivative_march__march_first_t(array_double_1d work, arra
         v4 = bound / v3;
         EACH_LANE each(cut_t) = (each(bound_t) - v4 * derivative_rates__root_rate(v3, each(square_t))) / v3;
         cut = v4;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))) = each(cut_t) * along + cut * each(along_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))) = each(cut_t) * across + cut * each(across_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut * across;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = each(cut_t) * along + cut * each(along_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) = cut * along;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = each(cut_t) * across + cut * each(across_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) = cut * across;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``march_second``. */
 static inline int64_t derivative_march__march_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
 {
-    lanes share_t;
-    double share;
-    lanes limit_t;
-    double limit;
-    double v1;
-    lanes soft_t;
-    double soft;
+    lanes share_t, limit_t, soft_t, at_t, second_x_t, second_y_t, v3_t, square_t, cut_t, along_t, across_t, scale_t, v14_t, largest_t;
+    double share, limit, v1, soft, at, second_x, v2, second_y, v3, square, v4, v5, cut, v6, along, v7, across, v8, v9, v10, v11, scale, v12, v13, v14, largest, v15;
     int64_t i;
-    lanes at_t;
-    double at;
-    lanes second_x_t;
-    double second_x;
-    double v2;
-    lanes second_y_t;
-    double second_y;
-    double v3;
-    lanes v3_t;
-    lanes square_t;
-    double square;
-    double v4;
-    double v5;
-    lanes cut_t;
-    double cut;
-    double v6;
-    lanes along_t;
-    double along;
-    double v7;
-    lanes across_t;
-    double across;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    lanes scale_t;
-    double scale;
-    double v12;
-    double v13;
-    double v14;
-    lanes v14_t;
-    lanes largest_t;
-    double largest;
-    double v15;
-    EACH_LANE each(share_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)));
-    share = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE));
+    EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE));
+    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE);
     EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
     limit = bound * bound;
     v1 = march__SOFT * march__SOFT;
     EACH_LANE each(soft_t) = v1 * each(limit_t);
     soft = v1 * limit;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(at_t) = each(x_t) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i))) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * each(step_t));
-        at = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
-        EACH_LANE each(second_x_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) - (each(step_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i))));
-        second_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i));
-        v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at;
-        EACH_LANE each(second_y_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) - (each(step_t) * v2 + step * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i))) * at + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * each(at_t))));
-        second_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * v2;
+        EACH_LANE each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * each(step_t));
+        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
+        EACH_LANE each(second_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)));
+        second_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i);
+        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * at;
+        EACH_LANE each(second_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - (each(step_t) * v2 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * each(at_t))));
+        second_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) - step * v2;
         v3 = second_x * second_x + second_y * second_y;
         EACH_LANE each(v3_t) = each(second_x_t) * second_x + second_x * each(second_x_t) + (each(second_y_t) * second_y + second_y * each(second_y_t));
         if (limit > v3)
@@ -3338,16 +2962,16 @@ static inline int64_t derivative_march__march_second_t(array_double_1d work, arr
         second_x = second_x * cut;
         EACH_LANE each(second_y_t) = each(second_y_t) * cut + second_y * each(cut_t);
         second_y = second_y * cut;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) = each(second_x_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) = each(second_y_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y;
-        v6 = second_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
-        EACH_LANE each(along_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))) + (each(share_t) * v6 + share * (each(second_x_t) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)))));
-        along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + share * v6;
-        v7 = second_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
-        EACH_LANE each(across_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))) + (each(share_t) * v7 + share * (each(second_y_t) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)))));
-        across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * v7;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = each(second_x_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = second_x;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = each(second_y_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = second_y;
+        v6 = second_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i);
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (each(share_t) * v6 + share * (each(second_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))));
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) + share * v6;
+        v7 = second_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i);
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (each(share_t) * v7 + share * (each(second_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))));
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) + share * v7;
         EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
         square = along * along + across * across;
         v8 = 1.0 - march__SOFT * march__SOFT;
@@ -3358,157 +2982,103 @@ static inline int64_t derivative_march__march_second_t(array_double_1d work, arr
         scale = v11;
         v12 = square * scale;
         v13 = v12 * scale;
-        v14 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v13;
-        EACH_LANE each(v14_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i))) * v13 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * ((each(square_t) * scale + square * each(scale_t)) * scale + v12 * each(scale_t));
-        if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) > v14)
+        v14 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) * v13;
+        EACH_LANE each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v13 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) * ((each(square_t) * scale + square * each(scale_t)) * scale + v12 * each(scale_t));
+        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) > v14)
         {
-            v14 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-            EACH_LANE each(v14_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)));
+            v14 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i);
+            EACH_LANE each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
         }
         EACH_LANE each(largest_t) = each(v14_t);
         largest = v14;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i))) = each(largest_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
-        v15 = bound * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
-        EACH_LANE each(scale_t) = each(scale_t) * v15 + scale * (each(bound_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) + bound * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i))));
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = each(largest_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) = largest;
+        v15 = bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
+        EACH_LANE each(scale_t) = each(scale_t) * v15 + scale * (each(bound_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) + bound * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)));
         scale = scale * v15;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) + (each(scale_t) * along + scale * each(along_t));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + scale * along;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (each(scale_t) * along + scale * each(along_t));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + scale * along;
         EACH_LANE each(across_t) = each(across_t) * scale + across * each(scale_t);
         across = across * scale;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) + each(across_t);
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + across;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) + (each(x_t) * across + x * each(across_t));
-        (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + x * across;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + each(across_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + across;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + (each(x_t) * across + x * each(across_t));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + x * across;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``reach_edge``. */
 static inline int64_t derivative_march__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t)
 {
-    lanes edge_t;
-    double edge;
-    lanes weight_t;
-    double weight;
-    double v1;
-    lanes v1_t;
-    lanes edge_bound_t;
-    double edge_bound;
-    double v2;
-    lanes start_x_t;
-    double start_x;
-    double v3;
-    lanes start_y_t;
-    double start_y;
-    double to_x;
-    lanes to_x_t;
-    double to_y;
-    lanes to_y_t;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    lanes near_t;
-    double near;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    EACH_LANE each(edge_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)));
-    edge = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i));
-    EACH_LANE each(weight_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i)));
-    weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
-    lanes rates_1;
-    EACH_LANE each(rates_1) = -(each(edge_t) * edge + edge * each(edge_t));
-    derivative_march__sqrt_of_t(&v1, &v1_t, 1.0 - edge * edge, rates_1);
+    lanes edge_t, weight_t, v1_t, edge_bound_t, start_x_t, start_y_t, to_x_t, to_y_t, near_t, rates, rates_2;
+    double edge, weight, v1, edge_bound, v2, start_x, v3, start_y, to_x, to_y, v4, v5, v6, v7, v8, near, v9, v10, v11, v12;
+    EACH_LANE each(edge_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i));
+    edge = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i);
+    EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
+    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
+    EACH_LANE each(rates) = -(each(edge_t) * edge + edge * each(edge_t));
+    derivative_march__sqrt_of_t(&v1, &v1_t, 1.0 - edge * edge, rates);
     EACH_LANE each(edge_bound_t) = each(v1_t);
     edge_bound = v1;
-    v2 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i));
-    EACH_LANE each(start_x_t) = (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)))) * edge_bound + v2 * each(edge_bound_t);
+    v2 = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i);
+    EACH_LANE each(start_x_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))) * edge_bound + v2 * each(edge_bound_t);
     start_x = v2 * edge_bound;
-    v3 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i));
-    EACH_LANE each(start_y_t) = (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)))) * edge_bound + v3 * each(edge_bound_t);
+    v3 = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
+    EACH_LANE each(start_y_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))) * edge_bound + v3 * each(edge_bound_t);
     start_y = v3 * edge_bound;
     if (weight < 1.0)
     {
-        lanes rates_2;
         EACH_LANE each(rates_2) = each(before_t) - each(edge_t);
-        derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)), edge, edge_t, before - edge, rates_2);
+        derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i), edge, edge_t, before - edge, rates_2);
         derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, edge_bound, edge_bound_t);
         v4 = 1.0 - weight;
-        EACH_LANE each(start_x_t) = each(start_x_t) + ((-each(weight_t)) * to_x + v4 * each(to_x_t));
+        EACH_LANE each(start_x_t) = each(start_x_t) + (-each(weight_t) * to_x + v4 * each(to_x_t));
         start_x = start_x + v4 * to_x;
         v5 = 1.0 - weight;
-        EACH_LANE each(start_y_t) = each(start_y_t) + ((-each(weight_t)) * to_y + v5 * each(to_y_t));
+        EACH_LANE each(start_y_t) = each(start_y_t) + (-each(weight_t) * to_y + v5 * each(to_y_t));
         start_y = start_y + v5 * to_y;
     }
     derivative_march__note_largest_t(work, work_t, i, start_x, start_x_t, start_y, start_y_t);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i))) = each(start_x_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)) = start_x;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i))) = each(start_y_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)) = start_y;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)) = each(start_x_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i) = start_x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)) = each(start_y_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i) = start_y;
     v6 = edge - x;
     v7 = before - x;
     v8 = v6 / v7;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i))) = (each(edge_t) - each(x_t) - v8 * (each(before_t) - each(x_t))) / v7;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = v8;
-    EACH_LANE each(near_t) = -each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)));
-    near = 1.0 - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = (each(edge_t) - each(x_t) - v8 * (each(before_t) - each(x_t))) / v7;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i) = v8;
+    EACH_LANE each(near_t) = -each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    near = 1.0 - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
     v9 = 1.0 - weight;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i))) = each(near_t) * v9 + near * (-each(weight_t));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = near * v9;
-    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = each(near_t) * v9 + near * -each(weight_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = near * v9;
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = 0.0;
     v10 = near * bound;
     v11 = v10 * bound;
     EACH_LANE each(weight_t) = each(weight_t) * v11 + weight * ((each(near_t) * bound + near * each(bound_t)) * bound + v10 * each(bound_t));
     weight = weight * v11;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) + (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) + (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
     v12 = weight * x;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) + ((each(weight_t) * x + weight * each(x_t)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + v12 * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v12 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((each(weight_t) * x + weight * each(x_t)) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + v12 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + v12 * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
+    return 0;
 }
 
 /* Derivative of ``leave_edge``. */
-static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t)
+static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t)
 {
-    lanes weight_t;
-    double weight;
-    lanes near_t;
-    double near;
-    lanes p_x_t;
-    double p_x;
-    lanes p_y_t;
-    double p_y;
-    double slip_x;
-    lanes slip_x_t;
-    double slip_y;
-    lanes slip_y_t;
-    lanes step_t;
-    double step;
-    double to_x;
-    lanes to_x_t;
-    double to_y;
-    lanes to_y_t;
-    lanes kept_t;
-    double kept;
-    double v1;
-    double v2;
-    lanes share_t;
-    double share;
-    double v3;
-    double v4;
-    double v5;
-    EACH_LANE each(weight_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i)));
-    weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
-    EACH_LANE each(near_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)));
-    near = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
+    lanes weight_t, near_t, p_x_t, p_y_t, slip_x_t, slip_y_t, step_t, to_x_t, to_y_t, kept_t, share_t, rates, rates_2;
+    double weight, near, p_x, p_y, slip_x, slip_y, v1, v2, step, to_x, to_y, kept, v3, v4, share, v5, v6, v7, v8, v9;
+    EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
+    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
+    EACH_LANE each(near_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
+    near = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
     p_x_t = all_lanes(0.0);
     p_x = 0.0;
     p_y_t = all_lanes(0.0);
@@ -3516,100 +3086,87 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
     if (weight < 1.0)
     {
         derivative_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
-        EACH_LANE each(p_x_t) = each(near_t) * slip_x + near * each(slip_x_t);
-        p_x = near * slip_x;
-        EACH_LANE each(p_y_t) = each(near_t) * slip_y + near * each(slip_y_t);
-        p_y = near * slip_y;
+        v1 = near * friction;
+        EACH_LANE each(p_x_t) = (each(near_t) * friction + near * each(friction_t)) * slip_x + v1 * each(slip_x_t);
+        p_x = v1 * slip_x;
+        v2 = near * friction;
+        EACH_LANE each(p_y_t) = (each(near_t) * friction + near * each(friction_t)) * slip_y + v2 * each(slip_y_t);
+        p_y = v2 * slip_y;
     }
-    EACH_LANE each(step_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i))) - each(x_t);
-    step = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - x;
-    derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), x, x_t, step, step_t);
+    EACH_LANE each(step_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - each(x_t);
+    step = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i) - x;
+    derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i), x, x_t, step, step_t);
     derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, bound, bound_t);
     if (weight < march__FAINT)
     {
         EACH_LANE each(kept_t) = each(weight_t) / march__FAINT;
         kept = weight / march__FAINT;
-        v1 = to_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i));
-        EACH_LANE each(to_x_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) + (each(kept_t) * v1 + kept * (each(to_x_t) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)))));
-        to_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + kept * v1;
-        v2 = to_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i));
-        EACH_LANE each(to_y_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) + (each(kept_t) * v2 + kept * (each(to_y_t) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)))));
-        to_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + kept * v2;
+        v3 = to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i);
+        EACH_LANE each(to_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + (each(kept_t) * v3 + kept * (each(to_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))));
+        to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) + kept * v3;
+        v4 = to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i);
+        EACH_LANE each(to_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + (each(kept_t) * v4 + kept * (each(to_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))));
+        to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) + kept * v4;
     }
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) = each(to_x_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) = each(to_y_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = each(to_x_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = to_x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = each(to_y_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = to_y;
     derivative_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
-    EACH_LANE each(share_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)));
-    share = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
-    EACH_LANE each(slip_x_t) = each(slip_x_t) * share + slip_x * each(share_t);
-    slip_x = slip_x * share;
-    EACH_LANE each(slip_y_t) = each(slip_y_t) * share + slip_y * each(share_t);
-    slip_y = slip_y * share;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) + (each(bound_t) * slip_x + bound * each(slip_x_t));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + bound * slip_x;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) + (each(bound_t) * slip_y + bound * each(slip_y_t));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + bound * slip_y;
-    v3 = bound * x;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v3 * each(slip_y_t));
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v3 * slip_y;
-    v4 = 1.0 - share;
-    v5 = v4 * bound;
-    EACH_LANE each(weight_t) = each(weight_t) * v5 + weight * ((-each(share_t)) * bound + v4 * each(bound_t));
-    weight = weight * v5;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = each(p_x_t) + (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)))) + each(slip_x_t);
-    lanes rates_2;
-    EACH_LANE each(rates_2) = each(p_y_t) + (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)))) + each(slip_y_t);
-    derivative_march__note_largest_t(work, work_t, i, p_x + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + slip_x, rates_1, p_y + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + slip_y, rates_2);
-    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 1.0;
-    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 1.0;
-    return INT64_C(0);
-}
-
-/* Derivative of ``stepped``. */
-static inline int64_t derivative_march__stepped_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t)
-{
-    double v1;
-    lanes across_t;
-    double across;
-    v1 = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
-    EACH_LANE each(across_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i))) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * (each(x_t) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i))) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * each(step_t))));
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * v1;
-    (*result_0) = p_x - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i));
-    EACH_LANE each((*result_1)) = each(p_x_t) - (each(step_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i))));
-    (*result_2) = p_y - step * across;
-    EACH_LANE each((*result_3)) = each(p_y_t) - (each(step_t) * across + step * each(across_t));
+    EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
+    v5 = share * friction;
+    EACH_LANE each(slip_x_t) = each(slip_x_t) * v5 + slip_x * (each(share_t) * friction + share * each(friction_t));
+    slip_x = slip_x * v5;
+    v6 = share * friction;
+    EACH_LANE each(slip_y_t) = each(slip_y_t) * v6 + slip_y * (each(share_t) * friction + share * each(friction_t));
+    slip_y = slip_y * v6;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (each(bound_t) * slip_x + bound * each(slip_x_t));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + bound * slip_x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + (each(bound_t) * slip_y + bound * each(slip_y_t));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + bound * slip_y;
+    v7 = bound * x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v7 * each(slip_y_t));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + v7 * slip_y;
+    v8 = 1.0 - share;
+    v9 = v8 * bound;
+    EACH_LANE each(weight_t) = each(weight_t) * v9 + weight * (-each(share_t) * bound + v8 * each(bound_t));
+    weight = weight * v9;
+    EACH_LANE each(rates) = each(p_x_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))) + each(slip_x_t);
+    EACH_LANE each(rates_2) = each(p_y_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))) + each(slip_y_t);
+    derivative_march__note_largest_t(work, work_t, i, p_x + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + slip_x, rates, p_y + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + slip_y, rates_2);
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = 1.0;
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = 1.0;
     return 0;
 }
 
-/* Derivative of ``slip_traction``. */
-static inline int64_t derivative_march__slip_traction_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t)
+/* Derivative of ``stepped``. */
+static inline void derivative_march__stepped_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t)
 {
-    double v1;
-    lanes along_t;
-    double along;
-    double v2;
+    double v1, across;
     lanes across_t;
-    double across;
-    lanes square_t;
-    double square;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    lanes scale_t;
-    double scale;
-    v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
-    EACH_LANE each(along_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE))) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)))));
-    along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v1;
-    v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
-    EACH_LANE each(across_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE))) * v2 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)))));
-    across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v2;
+    v1 = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * (each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * each(step_t))));
+    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * v1;
+    *out_0 = p_x - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i);
+    EACH_LANE each(*out_1) = each(p_x_t) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)));
+    *out_2 = p_y - step * across;
+    EACH_LANE each(*out_3) = each(p_y_t) - (each(step_t) * across + step * each(across_t));
+}
+
+/* Derivative of ``slip_traction``. */
+static inline void derivative_march__slip_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t)
+{
+    double v1, along, v2, across, square, v3, v4, v5, v6, v7, scale;
+    lanes along_t, across_t, square_t, scale_t;
+    v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i);
+    EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))));
+    along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * v1;
+    v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i);
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v2 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))));
+    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * v2;
     EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
     square = along * along + across * across;
     v3 = march__SOFT * march__SOFT;
@@ -3619,47 +3176,46 @@ static inline int64_t derivative_march__slip_traction_t(double* result_0, lanes*
     v7 = bound / v6;
     EACH_LANE each(scale_t) = (each(bound_t) - v7 * derivative_rates__root_rate(v6, each(square_t) + v3 * (each(bound_t) * bound + bound * each(bound_t) - each(square_t)))) / v6;
     scale = v7;
-    (*result_0) = along * scale;
-    EACH_LANE each((*result_1)) = each(along_t) * scale + along * each(scale_t);
-    (*result_2) = across * scale;
-    EACH_LANE each((*result_3)) = each(across_t) * scale + across * each(scale_t);
-    return 0;
+    *out_0 = along * scale;
+    EACH_LANE each(*out_1) = each(along_t) * scale + along * each(scale_t);
+    *out_2 = across * scale;
+    EACH_LANE each(*out_3) = each(across_t) * scale + across * each(scale_t);
 }
 
 /* Derivative of ``note_largest``. */
 static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t)
 {
-    lanes square_t;
-    double square;
-    double v1;
-    lanes v1_t;
+    lanes square_t, v1_t;
+    double square, v1;
     EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
     square = p_x * p_x + p_y * p_y;
-    v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-    EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)));
+    v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i);
+    EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
     if (square > v1)
     {
         v1 = square;
         EACH_LANE each(v1_t) = each(square_t);
     }
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i))) = each(v1_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = v1;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = each(v1_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) = v1;
+    return 0;
 }
 
 /* Derivative of ``sqrt_of``. */
-static inline int64_t derivative_march__sqrt_of_t(double* root, lanes* root_t, double value, lanes value_t)
+static inline void derivative_march__sqrt_of_t(double* root_out, lanes* root_t_out, double value, lanes value_t)
 {
-    double v1;
-    (*root_t) = all_lanes(0.0);
-    (*root) = 0.0;
+    lanes root_t;
+    double root, v1;
+    root_t = all_lanes(0.0);
+    root = 0.0;
     if (value > 0.0)
     {
         v1 = sqrt(value);
-        EACH_LANE each((*root_t)) = derivative_rates__root_rate(v1, each(value_t));
-        (*root) = v1;
+        EACH_LANE each(root_t) = derivative_rates__root_rate(v1, each(value_t));
+        root = v1;
     }
-    return 0;
+    *root_out = root;
+    EACH_LANE each(*root_t_out) = each(root_t);
 }
 
 
@@ -3669,218 +3225,196 @@ static inline int64_t derivative_march__sqrt_of_t(double* root, lanes* root_t, d
  */
 
 /* Derivative of ``rolling_rate``. */
-static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double given, lanes given_t, double radius, lanes radius_t)
+static inline void derivative_motion__rolling_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double given, lanes given_t, double radius, lanes radius_t)
 {
-    double v1;
-    EACH_LANE each((*rate_t)) = each(given_t);
-    (*rate) = given;
-    if (((*rate) == 0.0) && ((*cspan_at(&work, inputs + layout__INPUTS_FREE_ROLLING)) != 0.0))
+    lanes rate_t;
+    double rate, v1;
+    EACH_LANE each(rate_t) = each(given_t);
+    rate = given;
+    if (rate == 0.0 && AT(work, inputs + layout__INPUTS_FREE_ROLLING) != 0.0)
     {
-        v1 = (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) / radius;
-        EACH_LANE each((*rate_t)) = (each((*lanes_at(&work_t, inputs + layout__INPUTS_SPEED))) - v1 * each(radius_t)) / radius;
-        (*rate) = v1;
+        v1 = AT(work, inputs + layout__INPUTS_SPEED) / radius;
+        EACH_LANE each(rate_t) = (each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED)) - v1 * each(radius_t)) / radius;
+        rate = v1;
     }
-    return 0;
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
 }
 
 /* Derivative of ``turn_wheels``. */
 static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right, int64_t inputs)
 {
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, (*cspan_at(&work, inputs + layout__INPUTS_LEFT_WHEEL_RATE)), (*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), all_lanes(0.0));
-    EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_WHEEL_RATE))) = each(v1_t);
-    (*cspan_at(&work, left + layout__MOTION_WHEEL_RATE)) = v1;
-    derivative_motion__rolling_rate_t(&v2, &v2_t, work, work_t, inputs, (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)), (*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), all_lanes(0.0));
-    EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_WHEEL_RATE))) = each(v2_t);
-    (*cspan_at(&work, right + layout__MOTION_WHEEL_RATE)) = v2;
-    return INT64_C(0);
+    double v1, v2;
+    lanes v1_t, v2_t;
+    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_LEFT_WHEEL_RATE), AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), all_lanes(0.0));
+    EACH_LANE each(RATE_AT(work_t, left + layout__MOTION_WHEEL_RATE)) = each(v1_t);
+    AT(work, left + layout__MOTION_WHEEL_RATE) = v1;
+    derivative_motion__rolling_rate_t(&v2, &v2_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_WHEEL_RATE), AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), all_lanes(0.0));
+    EACH_LANE each(RATE_AT(work_t, right + layout__MOTION_WHEEL_RATE)) = each(v2_t);
+    AT(work, right + layout__MOTION_WHEEL_RATE) = v2;
+    return 0;
 }
 
 /* Derivative of ``open_motion``. */
 static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion, int64_t inputs)
 {
-    double sin_yaw;
-    lanes sin_yaw_t;
-    double cos_yaw;
-    lanes cos_yaw_t;
-    double sin_roll;
-    lanes sin_roll_t;
-    double cos_roll;
-    lanes cos_roll_t;
-    double v1;
-    lanes v1_t;
-    double v2;
-    derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, (*cspan_at(&work, inputs + layout__INPUTS_YAW)), (*lanes_at(&work_t, inputs + layout__INPUTS_YAW)));
-    derivative_circle__sine_cosine_rule_t(&sin_roll, &sin_roll_t, &cos_roll, &cos_roll_t, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)), (*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_SPEED))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_SPEED)));
-    (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, inputs + layout__INPUTS_SPEED));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)));
-    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY));
-    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, (*cspan_at(&work, inputs + layout__INPUTS_WHEEL_RATE)), (*lanes_at(&work_t, inputs + layout__INPUTS_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_HEIGHT)), all_lanes(0.0));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) = each(v1_t);
-    (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = v1;
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_SPEED))) * (*cspan_at(&work, inputs + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) * each((*lanes_at(&work_t, inputs + layout__INPUTS_TRACK_CURVATURE)));
-    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) * (*cspan_at(&work, inputs + layout__INPUTS_TRACK_CURVATURE));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_YAW_RATE)));
-    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_X))) = each(cos_yaw_t);
-    (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_Y))) = each(sin_yaw_t);
-    (*cspan_at(&work, motion + layout__MOTION_AHEAD_Y)) = sin_yaw;
+    double sin_yaw, cos_yaw, sin_roll, cos_roll, v1, v2;
+    lanes sin_yaw_t, cos_yaw_t, sin_roll_t, cos_roll_t, v1_t;
+    derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, AT(work, inputs + layout__INPUTS_YAW), RATE_AT(work_t, inputs + layout__INPUTS_YAW));
+    derivative_circle__sine_cosine_rule_t(&sin_roll, &sin_roll_t, &cos_roll, &cos_roll_t, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL), RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) = each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED));
+    AT(work, motion + layout__MOTION_SPEED) = AT(work, inputs + layout__INPUTS_SPEED);
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY));
+    AT(work, motion + layout__MOTION_LATERAL) = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY);
+    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_WHEEL_RATE), AT(tables, layout__TABLES_HEIGHT), all_lanes(0.0));
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) = each(v1_t);
+    AT(work, motion + layout__MOTION_WHEEL_RATE) = v1;
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) = each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED)) * AT(work, inputs + layout__INPUTS_TRACK_CURVATURE) + AT(work, inputs + layout__INPUTS_SPEED) * each(RATE_AT(work_t, inputs + layout__INPUTS_TRACK_CURVATURE));
+    AT(work, motion + layout__MOTION_TRACK_RATE) = AT(work, inputs + layout__INPUTS_SPEED) * AT(work, inputs + layout__INPUTS_TRACK_CURVATURE);
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_YAW_RATE));
+    AT(work, motion + layout__MOTION_TURN_Z) = AT(work, inputs + layout__INPUTS_YAW_RATE);
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_X)) = each(cos_yaw_t);
+    AT(work, motion + layout__MOTION_AHEAD_X) = cos_yaw;
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_Y)) = each(sin_yaw_t);
+    AT(work, motion + layout__MOTION_AHEAD_Y) = sin_yaw;
     v2 = -sin_yaw;
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X))) = (-each(sin_yaw_t)) * cos_roll + v2 * each(cos_roll_t);
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = v2 * cos_roll;
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))) = each(cos_yaw_t) * cos_roll + cos_yaw * each(cos_roll_t);
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))) = each(sin_roll_t);
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = sin_roll;
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_LATERAL_SHIFT)));
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) = -each(sin_yaw_t) * cos_roll + v2 * each(cos_roll_t);
+    AT(work, motion + layout__MOTION_AXLE_X) = v2 * cos_roll;
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) = each(cos_yaw_t) * cos_roll + cos_yaw * each(cos_roll_t);
+    AT(work, motion + layout__MOTION_AXLE_Y) = cos_yaw * cos_roll;
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) = each(sin_roll_t);
+    AT(work, motion + layout__MOTION_AXLE_Z) = sin_roll;
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_SHIFT));
+    AT(work, motion + layout__MOTION_CENTRE_Y) = AT(work, inputs + layout__INPUTS_LATERAL_SHIFT);
+    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    AT(work, motion + layout__MOTION_CENTRE_Z) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) - AT(tables, layout__TABLES_HEIGHT);
+    return 0;
 }
 
 /* Derivative of ``mirror_motion``. */
 static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t mirrored)
 {
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_SPEED))) = each((*lanes_at(&work_t, motion + layout__MOTION_SPEED)));
-    (*cspan_at(&work, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work, motion + layout__MOTION_SPEED));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_LATERAL))) = -each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL)));
-    (*cspan_at(&work, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work, motion + layout__MOTION_LATERAL));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_WHEEL_RATE))) = each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE)));
-    (*cspan_at(&work, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_TRACK_RATE))) = -each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE)));
-    (*cspan_at(&work, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_TURN_Z))) = -each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z)));
-    (*cspan_at(&work, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work, motion + layout__MOTION_TURN_Z));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AHEAD_X))) = each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_X)));
-    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work, motion + layout__MOTION_AHEAD_X));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AHEAD_Y))) = -each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_Y)));
-    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work, motion + layout__MOTION_AHEAD_Y));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AXLE_X))) = -each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X)));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_X));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AXLE_Y))) = each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y)));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AXLE_Z))) = -each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z)));
-    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_CENTRE_Y))) = -each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
-    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_CENTRE_Z))) = each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
-    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_SPEED)) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED));
+    AT(work, mirrored + layout__MOTION_SPEED) = AT(work, motion + layout__MOTION_SPEED);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_LATERAL)) = -each(RATE_AT(work_t, motion + layout__MOTION_LATERAL));
+    AT(work, mirrored + layout__MOTION_LATERAL) = -AT(work, motion + layout__MOTION_LATERAL);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_WHEEL_RATE)) = each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE));
+    AT(work, mirrored + layout__MOTION_WHEEL_RATE) = AT(work, motion + layout__MOTION_WHEEL_RATE);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_TRACK_RATE)) = -each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE));
+    AT(work, mirrored + layout__MOTION_TRACK_RATE) = -AT(work, motion + layout__MOTION_TRACK_RATE);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_TURN_Z)) = -each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z));
+    AT(work, mirrored + layout__MOTION_TURN_Z) = -AT(work, motion + layout__MOTION_TURN_Z);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AHEAD_X)) = each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_X));
+    AT(work, mirrored + layout__MOTION_AHEAD_X) = AT(work, motion + layout__MOTION_AHEAD_X);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AHEAD_Y)) = -each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_Y));
+    AT(work, mirrored + layout__MOTION_AHEAD_Y) = -AT(work, motion + layout__MOTION_AHEAD_Y);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_X)) = -each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X));
+    AT(work, mirrored + layout__MOTION_AXLE_X) = -AT(work, motion + layout__MOTION_AXLE_X);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_Y)) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y));
+    AT(work, mirrored + layout__MOTION_AXLE_Y) = AT(work, motion + layout__MOTION_AXLE_Y);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_Z)) = -each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z));
+    AT(work, mirrored + layout__MOTION_AXLE_Z) = -AT(work, motion + layout__MOTION_AXLE_Z);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_CENTRE_Y)) = -each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    AT(work, mirrored + layout__MOTION_CENTRE_Y) = -AT(work, motion + layout__MOTION_CENTRE_Y);
+    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    AT(work, mirrored + layout__MOTION_CENTRE_Z) = AT(work, motion + layout__MOTION_CENTRE_Z);
+    return 0;
 }
 
 /* Derivative of ``open_left_rail``. */
 static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs)
 {
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    AT(work, rail + layout__RAIL_MOTION_LATERAL) = -AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    AT(work, rail + layout__RAIL_MOTION_VERTICAL) = AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    AT(work, rail + layout__RAIL_MOTION_ROLL) = -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
+    AT(work, rail + layout__RAIL_MOTION_Y) = AT(tables, pair + layout__PAIR_RAIL_Y) - AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
+    AT(work, rail + layout__RAIL_MOTION_Z) = AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL);
+    return 0;
 }
 
 /* Derivative of ``open_right_rail``. */
 static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs)
 {
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    AT(work, rail + layout__RAIL_MOTION_LATERAL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    AT(work, rail + layout__RAIL_MOTION_VERTICAL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    AT(work, rail + layout__RAIL_MOTION_ROLL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL));
+    AT(work, rail + layout__RAIL_MOTION_Y) = AT(tables, pair + layout__PAIR_RAIL_Y) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
+    AT(work, rail + layout__RAIL_MOTION_Z) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL);
+    return 0;
 }
 
 /* Derivative of ``carry_rail``. */
 static inline int64_t derivative_motion__carry_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t rail, int64_t deflection)
 {
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL_RATE)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) + (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) + (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) + (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE));
+    AT(work, rail + layout__RAIL_MOTION_LATERAL) = AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, deflection + layout__DEFLECTION_LATERAL_RATE);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE));
+    AT(work, rail + layout__RAIL_MOTION_VERTICAL) = AT(work, rail + layout__RAIL_MOTION_VERTICAL) + AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL));
+    AT(work, rail + layout__RAIL_MOTION_Y) = AT(work, rail + layout__RAIL_MOTION_Y) + AT(work, deflection + layout__DEFLECTION_LATERAL);
+    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL));
+    AT(work, rail + layout__RAIL_MOTION_Z) = AT(work, rail + layout__RAIL_MOTION_Z) + AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    return 0;
 }
 
 /* Derivative of ``set_rates``. */
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
 {
-    EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_VERTICAL))) = each(vertical_t);
-    (*cspan_at(&work, right + layout__MOTION_VERTICAL)) = vertical;
-    EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_TURN_X))) = each(roll_rate_t) * (*cspan_at(&work, right + layout__MOTION_AHEAD_X)) + roll_rate * each((*lanes_at(&work_t, right + layout__MOTION_AHEAD_X)));
-    (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
-    EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_TURN_Y))) = each(roll_rate_t) * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y)) + roll_rate * each((*lanes_at(&work_t, right + layout__MOTION_AHEAD_Y)));
-    (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
-    EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_VERTICAL))) = each(vertical_t);
-    (*cspan_at(&work, left + layout__MOTION_VERTICAL)) = vertical;
-    EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_TURN_X))) = -each((*lanes_at(&work_t, right + layout__MOTION_TURN_X)));
-    (*cspan_at(&work, left + layout__MOTION_TURN_X)) = -(*cspan_at(&work, right + layout__MOTION_TURN_X));
-    EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_TURN_Y))) = each((*lanes_at(&work_t, right + layout__MOTION_TURN_Y)));
-    (*cspan_at(&work, left + layout__MOTION_TURN_Y)) = (*cspan_at(&work, right + layout__MOTION_TURN_Y));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, right + layout__MOTION_VERTICAL)) = each(vertical_t);
+    AT(work, right + layout__MOTION_VERTICAL) = vertical;
+    EACH_LANE each(RATE_AT(work_t, right + layout__MOTION_TURN_X)) = each(roll_rate_t) * AT(work, right + layout__MOTION_AHEAD_X) + roll_rate * each(RATE_AT(work_t, right + layout__MOTION_AHEAD_X));
+    AT(work, right + layout__MOTION_TURN_X) = roll_rate * AT(work, right + layout__MOTION_AHEAD_X);
+    EACH_LANE each(RATE_AT(work_t, right + layout__MOTION_TURN_Y)) = each(roll_rate_t) * AT(work, right + layout__MOTION_AHEAD_Y) + roll_rate * each(RATE_AT(work_t, right + layout__MOTION_AHEAD_Y));
+    AT(work, right + layout__MOTION_TURN_Y) = roll_rate * AT(work, right + layout__MOTION_AHEAD_Y);
+    EACH_LANE each(RATE_AT(work_t, left + layout__MOTION_VERTICAL)) = each(vertical_t);
+    AT(work, left + layout__MOTION_VERTICAL) = vertical;
+    EACH_LANE each(RATE_AT(work_t, left + layout__MOTION_TURN_X)) = -each(RATE_AT(work_t, right + layout__MOTION_TURN_X));
+    AT(work, left + layout__MOTION_TURN_X) = -AT(work, right + layout__MOTION_TURN_X);
+    EACH_LANE each(RATE_AT(work_t, left + layout__MOTION_TURN_Y)) = each(RATE_AT(work_t, right + layout__MOTION_TURN_Y));
+    AT(work, left + layout__MOTION_TURN_Y) = AT(work, right + layout__MOTION_TURN_Y);
+    return 0;
 }
 
 /* Derivative of ``constrain_touching``. */
 static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t point)
 {
     int64_t constraint;
-    lanes x_t;
-    double x;
-    lanes y_t;
-    double y;
-    lanes z_t;
-    double z;
-    double sine;
-    lanes sine_t;
-    double cosine;
-    lanes cosine_t;
-    lanes normal_y_t;
-    double normal_y;
-    lanes normal_z_t;
-    double normal_z;
-    double v1;
+    lanes x_t, y_t, z_t, sine_t, cosine_t, normal_y_t, normal_z_t;
+    double x, y, z, sine, cosine, normal_y, normal_z, v1;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    EACH_LANE each(x_t) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)));
-    x = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
-    y = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    EACH_LANE each(z_t) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
-    z = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*lanes_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    EACH_LANE each(x_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK));
+    x = AT(work, point + layout__CONTACT_POINT_X_TRACK);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    y = AT(work, point + layout__CONTACT_POINT_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    EACH_LANE each(z_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    z = AT(work, point + layout__CONTACT_POINT_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
+    derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE), RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE));
     EACH_LANE each(normal_y_t) = -each(sine_t);
     normal_y = -sine;
     EACH_LANE each(normal_z_t) = -each(cosine_t);
     normal_z = -cosine;
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))) = each(normal_y_t);
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = normal_y;
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) = each(normal_z_t);
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = normal_z;
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X))) = each(y_t) * normal_z + y * each(normal_z_t) - (each(z_t) * normal_y + z * each(normal_y_t));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = y * normal_z - z * normal_y;
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) = each(normal_y_t);
+    AT(work, constraint + layout__CONSTRAINT_Y) = normal_y;
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) = each(normal_z_t);
+    AT(work, constraint + layout__CONSTRAINT_Z) = normal_z;
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = each(y_t) * normal_z + y * each(normal_z_t) - (each(z_t) * normal_y + z * each(normal_y_t));
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_X) = y * normal_z - z * normal_y;
     v1 = -x;
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y))) = (-each(x_t)) * normal_z + v1 * each(normal_z_t);
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = v1 * normal_z;
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z))) = each(x_t) * normal_y + x * each(normal_y_t);
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = x * normal_y;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = -each(x_t) * normal_z + v1 * each(normal_z_t);
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) = v1 * normal_z;
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = each(x_t) * normal_y + x * each(normal_y_t);
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) = x * normal_y;
+    return 0;
 }
 
 /* Derivative of ``constrain_loaded``. */
@@ -3888,105 +3422,73 @@ static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work
 {
     int64_t constraint;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1)));
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2)));
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0)));
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(1))));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(1)));
-    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(2))));
-    (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(2)));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 1));
+    AT(work, constraint + layout__CONSTRAINT_Y) = AT(work, forces + layout__FORCES_NORMAL_FORCE + 1);
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 2));
+    AT(work, constraint + layout__CONSTRAINT_Z) = AT(work, forces + layout__FORCES_NORMAL_FORCE + 2);
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0));
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_X) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 0);
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 1));
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 1);
+    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 2));
+    AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 2);
+    return 0;
 }
 
 /* Derivative of ``known_part``. */
-static inline int64_t derivative_motion__known_part_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion)
+static inline void derivative_motion__known_part_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion)
 {
-    int64_t constraint;
-    int64_t rail;
-    double v1;
-    double v2;
+    int64_t constraint, rail;
+    double v1, v2, rail_moment, v3;
     lanes rail_moment_t;
-    double rail_moment;
-    double v3;
     constraint = motion + layout__MOTION_CONSTRAINT;
     rail = motion + layout__MOTION_RAIL;
-    v1 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
-    v2 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
-    EACH_LANE each(rail_moment_t) = each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X))) + ((each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y)))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) + v1 * each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z)))) - ((each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z)))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) + v2 * each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))));
-    rail_moment = (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) + v1 * (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) - v2 * (*cspan_at(&work, constraint + layout__CONSTRAINT_Y));
-    v3 = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL));
-    (*result_0) = (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * v3 + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) - (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
-    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))) * v3 + (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * (each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)))) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z)))) - (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)))) - (each(rail_moment_t) * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) + rail_moment * each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))));
-    return 0;
+    v1 = AT(work, motion + layout__MOTION_CENTRE_Y) - AT(work, rail + layout__RAIL_MOTION_Y);
+    v2 = AT(work, motion + layout__MOTION_CENTRE_Z) - AT(work, rail + layout__RAIL_MOTION_Z);
+    EACH_LANE each(rail_moment_t) = each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) + ((each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))) * AT(work, constraint + layout__CONSTRAINT_Z) + v1 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z))) - ((each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))) * AT(work, constraint + layout__CONSTRAINT_Y) + v2 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)));
+    rail_moment = AT(work, constraint + layout__CONSTRAINT_MOMENT_X) + v1 * AT(work, constraint + layout__CONSTRAINT_Z) - v2 * AT(work, constraint + layout__CONSTRAINT_Y);
+    v3 = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL);
+    *out_0 = AT(work, constraint + layout__CONSTRAINT_Y) * v3 + AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) * AT(work, motion + layout__MOTION_TURN_Z) - AT(work, constraint + layout__CONSTRAINT_Z) * AT(work, rail + layout__RAIL_MOTION_VERTICAL) - rail_moment * AT(work, rail + layout__RAIL_MOTION_ROLL);
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) * v3 + AT(work, constraint + layout__CONSTRAINT_Y) * (each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) * AT(work, motion + layout__MOTION_TURN_Z) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z))) - (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) * AT(work, rail + layout__RAIL_MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_Z) * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each(rail_moment_t) * AT(work, rail + layout__RAIL_MOTION_ROLL) + rail_moment * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)));
 }
 
 /* Derivative of ``constraint_residual``. */
-static inline int64_t derivative_motion__constraint_residual_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion)
+static inline void derivative_motion__constraint_residual_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion)
 {
     int64_t constraint;
-    double v1;
-    lanes v1_t;
-    lanes power_t;
-    double power;
-    double v2;
+    double v1, power, v2, v3;
+    lanes v1_t, power_t;
     constraint = motion + layout__MOTION_CONSTRAINT;
     derivative_motion__known_part_t(&v1, &v1_t, work, work_t, motion);
-    EACH_LANE each(power_t) = each(v1_t) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) * (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL)))) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X))) * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X)))) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))));
-    power = v1 + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y));
+    EACH_LANE each(power_t) = each(v1_t) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) * AT(work, motion + layout__MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_Z) * each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) * AT(work, motion + layout__MOTION_TURN_X) + AT(work, constraint + layout__CONSTRAINT_MOMENT_X) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_X))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) * AT(work, motion + layout__MOTION_TURN_Y) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)));
+    power = v1 + AT(work, constraint + layout__CONSTRAINT_Z) * AT(work, motion + layout__MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_MOMENT_X) * AT(work, motion + layout__MOTION_TURN_X) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) * AT(work, motion + layout__MOTION_TURN_Y);
     v2 = -power;
-    (*v3) = v2 / (*cspan_at(&work, constraint + layout__CONSTRAINT_Z));
-    EACH_LANE each((*result_1)) = ((-each(power_t)) - (*v3) * each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z)))) / (*cspan_at(&work, constraint + layout__CONSTRAINT_Z));
-    return 0;
+    v3 = v2 / AT(work, constraint + layout__CONSTRAINT_Z);
+    *v3_out = v3;
+    EACH_LANE each(*out_1) = (-each(power_t) - v3 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z))) / AT(work, constraint + layout__CONSTRAINT_Z);
 }
 
 /* Derivative of ``set_contact_rates``. */
 static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right)
 {
-    lanes x_t;
-    double x;
-    lanes y_t;
-    double y;
-    lanes left_roll_t;
-    double left_roll;
-    lanes right_roll_t;
-    double right_roll;
-    double v1;
-    lanes v1_t;
-    lanes known_left_t;
-    double known_left;
-    double v2;
-    lanes v2_t;
-    lanes known_right_t;
-    double known_right;
-    lanes determinant_t;
-    double determinant;
-    lanes vertical_t;
-    double vertical;
-    lanes roll_rate_t;
-    double roll_rate;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    EACH_LANE each(x_t) = each((*lanes_at(&work_t, right + layout__MOTION_AHEAD_X)));
-    x = (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, right + layout__MOTION_AHEAD_Y)));
-    y = (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
-    EACH_LANE each(left_roll_t) = each(y_t) * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * each((*lanes_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y))) - (each(x_t) * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * each((*lanes_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X))));
-    left_roll = y * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - x * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
-    EACH_LANE each(right_roll_t) = each(x_t) * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * each((*lanes_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X))) + (each(y_t) * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * each((*lanes_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y))));
-    right_roll = x * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + y * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
+    lanes x_t, y_t, left_roll_t, right_roll_t, v1_t, known_left_t, v2_t, known_right_t, determinant_t, vertical_t, roll_rate_t;
+    double x, y, left_roll, right_roll, v1, known_left, v2, known_right, determinant, vertical, roll_rate, v3, v4, v5, v6;
+    EACH_LANE each(x_t) = each(RATE_AT(work_t, right + layout__MOTION_AHEAD_X));
+    x = AT(work, right + layout__MOTION_AHEAD_X);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, right + layout__MOTION_AHEAD_Y));
+    y = AT(work, right + layout__MOTION_AHEAD_Y);
+    EACH_LANE each(left_roll_t) = each(y_t) * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) + y * each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - (each(x_t) * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + x * each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)));
+    left_roll = y * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) - x * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X);
+    EACH_LANE each(right_roll_t) = each(x_t) * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + x * each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + (each(y_t) * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) + y * each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)));
+    right_roll = x * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + y * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y);
     derivative_motion__known_part_t(&v1, &v1_t, work, work_t, left);
     EACH_LANE each(known_left_t) = each(v1_t);
     known_left = v1;
     derivative_motion__known_part_t(&v2, &v2_t, work, work_t, right);
     EACH_LANE each(known_right_t) = each(v2_t);
     known_right = v2;
-    EACH_LANE each(determinant_t) = each((*lanes_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) * right_roll + (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * each(right_roll_t) - (each((*lanes_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) * left_roll + (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * each(left_roll_t));
-    determinant = (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * right_roll - (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * left_roll;
+    EACH_LANE each(determinant_t) = each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * right_roll + AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * each(right_roll_t) - (each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * left_roll + AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * each(left_roll_t));
+    determinant = AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * right_roll - AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * left_roll;
     vertical_t = all_lanes(0.0);
     vertical = 0.0;
     roll_rate_t = all_lanes(0.0);
@@ -3997,13 +3499,13 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
         v4 = v3 / determinant;
         EACH_LANE each(vertical_t) = (each(known_right_t) * left_roll + known_right * each(left_roll_t) - (each(known_left_t) * right_roll + known_left * each(right_roll_t)) - v4 * each(determinant_t)) / determinant;
         vertical = v4;
-        v5 = known_left * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) - known_right * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z));
+        v5 = known_left * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) - known_right * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z);
         v6 = v5 / determinant;
-        EACH_LANE each(roll_rate_t) = (each(known_left_t) * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) + known_left * each((*lanes_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) - (each(known_right_t) * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) + known_right * each((*lanes_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)))) - v6 * each(determinant_t)) / determinant;
+        EACH_LANE each(roll_rate_t) = (each(known_left_t) * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) + known_left * each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) - (each(known_right_t) * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) + known_right * each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) - v6 * each(determinant_t)) / determinant;
         roll_rate = v6;
     }
     derivative_motion__set_rates_t(work, work_t, left, right, vertical, vertical_t, roll_rate, roll_rate_t);
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -4015,218 +3517,136 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
 /* Derivative of ``solve_polach``. */
 static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    lanes a_t;
-    double a;
-    double v1;
-    double v2;
-    lanes slip_t;
-    double slip;
-    lanes across_t;
-    double across;
-    double v3;
-    double v4;
-    lanes whole_t;
-    double whole;
-    double v5;
-    double first;
-    lanes first_t;
-    double second;
-    lanes second_t;
-    double third;
-    lanes third_t;
-    double v7;
-    lanes v7_t;
-    double v6;
-    lanes v6_t;
-    double v8;
-    lanes push_t;
-    double push;
-    double v9;
-    double v10;
-    double v11;
-    lanes v11_t;
-    double v12;
-    lanes v12_t;
-    EACH_LANE each(a_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
-    a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
+    lanes a_t, reach_t, whole_t, first_t, second_t, third_t, v4_t, along_t, v5_t, across_t, v6_t, v8_t, v10_t, v11_t, rates;
+    double a, reach, v1, v2, whole, v3, first, second, third, modulus, v4, along, v5, across, v6, v7, v8, v9, v10, v11;
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+    a = AT(work, patch + layout__PATCH_HALF_LENGTH);
+    EACH_LANE each(reach_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * a + AT(work, patch + layout__PATCH_SPIN) * each(a_t));
+    reach = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * a;
+    if (fabs(reach) < fabs(AT(work, patch + layout__PATCH_CREEPAGE_Y)))
+    {
+        EACH_LANE each(reach_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+        reach = AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    }
+    v1 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + reach * reach;
     v2 = sqrt(v1);
-    EACH_LANE each(slip_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)))));
-    slip = v2;
-    EACH_LANE each(across_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) + (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * a + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each(a_t));
-    across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * a;
-    if (fabs(across) < fabs((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y))))
-    {
-        EACH_LANE each(across_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
-        across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    }
-    v3 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + across * across;
-    v4 = sqrt(v3);
-    EACH_LANE each(whole_t) = derivative_rates__root_rate(v4, each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each(across_t) * across + across * each(across_t)));
-    whole = v4;
-    if (whole > polach__SMALLEST)
-    {
-        v5 = a / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-        lanes rates_1;
-        EACH_LANE each(rates_1) = (each(a_t) - v5 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-        derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), v5, rates_1);
-        if (slip > polach__SMALLEST)
-        {
-            derivative_polach__mean_coefficient_t(&v7, &v7_t, work, work_t, patch, first, first_t, second, second_t, slip, slip_t);
-            derivative_polach__creep_force_t(&v6, &v6_t, work, work_t, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), all_lanes(0.0), patch, v7, v7_t, whole, whole_t);
-            v8 = v6 / whole;
-            EACH_LANE each(push_t) = (each(v6_t) - v8 * each(whole_t)) / whole;
-            push = v8;
-            v9 = -push;
-            EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = (-each(push_t)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v9 * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)));
-            (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = v9 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-            v10 = -push;
-            EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = (-each(push_t)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v10 * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
-            (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = v10 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-        }
-        derivative_polach__spin_force_t(&v11, &v11_t, work, work_t, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), all_lanes(0.0), patch, third, third_t, whole, whole_t);
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) + each(v11_t);
-        (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + v11;
-        derivative_polach__cut_force_t(work, work_t, patch);
-        derivative_polach__largest_shear_t(&v12, &v12_t, work, work_t, patch);
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) = each(v12_t);
-        (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v12;
-    }
-    return INT64_C(0);
+    EACH_LANE each(whole_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(reach_t) * reach + reach * each(reach_t)));
+    whole = v2;
+    v3 = a / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(rates) = (each(a_t) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), v3, rates);
+    modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
+    derivative_polach__mean_coefficient_t(&v4, &v4_t, work, work_t, patch, first, first_t, second, second_t, first, first_t);
+    EACH_LANE each(along_t) = each(v4_t);
+    along = v4;
+    derivative_polach__mean_coefficient_t(&v5, &v5_t, work, work_t, patch, first, first_t, second, second_t, second, second_t);
+    EACH_LANE each(across_t) = each(v5_t);
+    across = v5;
+    derivative_polach__slope_t(&v6, &v6_t, work, work_t, modulus, all_lanes(0.0), patch, along, along_t, whole, whole_t);
+    v7 = -v6;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = -each(v6_t) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v7 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    AT(work, patch + layout__PATCH_CREEP_X) = v7 * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    derivative_polach__slope_t(&v8, &v8_t, work, work_t, modulus, all_lanes(0.0), patch, across, across_t, whole, whole_t);
+    v9 = -v8;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = -each(v8_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + v9 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+    AT(work, patch + layout__PATCH_CREEP_Y) = v9 * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    derivative_polach__spin_slope_t(&v10, &v10_t, work, work_t, modulus, all_lanes(0.0), patch, third, third_t, whole, whole_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(v10_t) * AT(work, patch + layout__PATCH_SPIN) + v10 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
+    AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v10 * AT(work, patch + layout__PATCH_SPIN);
+    derivative_polach__cut_force_t(work, work_t, patch);
+    derivative_polach__largest_shear_t(&v11, &v11_t, work, work_t, patch);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = each(v11_t);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = v11;
+    return 0;
 }
 
 /* Derivative of ``mean_coefficient``. */
-static inline int64_t derivative_polach__mean_coefficient_t(double* v4, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double slip, lanes slip_t)
+static inline void derivative_polach__mean_coefficient_t(double* v7_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double own, lanes own_t)
 {
-    double v1;
-    lanes along_t;
-    double along;
-    double v2;
-    lanes across_t;
-    double across;
-    double v3;
-    v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) / slip;
-    EACH_LANE each(along_t) = each(first_t) * v1 + first * ((each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) - v1 * each(slip_t)) / slip);
-    along = first * v1;
-    v2 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) / slip;
-    EACH_LANE each(across_t) = each(second_t) * v2 + second * ((each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) - v2 * each(slip_t)) / slip);
-    across = second * v2;
-    v3 = along * along + across * across;
-    (*v4) = sqrt(v3);
-    EACH_LANE each((*result_1)) = derivative_rates__root_rate((*v4), each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
-    return 0;
+    lanes x_t, y_t;
+    double x, y, floor, v1, v2, v3, v4, v5, v6, v7;
+    EACH_LANE each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    x = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+    y = AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    floor = polach__AIMLESS * polach__AIMLESS;
+    v1 = first * first;
+    v2 = second * second;
+    v3 = own * own;
+    v4 = v1 * x + v2 * y + v3 * floor;
+    v5 = x + y + floor;
+    v6 = v4 / v5;
+    v7 = sqrt(v6);
+    *v7_out = v7;
+    EACH_LANE each(*out_1) = derivative_rates__root_rate(v7, ((each(first_t) * first + first * each(first_t)) * x + v1 * each(x_t) + ((each(second_t) * second + second * each(second_t)) * y + v2 * each(y_t)) + (each(own_t) * own + own * each(own_t)) * floor - v6 * (each(x_t) + each(y_t))) / v5);
 }
 
-/* Derivative of ``creep_force``. */
-static inline int64_t derivative_polach__creep_force_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
+/* Derivative of ``slope``. */
+static inline void derivative_polach__slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
 {
-    lanes bound_t;
-    double bound;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    lanes e_t;
-    double e;
-    double v8;
-    lanes v8_t;
-    lanes share_t;
-    double share;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    double v15;
-    EACH_LANE each(bound_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-    bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    lanes bound_t, rate_t, e_t, share_t, v7_t;
+    double bound, v1, v2, v3, v4, v5, v6, rate, e, share, v7, v8, v9, v10, v11, v12, v13, v14, v15;
+    EACH_LANE each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     v1 = 0.25 * M_PI;
-    v2 = v1 * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    v3 = v2 * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    v2 = v1 * AT(work, patch + layout__PATCH_HALF_LENGTH);
+    v3 = v2 * AT(work, patch + layout__PATCH_HALF_WIDTH);
     v4 = v3 * shear_modulus;
     v5 = v4 * coefficient;
-    v6 = v5 * whole;
-    v7 = v6 / bound;
-    EACH_LANE each(e_t) = ((((v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v2 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) * shear_modulus + v3 * each(shear_modulus_t)) * coefficient + v4 * each(coefficient_t)) * whole + v5 * each(whole_t) - v7 * each(bound_t)) / bound;
-    e = v7;
-    derivative_circle__atan_rule_t(&v8, &v8_t, e, e_t);
-    EACH_LANE each(share_t) = each(v8_t);
-    share = v8;
-    if (e < 1.0)
+    v6 = v5 / bound;
+    EACH_LANE each(rate_t) = (((v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v2 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) * shear_modulus + v3 * each(shear_modulus_t)) * coefficient + v4 * each(coefficient_t) - v6 * each(bound_t)) / bound;
+    rate = v6;
+    EACH_LANE each(e_t) = each(rate_t) * whole + rate * each(whole_t);
+    e = rate * whole;
+    EACH_LANE each(share_t) = 2.0 * each(rate_t);
+    share = 2.0 * rate;
+    if (whole > polach__SMALLEST)
     {
-        v9 = 1.0 + e * e;
-        v10 = e / v9;
-        EACH_LANE each(share_t) = each(share_t) + (each(e_t) - v10 * (each(e_t) * e + e * each(e_t))) / v9;
-        share = share + v10;
-    }
-    else
-    {
-        v11 = 1.0 / e;
-        v12 = e + v11;
-        v13 = 1.0 / v12;
-        EACH_LANE each(share_t) = each(share_t) + (-v13) * (each(e_t) + (-v11) * each(e_t) / e) / v12;
-        share = share + v13;
+        derivative_circle__atan_rule_t(&v7, &v7_t, e, e_t);
+        EACH_LANE each(share_t) = each(v7_t);
+        share = v7;
+        if (e < 1.0)
+        {
+            v8 = 1.0 + e * e;
+            v9 = e / v8;
+            EACH_LANE each(share_t) = each(share_t) + (each(e_t) - v9 * (each(e_t) * e + e * each(e_t))) / v8;
+            share = share + v9;
+        }
+        else
+        {
+            v10 = 1.0 / e;
+            v11 = e + v10;
+            v12 = 1.0 / v11;
+            EACH_LANE each(share_t) = each(share_t) + -v12 * (each(e_t) + -v10 * each(e_t) / e) / v11;
+            share = share + v12;
+        }
+        v13 = share / whole;
+        EACH_LANE each(share_t) = (each(share_t) - v13 * each(whole_t)) / whole;
+        share = v13;
     }
     v14 = 2.0 / M_PI;
     v15 = v14 * bound;
-    (*result_0) = v15 * share;
-    EACH_LANE each((*result_1)) = v14 * each(bound_t) * share + v15 * each(share_t);
-    return 0;
+    *out_0 = v15 * share;
+    EACH_LANE each(*out_1) = v14 * each(bound_t) * share + v15 * each(share_t);
 }
 
-/* Derivative of ``spin_force``. */
-static inline int64_t derivative_polach__spin_force_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
+/* Derivative of ``spin_slope``. */
+static inline void derivative_polach__spin_slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
 {
-    lanes a_t;
-    double a;
-    lanes b_t;
-    double b;
-    lanes bound_t;
-    double bound;
-    double v2;
-    double v3;
-    double v1;
-    lanes v1_t;
-    double v4;
-    lanes wide_t;
-    double wide;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    double v14;
-    lanes e_t;
-    double e;
-    double v15;
-    double v16;
-    double v17;
-    double v18;
-    double v19;
-    lanes v19_t;
-    double v20;
-    double v21;
-    EACH_LANE each(a_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
-    a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    EACH_LANE each(b_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
-    b = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    EACH_LANE each(bound_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-    bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    lanes a_t, b_t, bound_t, v1_t, wide_t, rate_t, share_t, v15_t, rates, rates_2;
+    double a, b, bound, v2, v3, v1, v4, wide, v5, v6, v7, v8, v9, v10, v11, v12, v13, rate, v14, share, v15, v16, v17, v18, v19, v20;
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+    a = AT(work, patch + layout__PATCH_HALF_LENGTH);
+    EACH_LANE each(b_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
+    b = AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     v2 = -a;
     v3 = v2 / b;
-    lanes rates_1;
-    EACH_LANE each(rates_1) = ((-each(a_t)) - v3 * each(b_t)) / b;
-    derivative_powers__exp_rule_t(&v1, &v1_t, v3, rates_1);
+    EACH_LANE each(rates) = (-each(a_t) - v3 * each(b_t)) / b;
+    derivative_powers__exp_rule_t(&v1, &v1_t, v3, rates);
     v4 = 1.0 - v1;
-    EACH_LANE each(wide_t) = 6.3 * (-each(v1_t));
+    EACH_LANE each(wide_t) = 6.3 * -each(v1_t);
     wide = 1.0 + 6.3 * v4;
     v5 = 8.0 / 3.0;
     v6 = v5 * shear_modulus;
@@ -4235,42 +3655,37 @@ static inline int64_t derivative_polach__spin_force_t(double* result_0, lanes* r
     v9 = sqrt(v8);
     v10 = v7 * v9;
     v11 = v10 * coefficient;
-    v12 = v11 * whole;
-    v13 = bound * wide;
-    v14 = v12 / v13;
-    EACH_LANE each(e_t) = ((((v5 * each(shear_modulus_t) * b + v6 * each(b_t)) * v9 + v7 * derivative_rates__root_rate(v9, each(a_t) * b + a * each(b_t))) * coefficient + v10 * each(coefficient_t)) * whole + v11 * each(whole_t) - v14 * (each(bound_t) * wide + bound * each(wide_t))) / v13;
-    e = v14;
-    v15 = 9.0 / 16.0;
-    v16 = v15 * a;
-    v17 = v16 * bound;
-    v18 = v17 * wide;
-    derivative_polach__spin_share_t(&v19, &v19_t, e, e_t);
-    v20 = v18 * v19;
-    v21 = (*cspan_at(&work, patch + layout__PATCH_SPIN)) / whole;
-    (*result_0) = v20 * v21;
-    EACH_LANE each((*result_1)) = (((v15 * each(a_t) * bound + v16 * each(bound_t)) * wide + v17 * each(wide_t)) * v19 + v18 * each(v19_t)) * v21 + v20 * ((each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) - v21 * each(whole_t)) / whole);
-    return 0;
+    v12 = bound * wide;
+    v13 = v11 / v12;
+    EACH_LANE each(rate_t) = (((v5 * each(shear_modulus_t) * b + v6 * each(b_t)) * v9 + v7 * derivative_rates__root_rate(v9, each(a_t) * b + a * each(b_t))) * coefficient + v10 * each(coefficient_t) - v13 * (each(bound_t) * wide + bound * each(wide_t))) / v12;
+    rate = v13;
+    v14 = -2.0 / 3.0;
+    EACH_LANE each(share_t) = v14 * each(rate_t);
+    share = v14 * rate;
+    if (whole > polach__SMALLEST)
+    {
+        EACH_LANE each(rates_2) = each(rate_t) * whole + rate * each(whole_t);
+        derivative_polach__spin_share_t(&v15, &v15_t, rate * whole, rates_2);
+        v16 = v15 / whole;
+        EACH_LANE each(share_t) = (each(v15_t) - v16 * each(whole_t)) / whole;
+        share = v16;
+    }
+    v17 = 9.0 / 16.0;
+    v18 = v17 * a;
+    v19 = v18 * bound;
+    v20 = v19 * wide;
+    *out_0 = v20 * share;
+    EACH_LANE each(*out_1) = ((v17 * each(a_t) * bound + v18 * each(bound_t)) * wide + v19 * each(wide_t)) * share + v20 * each(share_t);
 }
 
 /* Derivative of ``spin_share``. */
-static inline int64_t derivative_polach__spin_share_t(double* result_0, lanes* result_1, double e, lanes e_t)
+static inline void derivative_polach__spin_share_t(double* out_0, lanes* out_1, double e, lanes e_t)
 {
-    double v1;
-    double v2;
-    lanes c_t;
-    double c;
-    lanes root_t;
-    double root;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
+    double v1, v2, c, root, v3, v4, v5, v6, v7, v8, v9;
+    lanes c_t, root_t;
     v1 = 1.0 + e * e;
     v2 = 2.0 / v1;
-    EACH_LANE each(c_t) = (-v2) * (each(e_t) * e + e * each(e_t)) / v1;
+    EACH_LANE each(c_t) = -v2 * (each(e_t) * e + e * each(e_t)) / v1;
     c = v2;
     EACH_LANE each(root_t) = each(e_t) * c + e * each(c_t);
     root = e * c;
@@ -4281,60 +3696,48 @@ static inline int64_t derivative_polach__spin_share_t(double* result_0, lanes* r
     v7 = 1.0 - v6 * c;
     v8 = root * root;
     v9 = v8 * root;
-    (*result_0) = v5 * v7 - v9 / 3.0;
-    EACH_LANE each((*result_1)) = ((0.5 * each(e_t) * c + v3 * each(c_t)) * c + v4 * each(c_t)) * v7 + v5 * (-(v6 * each(c_t))) - ((each(root_t) * root + root * each(root_t)) * root + v8 * each(root_t)) / 3.0;
-    return 0;
+    *out_0 = v5 * v7 - v9 / 3.0;
+    EACH_LANE each(*out_1) = ((0.5 * each(e_t) * c + v3 * each(c_t)) * c + v4 * each(c_t)) * v7 + v5 * -(v6 * each(c_t)) - ((each(root_t) * root + root * each(root_t)) * root + v8 * each(root_t)) / 3.0;
 }
 
 /* Derivative of ``cut_force``. */
 static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    lanes bound_t;
-    double bound;
-    double v1;
-    double v2;
-    lanes force_t;
-    double force;
-    double v3;
-    double v4;
-    EACH_LANE each(bound_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-    bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    v1 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
+    lanes bound_t, force_t;
+    double bound, v1, v2, force, v3, v4;
+    EACH_LANE each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    v1 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y);
     v2 = sqrt(v1);
-    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))));
+    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
     force = v2;
     if (force > bound)
     {
         v3 = bound / force;
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * v3 + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * ((each(bound_t) - v3 * each(force_t)) / force);
-        (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * v3;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * v3 + AT(work, patch + layout__PATCH_CREEP_X) * ((each(bound_t) - v3 * each(force_t)) / force);
+        AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) * v3;
         v4 = bound / force;
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * v4 + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * ((each(bound_t) - v4 * each(force_t)) / force);
-        (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * v4;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * v4 + AT(work, patch + layout__PATCH_CREEP_Y) * ((each(bound_t) - v4 * each(force_t)) / force);
+        AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) * v4;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``largest_shear``. */
-static inline int64_t derivative_polach__largest_shear_t(double* v6, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_polach__largest_shear_t(double* v6_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double v1;
-    double v2;
+    double v1, v2, force, v3, v4, v5, v6;
     lanes force_t;
-    double force;
-    double v3;
-    double v4;
-    double v5;
-    v1 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
+    v1 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y);
     v2 = sqrt(v1);
-    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))));
+    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
     force = v2;
     v3 = 1.5 * force;
-    v4 = M_PI * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    v5 = v4 * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    (*v6) = v3 / v5;
-    EACH_LANE each((*result_1)) = (1.5 * each(force_t) - (*v6) * (M_PI * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v4 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH))))) / v5;
-    return 0;
+    v4 = M_PI * AT(work, patch + layout__PATCH_HALF_LENGTH);
+    v5 = v4 * AT(work, patch + layout__PATCH_HALF_WIDTH);
+    v6 = v3 / v5;
+    *v6_out = v6;
+    EACH_LANE each(*out_1) = (1.5 * each(force_t) - v6 * (M_PI * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v4 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)))) / v5;
 }
 
 
@@ -4346,272 +3749,257 @@ static inline int64_t derivative_polach__largest_shear_t(double* v6, lanes* resu
 /* Derivative of ``find_stiffnesses``. */
 static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double v1;
-    lanes ratio_t;
-    double ratio;
-    double v2;
-    lanes v2_t;
-    lanes place_t;
-    double place;
-    double half;
-    double v3;
-    lanes v3_t;
-    double v4;
-    double v5;
-    lanes along_t;
-    double along;
-    double v6;
-    lanes v6_t;
-    lanes across_t;
-    double across;
-    double v7;
-    lanes v7_t;
-    lanes turning_t;
-    double turning;
-    int64_t i;
-    int64_t block;
-    double v8;
-    double v9;
-    double v10;
-    lanes v10_t;
-    double v11;
-    lanes v11_t;
+    double v1, ratio, v2, place, half, v3, v4, v5, along, v6, across, v7, turning, v8, v9, v10, v11;
+    lanes ratio_t, v2_t, place_t, v3_t, along_t, v6_t, across_t, v7_t, turning_t, v10_t, v11_t;
+    int64_t i, block;
     derivative_stiffness__join_strips_t(work, work_t, patch);
-    derivative_stiffness__fill_equations_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, INT64_C(2));
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, INT64_C(1));
-    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, INT64_C(1));
-    v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    EACH_LANE each(ratio_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    derivative_stiffness__fill_equations_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING));
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, 2);
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, 1);
+    derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, 1);
+    v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
     derivative_tractions__shape_place_t(&v2, &v2_t, ratio, ratio_t);
     EACH_LANE each(place_t) = each(v2_t);
     place = v2;
-    half = 0.5 * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
-    derivative_tractions__shape_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(3), place, place_t);
+    half = 0.5 * AT(tables, layout__TABLES_SHEAR_MODULUS);
+    derivative_tractions__shape_value_t(&v3, &v3_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 3, place, place_t);
     v4 = v3 * half;
-    v5 = 1.0 - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
+    v5 = 1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO);
     EACH_LANE each(along_t) = each(v3_t) * half / v5;
     along = v4 / v5;
-    derivative_tractions__shape_value_t(&v6, &v6_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(4), place, place_t);
+    derivative_tractions__shape_value_t(&v6, &v6_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 4, place, place_t);
     EACH_LANE each(across_t) = each(v6_t) * half;
     across = v6 * half;
-    derivative_tractions__shape_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(5), place, place_t);
+    derivative_tractions__shape_value_t(&v7, &v7_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 5, place, place_t);
     EACH_LANE each(turning_t) = each(v7_t) * half;
     turning = v7 * half;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ALONG))) = each(along_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT)) + along * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT)));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS))) = each(across_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT)) + across * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT)));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
-        v8 = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT));
-        v9 = v8 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) = (each(turning_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) + turning * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT))) - v9 * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = v9;
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) = each(along_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT) + along * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT));
+        AT(work, block + layout__ROLLING_BLOCK_ALONG) = along * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) = each(across_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT) + across * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT));
+        AT(work, block + layout__ROLLING_BLOCK_ACROSS) = across * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT);
+        v8 = turning * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT);
+        v9 = v8 / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = (each(turning_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT) + turning * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT)) - v9 * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        AT(work, block + layout__ROLLING_BLOCK_TURNING) = v9;
     }
     derivative_stiffness__creepage_shift_t(&v10, &v10_t, work, work_t);
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT))) = each(v10_t);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = v10;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = each(v10_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = v10;
     derivative_stiffness__mean_share_t(&v11, &v11_t, ratio, ratio_t);
-    derivative_stiffness__spread_turning_t(work, work_t, v11, v11_t);
-    return INT64_C(0);
+    derivative_stiffness__spread_turning_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, v11, v11_t);
+    return 0;
+}
+
+/* Derivative of ``patch_stiffnesses``. */
+static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+{
+    int64_t kept, i_1, i_2, i_3, i_4;
+    kept = layout__WORK_ROLLING + layout__ROLLING_STIFFNESSES + layout__KEPT_STIFFNESSES_SIZE * (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE);
+    if (AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) == 1.0 && AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) == 1.0)
+    {
+        for (i_1 = 0; i_1 < 56; i_1 += 1)
+        {
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1)) = each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1) = AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1);
+        }
+        for (i_2 = 0; i_2 < 80; i_2 += 1)
+        {
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2)) = each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2) = AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2);
+        }
+        derivative_stiffness__renew_shift_t(work, work_t, patch);
+    }
+    else
+    {
+        derivative_stiffness__find_stiffnesses_t(work, work_t, tables, patch);
+        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) == 1.0)
+        {
+            for (i_3 = 0; i_3 < 56; i_3 += 1)
+            {
+                EACH_LANE each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3));
+                AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3) = AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3);
+            }
+            for (i_4 = 0; i_4 < 80; i_4 += 1)
+            {
+                EACH_LANE each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4));
+                AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4) = AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4);
+            }
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``renew_shift``. */
+static inline int64_t derivative_stiffness__renew_shift_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t side, i, block, row, k, pivot;
+    double v1, v2, inverse, factor, v3;
+    lanes inverse_t, factor_t, v3_t;
+    side = layout__BLOCK_COUNT + 1;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
+    {
+        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+        v1 = AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * (each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP)) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP)));
+        AT(work, block + layout__ROLLING_BLOCK_SLIP) = 0.5 * v1;
+        EACH_LANE each(RATE_AT(work_t, row + side)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP));
+        AT(work, row + side) = AT(work, block + layout__ROLLING_BLOCK_SLIP);
+    }
+    for (k = 0; k < layout__BLOCK_COUNT; k += 1)
+    {
+        pivot = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * k;
+        v2 = 1.0 / AT(work, pivot + k);
+        EACH_LANE each(inverse_t) = -v2 * each(RATE_AT(work_t, pivot + k)) / AT(work, pivot + k);
+        inverse = v2;
+        for (i = k + 1; i < layout__BLOCK_COUNT; i += 1)
+        {
+            row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+            EACH_LANE each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
+            factor = AT(work, row + k) * inverse;
+            EACH_LANE each(RATE_AT(work_t, row + side)) = each(RATE_AT(work_t, row + side)) - (each(factor_t) * AT(work, pivot + side) + factor * each(RATE_AT(work_t, pivot + side)));
+            AT(work, row + side) = AT(work, row + side) - factor * AT(work, pivot + side);
+        }
+    }
+    derivative_stiffness__substitute_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, side);
+    derivative_stiffness__creepage_shift_t(&v3, &v3_t, work, work_t);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = each(v3_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = v3;
+    return 0;
 }
 
 /* Derivative of ``join_strips``. */
 static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    int64_t i;
-    int64_t block;
-    int64_t low;
-    int64_t high;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    lanes square_t;
-    double square;
-    lanes least_t;
-    double least;
-    double v6;
-    double v7;
-    double v8;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    int64_t i, block, low, high;
+    double v1, v2, v3, v4, v5, square, least, v6, v7, v8;
+    lanes square_t, least_t;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        low = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i);
-        high = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i + INT64_C(1));
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))) = each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_START)));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) = (*cspan_at(&work, low + layout__ROLLING_STRIP_START));
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) = each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_STOP)));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) = (*cspan_at(&work, high + layout__ROLLING_STRIP_STOP));
-        v1 = (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH));
-        v2 = (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH));
-        v3 = v1 * (*cspan_at(&work, low + layout__ROLLING_STRIP_WIDTH)) + v2 * (*cspan_at(&work, high + layout__ROLLING_STRIP_WIDTH));
-        v4 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
+        low = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i);
+        high = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)) = each(RATE_AT(work_t, low + layout__ROLLING_STRIP_START));
+        AT(work, block + layout__ROLLING_BLOCK_START) = AT(work, low + layout__ROLLING_STRIP_START);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) = each(RATE_AT(work_t, high + layout__ROLLING_STRIP_STOP));
+        AT(work, block + layout__ROLLING_BLOCK_STOP) = AT(work, high + layout__ROLLING_STRIP_STOP);
+        v1 = AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH);
+        v2 = AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH);
+        v3 = v1 * AT(work, low + layout__ROLLING_STRIP_WIDTH) + v2 * AT(work, high + layout__ROLLING_STRIP_WIDTH);
+        v4 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
         v5 = v3 / v4;
-        EACH_LANE each(square_t) = ((each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) + (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_HALF_LENGTH)))) * (*cspan_at(&work, low + layout__ROLLING_STRIP_WIDTH)) + v1 * each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_WIDTH))) + ((each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_HALF_LENGTH)))) * (*cspan_at(&work, high + layout__ROLLING_STRIP_WIDTH)) + v2 * each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_WIDTH)))) - v5 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))))) / v4;
+        EACH_LANE each(square_t) = ((each(RATE_AT(work_t, low + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) + AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, low + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, low + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, low + layout__ROLLING_STRIP_WIDTH)) + ((each(RATE_AT(work_t, high + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) + AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, high + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, high + layout__ROLLING_STRIP_WIDTH) + v2 * each(RATE_AT(work_t, high + layout__ROLLING_STRIP_WIDTH))) - v5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)))) / v4;
         square = v5;
-        EACH_LANE each(least_t) = stiffness__SHORT * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
-        least = stiffness__SHORT * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
+        EACH_LANE each(least_t) = stiffness__SHORT * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+        least = stiffness__SHORT * AT(work, patch + layout__PATCH_HALF_LENGTH);
         v6 = square + least * least;
         v7 = sqrt(v6);
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) = derivative_rates__root_rate(v7, each(square_t) + (each(least_t) * least + least * each(least_t)));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = v7;
-        v8 = (*cspan_at(&work, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_SLIP));
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_SLIP))) = 0.5 * (each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_SLIP))) + each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_SLIP))));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * v8;
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = derivative_rates__root_rate(v7, each(square_t) + (each(least_t) * least + least * each(least_t)));
+        AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) = v7;
+        v8 = AT(work, low + layout__ROLLING_STRIP_SLIP) + AT(work, high + layout__ROLLING_STRIP_SLIP);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * (each(RATE_AT(work_t, low + layout__ROLLING_STRIP_SLIP)) + each(RATE_AT(work_t, high + layout__ROLLING_STRIP_SLIP)));
+        AT(work, block + layout__ROLLING_BLOCK_SLIP) = 0.5 * v8;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``fill_equations``. */
 static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table)
 {
-    int64_t i;
-    int64_t block;
-    int64_t along;
-    int64_t across;
-    int64_t turning;
-    double v1;
-    double v2;
-    double v3;
-    double x;
-    lanes x_t;
-    double y;
-    lanes y_t;
-    double spin;
-    lanes spin_t;
-    int64_t j;
-    int64_t other;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    lanes scale_t;
-    double scale;
-    double v8;
-    lanes middle_t;
-    double middle;
-    double v9;
-    double v10;
-    double v11;
-    double v12;
-    double v13;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    int64_t i, block, along, across, turning, j, other;
+    double v1, v2, v3, x, y, spin, v4, v5, v6, v7, scale, v8, middle, v9, v10, v11, v12, v13;
+    lanes x_t, y_t, spin_t, scale_t, middle_t, rates, rates_2, rates_3, rates_4, rates_5;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
-        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
-        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
-        v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
+        along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+        across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i;
+        turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i;
+        v1 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
         v2 = 0.5 * v1;
-        v3 = v2 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        lanes rates_1;
-        EACH_LANE each(rates_1) = (0.5 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START)))) - v3 * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        derivative_stiffness__reaches_t(&x, &x_t, &y, &y_t, &spin, &spin_t, tables, table, v3, rates_1);
-        EACH_LANE each((*lanes_at(&work_t, along + i))) = 2.0 * each(x_t);
-        (*cspan_at(&work, along + i)) = 2.0 * x;
-        EACH_LANE each((*lanes_at(&work_t, across + i))) = 2.0 * each(y_t);
-        (*cspan_at(&work, across + i)) = 2.0 * y;
-        EACH_LANE each((*lanes_at(&work_t, turning + i))) = 2.0 * each(spin_t);
-        (*cspan_at(&work, turning + i)) = 2.0 * spin;
-        (*lanes_at(&work_t, along + layout__BLOCK_COUNT)) = all_lanes(0.0);
-        (*cspan_at(&work, along + layout__BLOCK_COUNT)) = 1.0;
-        (*lanes_at(&work_t, across + layout__BLOCK_COUNT)) = all_lanes(0.0);
-        (*cspan_at(&work, across + layout__BLOCK_COUNT)) = 1.0;
-        EACH_LANE each((*lanes_at(&work_t, turning + layout__BLOCK_COUNT))) = each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)));
-        (*cspan_at(&work, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        EACH_LANE each((*lanes_at(&work_t, along + (layout__BLOCK_COUNT + INT64_C(1))))) = each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_SLIP)));
-        (*cspan_at(&work, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
-        for (j = i + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
+        v3 = v2 / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        EACH_LANE each(rates) = (0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START))) - v3 * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        derivative_stiffness__reaches_t(&x, &x_t, &y, &y_t, &spin, &spin_t, tables, table, v3, rates);
+        EACH_LANE each(RATE_AT(work_t, along + i)) = 2.0 * each(x_t);
+        AT(work, along + i) = 2.0 * x;
+        EACH_LANE each(RATE_AT(work_t, across + i)) = 2.0 * each(y_t);
+        AT(work, across + i) = 2.0 * y;
+        EACH_LANE each(RATE_AT(work_t, turning + i)) = 2.0 * each(spin_t);
+        AT(work, turning + i) = 2.0 * spin;
+        RATE_AT(work_t, along + layout__BLOCK_COUNT) = all_lanes(0.0);
+        AT(work, along + layout__BLOCK_COUNT) = 1.0;
+        RATE_AT(work_t, across + layout__BLOCK_COUNT) = all_lanes(0.0);
+        AT(work, across + layout__BLOCK_COUNT) = 1.0;
+        EACH_LANE each(RATE_AT(work_t, turning + layout__BLOCK_COUNT)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        AT(work, turning + layout__BLOCK_COUNT) = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        EACH_LANE each(RATE_AT(work_t, along + (layout__BLOCK_COUNT + 1))) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP));
+        AT(work, along + (layout__BLOCK_COUNT + 1)) = AT(work, block + layout__ROLLING_BLOCK_SLIP);
+        for (j = i + 1; j < layout__BLOCK_COUNT; j += 1)
         {
             other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * j;
-            v4 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH));
+            v4 = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH);
             v5 = 0.5 * v4;
             v6 = sqrt(v5);
             v7 = 1.0 / v6;
-            EACH_LANE each(scale_t) = (-v7) * derivative_rates__root_rate(v6, 0.5 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) + (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH))) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH)))))) / v6;
+            EACH_LANE each(scale_t) = -v7 * derivative_rates__root_rate(v6, 0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH))))) / v6;
             scale = v7;
-            v8 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP));
-            EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))) + each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))));
+            v8 = AT(work, block + layout__ROLLING_BLOCK_START) + AT(work, block + layout__ROLLING_BLOCK_STOP);
+            EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)));
             middle = 0.5 * v8;
-            v9 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) - middle;
-            v10 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)) - middle;
-            lanes rates_2;
-            EACH_LANE each(rates_2) = (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_START))) - each(middle_t)) * scale + v9 * each(scale_t);
-            lanes rates_3;
-            EACH_LANE each(rates_3) = (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_STOP))) - each(middle_t)) * scale + v10 * each(scale_t);
+            v9 = AT(work, other + layout__ROLLING_BLOCK_START) - middle;
+            v10 = AT(work, other + layout__ROLLING_BLOCK_STOP) - middle;
+            EACH_LANE each(rates_2) = (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) - each(middle_t)) * scale + v9 * each(scale_t);
+            EACH_LANE each(rates_3) = (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP)) - each(middle_t)) * scale + v10 * each(scale_t);
             derivative_stiffness__reach_beside_t(tables, work, work_t, table, i, j, v9 * scale, rates_2, v10 * scale, rates_3);
-            v11 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP));
-            EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_START))) + each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_STOP))));
+            v11 = AT(work, other + layout__ROLLING_BLOCK_START) + AT(work, other + layout__ROLLING_BLOCK_STOP);
+            EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP)));
             middle = 0.5 * v11;
-            v12 = middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP));
-            v13 = middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
-            lanes rates_4;
-            EACH_LANE each(rates_4) = (each(middle_t) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP)))) * scale + v12 * each(scale_t);
-            lanes rates_5;
-            EACH_LANE each(rates_5) = (each(middle_t) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START)))) * scale + v13 * each(scale_t);
+            v12 = middle - AT(work, block + layout__ROLLING_BLOCK_STOP);
+            v13 = middle - AT(work, block + layout__ROLLING_BLOCK_START);
+            EACH_LANE each(rates_4) = (each(middle_t) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP))) * scale + v12 * each(scale_t);
+            EACH_LANE each(rates_5) = (each(middle_t) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START))) * scale + v13 * each(scale_t);
             derivative_stiffness__reach_beside_t(tables, work, work_t, table, j, i, v12 * scale, rates_4, v13 * scale, rates_5);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``reach_beside``. */
 static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t i, int64_t j, double near, lanes near_t, double far, lanes far_t)
 {
-    double near_x;
-    lanes near_x_t;
-    double near_y;
-    lanes near_y_t;
-    double near_spin;
-    lanes near_spin_t;
-    double far_x;
-    lanes far_x_t;
-    double far_y;
-    lanes far_y_t;
-    double far_spin;
-    lanes far_spin_t;
-    int64_t along;
-    int64_t across;
-    int64_t turning;
+    double near_x, near_y, near_spin, far_x, far_y, far_spin;
+    lanes near_x_t, near_y_t, near_spin_t, far_x_t, far_y_t, far_spin_t;
+    int64_t along, across, turning;
     derivative_stiffness__reaches_t(&near_x, &near_x_t, &near_y, &near_y_t, &near_spin, &near_spin_t, tables, table, near, near_t);
     derivative_stiffness__reaches_t(&far_x, &far_x_t, &far_y, &far_y_t, &far_spin, &far_spin_t, tables, table, far, far_t);
-    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
-    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
-    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
-    EACH_LANE each((*lanes_at(&work_t, along + j))) = each(far_x_t) - each(near_x_t);
-    (*cspan_at(&work, along + j)) = far_x - near_x;
-    EACH_LANE each((*lanes_at(&work_t, across + j))) = each(far_y_t) - each(near_y_t);
-    (*cspan_at(&work, across + j)) = far_y - near_y;
-    EACH_LANE each((*lanes_at(&work_t, turning + j))) = each(far_spin_t) - each(near_spin_t);
-    (*cspan_at(&work, turning + j)) = far_spin - near_spin;
-    return INT64_C(0);
+    along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+    across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i;
+    turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i;
+    EACH_LANE each(RATE_AT(work_t, along + j)) = each(far_x_t) - each(near_x_t);
+    AT(work, along + j) = far_x - near_x;
+    EACH_LANE each(RATE_AT(work_t, across + j)) = each(far_y_t) - each(near_y_t);
+    AT(work, across + j) = far_y - near_y;
+    EACH_LANE each(RATE_AT(work_t, turning + j)) = each(far_spin_t) - each(near_spin_t);
+    AT(work, turning + j) = far_spin - near_spin;
+    return 0;
 }
 
 /* Derivative of ``reaches``. */
-static inline int64_t derivative_stiffness__reaches_t(double* v6, lanes* v6_t, double* v7, lanes* v7_t, double* v8, lanes* v8_t, array_double_1d tables, int64_t table, double distance, lanes distance_t)
+static inline void derivative_stiffness__reaches_t(double* v6_out, lanes* v6_t_out, double* v7_out, lanes* v7_t_out, double* v8_out, lanes* v8_t_out, array_double_1d tables, int64_t table, double distance, lanes distance_t)
 {
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    lanes v5_t;
-    lanes place_t;
-    double place;
-    int64_t cell;
-    lanes u_t;
-    double u;
-    int64_t at;
+    double v1, v2, v3, v4, v5, place, u, v6, v7, v8;
+    lanes v5_t, place_t, u_t, v6_t, v7_t, v8_t;
+    int64_t cell, at;
     v1 = fabs(distance) + stiffness__NEAREST;
     v2 = sqrt(v1);
     v3 = sqrt(v2);
     v4 = layout__REACH_PER_UNIT * v3;
-    v5 = (double)(layout__REACH_CELLS);
+    v5 = (double)layout__REACH_CELLS;
     v5_t = all_lanes(0.0);
     if (v4 < v5)
     {
@@ -4620,138 +4008,123 @@ static inline int64_t derivative_stiffness__reaches_t(double* v6, lanes* v6_t, d
     }
     EACH_LANE each(place_t) = each(v5_t);
     place = v5;
-    cell = (int64_t)(place);
+    cell = (int64_t)place;
     EACH_LANE each(u_t) = each(place_t);
-    u = place - (double)(cell);
+    u = place - (double)cell;
     at = layout__REACH_ROW * cell;
-    derivative_stiffness__reach_cubic_t(v6, v6_t, tables, table, at, u, u_t);
-    derivative_stiffness__reach_cubic_t(v7, v7_t, tables, table, at + INT64_C(4), u, u_t);
-    derivative_stiffness__reach_cubic_t(v8, v8_t, tables, table, at + INT64_C(8), u, u_t);
-    return 0;
+    derivative_stiffness__reach_cubic_t(&v6, &v6_t, tables, table, at, u, u_t);
+    derivative_stiffness__reach_cubic_t(&v7, &v7_t, tables, table, at + 4, u, u_t);
+    derivative_stiffness__reach_cubic_t(&v8, &v8_t, tables, table, at + 8, u, u_t);
+    *v6_out = v6;
+    EACH_LANE each(*v6_t_out) = each(v6_t);
+    *v7_out = v7;
+    EACH_LANE each(*v7_t_out) = each(v7_t);
+    *v8_out = v8;
+    EACH_LANE each(*v8_t_out) = each(v8_t);
 }
 
 /* Derivative of ``reach_cubic``. */
-static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double u, lanes u_t)
+static inline void derivative_stiffness__reach_cubic_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double u, lanes u_t)
 {
     lanes high_t;
-    double high;
-    double v1;
-    EACH_LANE each(high_t) = each(u_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(3))));
-    high = (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(2)))) + u * (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(3))));
-    v1 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(1)))) + u * high;
-    (*result_0) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + at)) + u * v1;
-    EACH_LANE each((*result_1)) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
-    return 0;
+    double high, v1;
+    EACH_LANE each(high_t) = each(u_t) * AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 3));
+    high = AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 2)) + u * AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 3));
+    v1 = AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 1)) + u * high;
+    *out_0 = AT(tables, table + layout__ROLLING_TABLE_REACHES + at) + u * v1;
+    EACH_LANE each(*out_1) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
 }
 
 /* Derivative of ``solve_blocks``. */
 static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t sides)
 {
-    int64_t stop;
-    int64_t k;
-    int64_t pivot;
-    double v1;
-    lanes inverse_t;
-    double inverse;
-    int64_t i;
-    int64_t row;
-    lanes factor_t;
-    double factor;
-    int64_t j;
-    int64_t side;
-    int64_t back;
-    lanes value_t;
-    double value;
-    int64_t known;
-    double v2;
+    int64_t stop, k, pivot, i, row, j, side;
+    double v1, inverse, factor;
+    lanes inverse_t, factor_t;
     stop = layout__BLOCK_COUNT + sides;
-    for (k = INT64_C(0); k < layout__BLOCK_COUNT; k += INT64_C(1))
+    for (k = 0; k < layout__BLOCK_COUNT; k += 1)
     {
-        pivot = equations + INT64_C(10) * k;
-        v1 = 1.0 / (*cspan_at(&work, pivot + k));
-        EACH_LANE each(inverse_t) = (-v1) * each((*lanes_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        pivot = equations + 10 * k;
+        v1 = 1.0 / AT(work, pivot + k);
+        EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, pivot + k)) / AT(work, pivot + k);
         inverse = v1;
-        for (i = k + INT64_C(1); i < layout__BLOCK_COUNT; i += INT64_C(1))
+        for (i = k + 1; i < layout__BLOCK_COUNT; i += 1)
         {
-            row = equations + INT64_C(10) * i;
-            EACH_LANE each(factor_t) = each((*lanes_at(&work_t, row + k))) * inverse + (*cspan_at(&work, row + k)) * each(inverse_t);
-            factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < stop; j += INT64_C(1))
+            row = equations + 10 * i;
+            EACH_LANE each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
+            factor = AT(work, row + k) * inverse;
+            for (j = k + 1; j < stop; j += 1)
             {
-                EACH_LANE each((*lanes_at(&work_t, row + j))) = each((*lanes_at(&work_t, row + j))) - (each(factor_t) * (*cspan_at(&work, pivot + j)) + factor * each((*lanes_at(&work_t, pivot + j))));
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, pivot + j));
+                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, row + j)) - (each(factor_t) * AT(work, pivot + j) + factor * each(RATE_AT(work_t, pivot + j)));
+                AT(work, row + j) = AT(work, row + j) - factor * AT(work, pivot + j);
             }
         }
     }
-    for (side = layout__BLOCK_COUNT; side < stop; side += INT64_C(1))
+    for (side = layout__BLOCK_COUNT; side < stop; side += 1)
     {
-        for (back = INT64_C(0); back < layout__BLOCK_COUNT; back += INT64_C(1))
-        {
-            k = layout__BLOCK_COUNT - INT64_C(1) - back;
-            pivot = equations + INT64_C(10) * k;
-            EACH_LANE each(value_t) = each((*lanes_at(&work_t, pivot + side)));
-            value = (*cspan_at(&work, pivot + side));
-            for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
-            {
-                known = equations + INT64_C(10) * j;
-                EACH_LANE each(value_t) = each(value_t) - (each((*lanes_at(&work_t, pivot + j))) * (*cspan_at(&work, known + side)) + (*cspan_at(&work, pivot + j)) * each((*lanes_at(&work_t, known + side))));
-                value = value - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + side));
-            }
-            v2 = value / (*cspan_at(&work, pivot + k));
-            EACH_LANE each((*lanes_at(&work_t, pivot + side))) = (each(value_t) - v2 * each((*lanes_at(&work_t, pivot + k)))) / (*cspan_at(&work, pivot + k));
-            (*cspan_at(&work, pivot + side)) = v2;
-        }
+        derivative_stiffness__substitute_t(work, work_t, equations, side);
     }
-    return INT64_C(0);
+    return 0;
+}
+
+/* Derivative of ``substitute``. */
+static inline int64_t derivative_stiffness__substitute_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t side)
+{
+    int64_t back, k, pivot, j, known;
+    lanes value_t;
+    double value, v1;
+    for (back = 0; back < layout__BLOCK_COUNT; back += 1)
+    {
+        k = layout__BLOCK_COUNT - 1 - back;
+        pivot = equations + 10 * k;
+        EACH_LANE each(value_t) = each(RATE_AT(work_t, pivot + side));
+        value = AT(work, pivot + side);
+        for (j = k + 1; j < layout__BLOCK_COUNT; j += 1)
+        {
+            known = equations + 10 * j;
+            EACH_LANE each(value_t) = each(value_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, known + side) + AT(work, pivot + j) * each(RATE_AT(work_t, known + side)));
+            value = value - AT(work, pivot + j) * AT(work, known + side);
+        }
+        v1 = value / AT(work, pivot + k);
+        EACH_LANE each(RATE_AT(work_t, pivot + side)) = (each(value_t) - v1 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
+        AT(work, pivot + side) = v1;
+    }
+    return 0;
 }
 
 /* Derivative of ``creepage_shift``. */
-static inline int64_t derivative_stiffness__creepage_shift_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t)
+static inline void derivative_stiffness__creepage_shift_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t)
 {
-    lanes missing_t;
-    double missing;
-    lanes stiff_t;
-    double stiff;
-    int64_t i;
-    int64_t block;
-    int64_t row;
-    double v1;
-    lanes area_t;
-    double area;
-    double v2;
+    lanes missing_t, stiff_t, area_t;
+    double missing, stiff, v1, area, v2, v3;
+    int64_t i, block, row;
     missing_t = all_lanes(0.0);
     missing = 0.0;
     stiff_t = all_lanes(0.0);
     stiff = 0.0;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
-        v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
-        EACH_LANE each(area_t) = each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * v1 + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))));
-        area = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1;
-        v2 = (*cspan_at(&work, row + (layout__BLOCK_COUNT + INT64_C(1)))) - (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
-        EACH_LANE each(missing_t) = each(missing_t) + (each(area_t) * v2 + area * (each((*lanes_at(&work_t, row + (layout__BLOCK_COUNT + INT64_C(1))))) - (each((*lanes_at(&work_t, row + layout__BLOCK_COUNT))) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) + (*cspan_at(&work, row + layout__BLOCK_COUNT)) * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_SLIP))))));
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+        v1 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
+        EACH_LANE each(area_t) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1 + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)));
+        area = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * v1;
+        v2 = AT(work, row + (layout__BLOCK_COUNT + 1)) - AT(work, row + layout__BLOCK_COUNT) * AT(work, block + layout__ROLLING_BLOCK_SLIP);
+        EACH_LANE each(missing_t) = each(missing_t) + (each(area_t) * v2 + area * (each(RATE_AT(work_t, row + (layout__BLOCK_COUNT + 1))) - (each(RATE_AT(work_t, row + layout__BLOCK_COUNT)) * AT(work, block + layout__ROLLING_BLOCK_SLIP) + AT(work, row + layout__BLOCK_COUNT) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)))));
         missing = missing + area * v2;
-        EACH_LANE each(stiff_t) = each(stiff_t) + (each(area_t) * (*cspan_at(&work, row + layout__BLOCK_COUNT)) + area * each((*lanes_at(&work_t, row + layout__BLOCK_COUNT))));
-        stiff = stiff + area * (*cspan_at(&work, row + layout__BLOCK_COUNT));
+        EACH_LANE each(stiff_t) = each(stiff_t) + (each(area_t) * AT(work, row + layout__BLOCK_COUNT) + area * each(RATE_AT(work_t, row + layout__BLOCK_COUNT)));
+        stiff = stiff + area * AT(work, row + layout__BLOCK_COUNT);
     }
-    (*v3) = missing / stiff;
-    EACH_LANE each((*result_1)) = (each(missing_t) - (*v3) * each(stiff_t)) / stiff;
-    return 0;
+    v3 = missing / stiff;
+    *v3_out = v3;
+    EACH_LANE each(*out_1) = (each(missing_t) - v3 * each(stiff_t)) / stiff;
 }
 
 /* Derivative of ``mean_share``. */
-static inline int64_t derivative_stiffness__mean_share_t(double* share, lanes* share_t, double ratio, lanes ratio_t)
+static inline void derivative_stiffness__mean_share_t(double* share_out, lanes* share_t_out, double ratio, lanes ratio_t)
 {
-    double v1;
-    lanes v1_t;
-    double v2;
-    double v3;
-    double v4;
-    lanes v4_t;
-    double v5;
-    lanes v5_t;
+    double v1, v2, v3, v4, v5, share;
+    lanes v1_t, v4_t, v5_t, share_t;
     derivative_powers__log_rule_t(&v1, &v1_t, ratio, ratio_t);
     v2 = v1 - stiffness__OWN_UNTIL;
     v3 = stiffness__MEAN_FROM - stiffness__OWN_UNTIL;
@@ -4769,42 +4142,18 @@ static inline int64_t derivative_stiffness__mean_share_t(double* share, lanes* s
         v5 = 1.0;
         v5_t = all_lanes(0.0);
     }
-    EACH_LANE each((*share_t)) = each(v5_t);
-    (*share) = v5;
-    return 0;
+    EACH_LANE each(share_t) = each(v5_t);
+    share = v5;
+    *share_out = share;
+    EACH_LANE each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``spread_turning``. */
-static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, double share, lanes share_t)
+static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, int64_t blocks, double share, lanes share_t)
 {
-    lanes total_t;
-    double total;
-    lanes mean_t;
-    double mean;
-    lanes along_t;
-    double along;
-    lanes across_t;
-    double across;
-    int64_t i;
-    int64_t block;
-    double v1;
-    double v2;
-    lanes weight_t;
-    double weight;
-    double v3;
-    double v4;
-    double v6;
-    double v7;
-    double v5;
-    lanes v5_t;
-    double v9;
-    double v10;
-    double v8;
-    lanes v8_t;
-    double v12;
-    double v13;
-    double v11;
-    lanes v11_t;
+    lanes total_t, mean_t, along_t, across_t, weight_t, v5_t, v8_t, v11_t, rates, rates_2, rates_3;
+    double total, mean, along, across, v1, v2, weight, v3, v4, v6, v7, v5, v9, v10, v8, v12, v13, v11;
+    int64_t i, block;
     total_t = all_lanes(0.0);
     total = 0.0;
     mean_t = all_lanes(0.0);
@@ -4813,56 +4162,53 @@ static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d wor
     along = 0.0;
     across_t = all_lanes(0.0);
     across = 0.0;
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        v2 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
-        EACH_LANE each(weight_t) = (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)))) * v2 + v1 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))));
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
+        v1 = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        v2 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
+        EACH_LANE each(weight_t) = (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * v2 + v1 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)));
         weight = v1 * v2;
         EACH_LANE each(total_t) = each(total_t) + each(weight_t);
         total = total + weight;
-        EACH_LANE each(mean_t) = each(mean_t) + (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) * each(weight_t));
-        mean = mean + (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) * weight;
-        EACH_LANE each(along_t) = each(along_t) + (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ALONG))) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) * each(weight_t));
-        along = along + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) * weight;
-        EACH_LANE each(across_t) = each(across_t) + (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS))) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) * each(weight_t));
-        across = across + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) * weight;
+        EACH_LANE each(mean_t) = each(mean_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) * weight + AT(work, block + layout__ROLLING_BLOCK_TURNING) * each(weight_t));
+        mean = mean + AT(work, block + layout__ROLLING_BLOCK_TURNING) * weight;
+        EACH_LANE each(along_t) = each(along_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) * weight + AT(work, block + layout__ROLLING_BLOCK_ALONG) * each(weight_t));
+        along = along + AT(work, block + layout__ROLLING_BLOCK_ALONG) * weight;
+        EACH_LANE each(across_t) = each(across_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) * weight + AT(work, block + layout__ROLLING_BLOCK_ACROSS) * each(weight_t));
+        across = across + AT(work, block + layout__ROLLING_BLOCK_ACROSS) * weight;
     }
-    for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         v3 = mean / total;
-        v4 = v3 - (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING));
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) = each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) + (each(share_t) * v4 + share * ((each(mean_t) - v3 * each(total_t)) / total - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)))));
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) + share * v4;
+        v4 = v3 - AT(work, block + layout__ROLLING_BLOCK_TURNING);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) + (each(share_t) * v4 + share * ((each(mean_t) - v3 * each(total_t)) / total - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING))));
+        AT(work, block + layout__ROLLING_BLOCK_TURNING) = AT(work, block + layout__ROLLING_BLOCK_TURNING) + share * v4;
         v6 = stiffness__SOFTEST * mean;
         v7 = v6 / total;
-        lanes rates_1;
-        EACH_LANE each(rates_1) = (stiffness__SOFTEST * each(mean_t) - v7 * each(total_t)) / total;
-        derivative_stiffness__not_below_t(&v5, &v5_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), (*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)), v7, rates_1);
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) = each(v5_t);
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = v5;
+        EACH_LANE each(rates) = (stiffness__SOFTEST * each(mean_t) - v7 * each(total_t)) / total;
+        derivative_stiffness__not_below_t(&v5, &v5_t, AT(work, block + layout__ROLLING_BLOCK_TURNING), RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING), v7, rates);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = each(v5_t);
+        AT(work, block + layout__ROLLING_BLOCK_TURNING) = v5;
         v9 = stiffness__SOFTEST * along;
         v10 = v9 / total;
-        lanes rates_2;
         EACH_LANE each(rates_2) = (stiffness__SOFTEST * each(along_t) - v10 * each(total_t)) / total;
-        derivative_stiffness__not_below_t(&v8, &v8_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), (*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)), v10, rates_2);
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ALONG))) = each(v8_t);
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = v8;
+        derivative_stiffness__not_below_t(&v8, &v8_t, AT(work, block + layout__ROLLING_BLOCK_ALONG), RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG), v10, rates_2);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) = each(v8_t);
+        AT(work, block + layout__ROLLING_BLOCK_ALONG) = v8;
         v12 = stiffness__SOFTEST * across;
         v13 = v12 / total;
-        lanes rates_3;
         EACH_LANE each(rates_3) = (stiffness__SOFTEST * each(across_t) - v13 * each(total_t)) / total;
-        derivative_stiffness__not_below_t(&v11, &v11_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)), (*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)), v13, rates_3);
-        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS))) = each(v11_t);
-        (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = v11;
+        derivative_stiffness__not_below_t(&v11, &v11_t, AT(work, block + layout__ROLLING_BLOCK_ACROSS), RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS), v13, rates_3);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) = each(v11_t);
+        AT(work, block + layout__ROLLING_BLOCK_ACROSS) = v11;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``not_below``. */
-static inline int64_t derivative_stiffness__not_below_t(double* result_0, lanes* result_1, double value, lanes value_t, double least, lanes least_t)
+static inline void derivative_stiffness__not_below_t(double* value_out, lanes* value_t_out, double value, lanes value_t, double least, lanes least_t)
 {
     double v1;
     lanes v1_t;
@@ -4875,64 +4221,56 @@ static inline int64_t derivative_stiffness__not_below_t(double* result_0, lanes*
     }
     EACH_LANE each(value_t) = each(v1_t);
     value = v1;
-    (*result_0) = value;
-    EACH_LANE each((*result_1)) = each(value_t);
-    return 0;
+    *value_out = value;
+    EACH_LANE each(*value_t_out) = each(value_t);
 }
 
 /* Derivative of ``stiffnesses_at``. */
-static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, lanes* along_t, double* across, lanes* across_t, double* turning, lanes* turning_t, array_double_1d work, array_lanes_1d work_t, int64_t index, double station, lanes station_t)
+static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double* turning_out, lanes* turning_t_out, array_double_1d work, array_lanes_1d work_t, int64_t blocks, int64_t index, double station, lanes station_t)
 {
-    int64_t own;
-    int64_t towards;
-    int64_t other;
-    double v1;
-    lanes middle_t;
-    double middle;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    lanes share_t;
-    double share;
-    double v6;
-    double v7;
-    double v8;
-    own = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * (py_floor_div_int64_t(index, INT64_C(2)));
-    towards = py_floor_div_int64_t(index, INT64_C(2)) - INT64_C(1);
-    if (pyc_modulo(index, INT64_C(2)) == INT64_C(1))
+    int64_t own, towards, other;
+    lanes along_t, across_t, turning_t, middle_t, share_t;
+    double along, across, turning, v1, middle, v2, v3, v4, v5, share, v6, v7, v8;
+    own = blocks + layout__ROLLING_BLOCK_SIZE * floor_div(index, 2);
+    towards = floor_div(index, 2) - 1;
+    if (modulo(index, 2) == 1)
     {
-        towards = py_floor_div_int64_t(index, INT64_C(2)) + INT64_C(1);
+        towards = floor_div(index, 2) + 1;
     }
-    EACH_LANE each((*along_t)) = each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_ALONG)));
-    (*along) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_ALONG));
-    EACH_LANE each((*across_t)) = each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_ACROSS)));
-    (*across) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_ACROSS));
-    EACH_LANE each((*turning_t)) = each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_TURNING)));
-    (*turning) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_TURNING));
-    if ((towards >= INT64_C(0)) && (towards < layout__BLOCK_COUNT))
+    EACH_LANE each(along_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_ALONG));
+    along = AT(work, own + layout__ROLLING_BLOCK_ALONG);
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_ACROSS));
+    across = AT(work, own + layout__ROLLING_BLOCK_ACROSS);
+    EACH_LANE each(turning_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_TURNING));
+    turning = AT(work, own + layout__ROLLING_BLOCK_TURNING);
+    if (towards >= 0 && towards < layout__BLOCK_COUNT)
     {
-        other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * towards;
-        v1 = (*cspan_at(&work, own + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, own + layout__ROLLING_BLOCK_STOP));
-        EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_START))) + each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_STOP))));
+        other = blocks + layout__ROLLING_BLOCK_SIZE * towards;
+        v1 = AT(work, own + layout__ROLLING_BLOCK_START) + AT(work, own + layout__ROLLING_BLOCK_STOP);
+        EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_STOP)));
         middle = 0.5 * v1;
         v2 = station - middle;
-        v3 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP));
+        v3 = AT(work, other + layout__ROLLING_BLOCK_START) + AT(work, other + layout__ROLLING_BLOCK_STOP);
         v4 = 0.5 * v3 - middle;
         v5 = v2 / v4;
-        EACH_LANE each(share_t) = (each(station_t) - each(middle_t) - v5 * (0.5 * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_START))) + each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_STOP)))) - each(middle_t))) / v4;
+        EACH_LANE each(share_t) = (each(station_t) - each(middle_t) - v5 * (0.5 * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP))) - each(middle_t))) / v4;
         share = v5;
-        v6 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_ALONG)) - (*along);
-        EACH_LANE each((*along_t)) = each((*along_t)) + (each(share_t) * v6 + share * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_ALONG))) - each((*along_t))));
-        (*along) = (*along) + share * v6;
-        v7 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_ACROSS)) - (*across);
-        EACH_LANE each((*across_t)) = each((*across_t)) + (each(share_t) * v7 + share * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_ACROSS))) - each((*across_t))));
-        (*across) = (*across) + share * v7;
-        v8 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_TURNING)) - (*turning);
-        EACH_LANE each((*turning_t)) = each((*turning_t)) + (each(share_t) * v8 + share * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_TURNING))) - each((*turning_t))));
-        (*turning) = (*turning) + share * v8;
+        v6 = AT(work, other + layout__ROLLING_BLOCK_ALONG) - along;
+        EACH_LANE each(along_t) = each(along_t) + (each(share_t) * v6 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_ALONG)) - each(along_t)));
+        along = along + share * v6;
+        v7 = AT(work, other + layout__ROLLING_BLOCK_ACROSS) - across;
+        EACH_LANE each(across_t) = each(across_t) + (each(share_t) * v7 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_ACROSS)) - each(across_t)));
+        across = across + share * v7;
+        v8 = AT(work, other + layout__ROLLING_BLOCK_TURNING) - turning;
+        EACH_LANE each(turning_t) = each(turning_t) + (each(share_t) * v8 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_TURNING)) - each(turning_t)));
+        turning = turning + share * v8;
     }
-    return 0;
+    *along_out = along;
+    EACH_LANE each(*along_t_out) = each(along_t);
+    *across_out = across;
+    EACH_LANE each(*across_t_out) = each(across_t);
+    *turning_out = turning;
+    EACH_LANE each(*turning_t_out) = each(turning_t);
 }
 
 
@@ -4942,102 +4280,81 @@ static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, lane
  */
 
 /* Derivative of ``shape_place``. */
-static inline int64_t derivative_tractions__shape_place_t(double* result_0, lanes* result_1, double axis_ratio, lanes axis_ratio_t)
+static inline void derivative_tractions__shape_place_t(double* out_0, lanes* out_1, double axis_ratio, lanes axis_ratio_t)
 {
-    double v1;
+    double v1, v2;
     lanes v1_t;
-    double v2;
     derivative_powers__log_rule_t(&v1, &v1_t, axis_ratio, axis_ratio_t);
     v2 = v1 - layout__SHAPE_START;
-    (*result_0) = v2 * layout__SHAPE_PER_UNIT;
-    EACH_LANE each((*result_1)) = each(v1_t) * layout__SHAPE_PER_UNIT;
-    return 0;
+    *out_0 = v2 * layout__SHAPE_PER_UNIT;
+    EACH_LANE each(*out_1) = each(v1_t) * layout__SHAPE_PER_UNIT;
 }
 
 /* Derivative of ``shape_value``. */
-static inline int64_t derivative_tractions__shape_value_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t column, double place, lanes place_t)
+static inline void derivative_tractions__shape_value_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t column, double place, lanes place_t)
 {
-    int64_t cell;
-    double u;
-    lanes u_t;
-    int64_t at;
-    lanes high_t;
-    double high;
-    double v1;
-    derivative_tables__table_cell_t(&cell, &u, &u_t, place, place_t, (double)(layout__SHAPE_CELLS), all_lanes(0.0));
-    at = layout__SHAPE_ROW * cell + INT64_C(4) * column;
-    EACH_LANE each(high_t) = each(u_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(3))));
-    high = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(2)))) + u * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(3))));
-    v1 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(1)))) + u * high;
-    (*result_0) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + at)) + u * v1;
-    EACH_LANE each((*result_1)) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
-    return 0;
+    int64_t cell, at;
+    double u, high, v1;
+    lanes u_t, high_t;
+    derivative_tables__table_cell_t(&cell, &u, &u_t, place, place_t, (double)layout__SHAPE_CELLS, all_lanes(0.0));
+    at = layout__SHAPE_ROW * cell + 4 * column;
+    EACH_LANE each(high_t) = each(u_t) * AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 3));
+    high = AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 2)) + u * AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 3));
+    v1 = AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 1)) + u * high;
+    *out_0 = AT(tables, table + layout__ROLLING_TABLE_SHAPES + at) + u * v1;
+    EACH_LANE each(*out_1) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
 }
 
 /* Derivative of ``kalker_coefficients``. */
-static inline int64_t derivative_tractions__kalker_coefficients_t(double* v3, lanes* result_1, double* v5, lanes* result_3, double* v7, lanes* result_5, array_double_1d tables, int64_t table, double axis_ratio, lanes axis_ratio_t)
+static inline void derivative_tractions__kalker_coefficients_t(double* v3_out, lanes* out_1, double* v5_out, lanes* out_3, double* v7_out, lanes* out_5, array_double_1d tables, int64_t table, double axis_ratio, lanes axis_ratio_t)
 {
-    double v1;
-    lanes v1_t;
-    lanes place_t;
-    double place;
-    double v2;
-    lanes v2_t;
-    double v4;
-    lanes v4_t;
-    double v6;
-    lanes v6_t;
+    double v1, place, v2, v3, v4, v5, v6, v7;
+    lanes v1_t, place_t, v2_t, v4_t, v6_t;
     derivative_tractions__shape_place_t(&v1, &v1_t, axis_ratio, axis_ratio_t);
     EACH_LANE each(place_t) = each(v1_t);
     place = v1;
-    derivative_tractions__shape_value_t(&v2, &v2_t, tables, table, INT64_C(0), place, place_t);
-    (*v3) = 1.0 / v2;
-    derivative_tractions__shape_value_t(&v4, &v4_t, tables, table, INT64_C(1), place, place_t);
-    (*v5) = 1.0 / v4;
-    derivative_tractions__shape_value_t(&v6, &v6_t, tables, table, INT64_C(2), place, place_t);
-    (*v7) = 1.0 / v6;
-    EACH_LANE each((*result_1)) = (-(*v3)) * each(v2_t) / v2;
-    EACH_LANE each((*result_3)) = (-(*v5)) * each(v4_t) / v4;
-    EACH_LANE each((*result_5)) = (-(*v7)) * each(v6_t) / v6;
-    return 0;
+    derivative_tractions__shape_value_t(&v2, &v2_t, tables, table, 0, place, place_t);
+    v3 = 1.0 / v2;
+    derivative_tractions__shape_value_t(&v4, &v4_t, tables, table, 1, place, place_t);
+    v5 = 1.0 / v4;
+    derivative_tractions__shape_value_t(&v6, &v6_t, tables, table, 2, place, place_t);
+    v7 = 1.0 / v6;
+    *v3_out = v3;
+    EACH_LANE each(*out_1) = -v3 * each(v2_t) / v2;
+    *v5_out = v5;
+    EACH_LANE each(*out_3) = -v5 * each(v4_t) / v4;
+    *v7_out = v7;
+    EACH_LANE each(*out_5) = -v7 * each(v6_t) / v6;
 }
 
 /* Derivative of ``bound_rate``. */
-static inline int64_t derivative_tractions__bound_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+static inline void derivative_tractions__bound_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
 {
-    lanes a_t;
-    double a;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    EACH_LANE each(a_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-    a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*rate_t) = all_lanes(0.0);
-    (*rate) = 0.0;
-    if (((*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) > tractions__SLIGHT * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) && (a > tractions__SLIGHT * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH))))
+    lanes a_t, rate_t;
+    double a, rate, v1, v2, v3, v4, v5;
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    a = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+    rate_t = all_lanes(0.0);
+    rate = 0.0;
+    if (AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * AT(work, patch + layout__PATCH_HALF_WIDTH) > tractions__SLIGHT * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) && a > tractions__SLIGHT * AT(work, patch + layout__PATCH_HALF_LENGTH))
     {
-        v1 = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * 2.0;
-        v2 = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
+        v1 = AT(work, patch + layout__PATCH_FRICTION) * 2.0;
+        v2 = v1 * AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD);
         v3 = M_PI * a;
         v4 = v3 * a;
         v5 = v2 / v4;
-        EACH_LANE each((*rate_t)) = (each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) - v5 * (M_PI * each(a_t) * a + v3 * each(a_t))) / v4;
-        (*rate) = v5;
+        EACH_LANE each(rate_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * 2.0 * AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) - v5 * (M_PI * each(a_t) * a + v3 * each(a_t))) / v4;
+        rate = v5;
     }
-    return 0;
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
 }
 
 /* Derivative of ``cut_to``. */
-static inline int64_t derivative_tractions__cut_to_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double along, lanes along_t, double across, lanes across_t, double bound, lanes bound_t)
+static inline void derivative_tractions__cut_to_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double along, lanes along_t, double across, lanes across_t, double bound, lanes bound_t)
 {
-    lanes square_t;
-    double square;
-    double v1;
-    double v2;
-    lanes share_t;
-    double share;
+    lanes square_t, share_t;
+    double square, v1, v2, share;
     EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
     square = along * along + across * across;
     if (square > bound * bound)
@@ -5051,55 +4368,54 @@ static inline int64_t derivative_tractions__cut_to_t(double* result_0, lanes* re
         EACH_LANE each(across_t) = each(across_t) * share + across * each(share_t);
         across = across * share;
     }
-    (*result_0) = along;
-    EACH_LANE each((*result_1)) = each(along_t);
-    (*result_2) = across;
-    EACH_LANE each((*result_3)) = each(across_t);
-    return 0;
+    *along_out = along;
+    EACH_LANE each(*along_t_out) = each(along_t);
+    *across_out = across;
+    EACH_LANE each(*across_t_out) = each(across_t);
 }
 
 /* Derivative of ``add_strip``. */
 static inline int64_t derivative_tractions__add_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double across, lanes across_t, double moment, lanes moment_t)
 {
     double v1;
-    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) = each(along_t);
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = along;
-    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) = each(across_t);
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) = across;
-    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))) = each(moment_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * each(across_t));
-    (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = moment + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each(along_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + along * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + along * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) + (each(across_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + across * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + across * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    v1 = moment + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across - (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) + ((each(moment_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * each(across_t)) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * each(along_t))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = each(along_t);
+    AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = along;
+    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) = each(across_t);
+    AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = across;
+    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) = each(moment_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t));
+    AT(work, strip + layout__ROLLING_STRIP_MOMENT) = moment + AT(work, strip + layout__ROLLING_STRIP_X) * across;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(along_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + along * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + along * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(across_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + across * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + across * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    v1 = moment + AT(work, strip + layout__ROLLING_STRIP_X) * across - AT(work, strip + layout__ROLLING_STRIP_Y) * along;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((each(moment_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) * along + AT(work, strip + layout__ROLLING_STRIP_Y) * each(along_t))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v1 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    return 0;
 }
 
 /* Derivative of ``patch_area``. */
-static inline int64_t derivative_tractions__patch_area_t(double* area, lanes* area_t, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_tractions__patch_area_t(double* area_out, lanes* area_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    int64_t i;
-    int64_t strip;
-    double v1;
-    (*area_t) = all_lanes(0.0);
-    (*area) = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    lanes area_t;
+    double area, v1;
+    int64_t i, strip;
+    area_t = all_lanes(0.0);
+    area = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        v1 = 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        EACH_LANE each((*area_t)) = each((*area_t)) + (2.0 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-        (*area) = (*area) + v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        v1 = 2.0 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        EACH_LANE each(area_t) = each(area_t) + (2.0 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        area = area + v1 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     }
-    return 0;
+    *area_out = area;
+    EACH_LANE each(*area_t_out) = each(area_t);
 }
 
 /* Derivative of ``point_weight``. */
-static inline int64_t derivative_tractions__point_weight_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t strip)
+static inline void derivative_tractions__point_weight_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t strip)
 {
-    (*result_0) = tractions__WEIGHT * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    EACH_LANE each((*result_1)) = tractions__WEIGHT * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-    return 0;
+    *out_0 = tractions__WEIGHT * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+    EACH_LANE each(*out_1) = tractions__WEIGHT * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
 }

@@ -8,28 +8,28 @@
  */
 
 /* Derivative of ``sine_cosine_rule``. */
-static inline int64_t derivative_circle__sine_cosine_rule_t(double* sine, lanes* result_1, double* cosine, lanes* result_3, double x, lanes x_t)
+static inline void derivative_circle__sine_cosine_rule_t(double* sine_out, lanes* out_1, double* cosine_out, lanes* out_3, double x, lanes x_t)
 {
-    circle__sine_cosine(sine, cosine, x);
-    EACH_LANE each((*result_1)) = (*cosine) * each(x_t);
-    EACH_LANE each((*result_3)) = (-(*sine)) * each(x_t);
-    return 0;
+    double sine, cosine;
+    circle__sine_cosine(&sine, &cosine, x);
+    *sine_out = sine;
+    EACH_LANE each(*out_1) = cosine * each(x_t);
+    *cosine_out = cosine;
+    EACH_LANE each(*out_3) = -sine * each(x_t);
 }
 
 /* Derivative of ``atan_rule``. */
-static inline int64_t derivative_circle__atan_rule_t(double* result_0, lanes* result_1, double x, lanes x_t)
+static inline void derivative_circle__atan_rule_t(double* out_0, lanes* out_1, double x, lanes x_t)
 {
-    (*result_0) = circle__atan(x);
-    EACH_LANE each((*result_1)) = each(x_t) / (1.0 + x * x);
-    return 0;
+    *out_0 = circle__atan(x);
+    EACH_LANE each(*out_1) = each(x_t) / (1.0 + x * x);
 }
 
 /* Derivative of ``atan2_rule``. */
-static inline int64_t derivative_circle__atan2_rule_t(double* result_0, lanes* result_1, double up, lanes up_t, double along, lanes along_t)
+static inline void derivative_circle__atan2_rule_t(double* out_0, lanes* out_1, double up, lanes up_t, double along, lanes along_t)
 {
-    (*result_0) = circle__atan2(up, along);
-    EACH_LANE each((*result_1)) = (along * each(up_t) - up * each(along_t)) / (along * along + up * up);
-    return 0;
+    *out_0 = circle__atan2(up, along);
+    EACH_LANE each(*out_1) = (along * each(up_t) - up * each(along_t)) / (along * along + up * up);
 }
 
 
@@ -39,29 +39,32 @@ static inline int64_t derivative_circle__atan2_rule_t(double* result_0, lanes* r
  */
 
 /* Derivative of ``exp_rule``. */
-static inline int64_t derivative_powers__exp_rule_t(double* value, lanes* result_1, double x, lanes x_t)
+static inline void derivative_powers__exp_rule_t(double* value_out, lanes* out_1, double x, lanes x_t)
 {
-    (*value) = powers__exp(x);
-    EACH_LANE each((*result_1)) = (*value) * each(x_t);
-    return 0;
+    double value;
+    value = powers__exp(x);
+    *value_out = value;
+    EACH_LANE each(*out_1) = value * each(x_t);
 }
 
 /* Derivative of ``log_rule``. */
-static inline int64_t derivative_powers__log_rule_t(double* result_0, lanes* result_1, double x, lanes x_t)
+static inline void derivative_powers__log_rule_t(double* out_0, lanes* out_1, double x, lanes x_t)
 {
-    (*result_0) = powers__log(x);
-    EACH_LANE each((*result_1)) = each(x_t) / x;
-    return 0;
+    *out_0 = powers__log(x);
+    EACH_LANE each(*out_1) = each(x_t) / x;
 }
 
 /* Derivative of ``cube_root_rule``. */
-static inline int64_t derivative_powers__cube_root_rule_t(double* root, lanes* rate, double x, lanes x_t)
+static inline void derivative_powers__cube_root_rule_t(double* root_out, lanes* rate_out, double x, lanes x_t)
 {
-    (*root) = powers__cube_root(x);
-    (*rate) = all_lanes(0.0);
+    double root;
+    lanes rate;
+    root = powers__cube_root(x);
+    rate = all_lanes(0.0);
     if (x != 0.0)
     {
-        EACH_LANE each((*rate)) = (*root) / (3.0 * x) * each(x_t);
+        EACH_LANE each(rate) = root / (3.0 * x) * each(x_t);
     }
-    return 0;
+    *root_out = root;
+    EACH_LANE each(*rate_out) = each(rate);
 }

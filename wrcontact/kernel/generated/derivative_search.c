@@ -10,59 +10,59 @@
 /* Derivative of ``place_both``. */
 static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t)
 {
-    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT)), (*lanes_at(&work_t, inputs + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, inputs + layout__INPUTS_YAW)), (*lanes_at(&work_t, inputs + layout__INPUTS_YAW)), roll, roll_t, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), all_lanes(0.0), (*cspan_at(&tables, layout__TABLES_HEIGHT)), all_lanes(0.0), (*cspan_at(&tables, layout__TABLES_ARM)), all_lanes(0.0));
-    derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), all_lanes(0.0));
-    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)), (*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
-    lanes rates_1;
-    EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)));
-    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)), rates_1, (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)), (*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)));
+    lanes rates;
+    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_LATERAL_SHIFT), RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_SHIFT), AT(work, inputs + layout__INPUTS_YAW), RATE_AT(work_t, inputs + layout__INPUTS_YAW), roll, roll_t, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), all_lanes(0.0), AT(tables, layout__TABLES_HEIGHT), all_lanes(0.0), AT(tables, layout__TABLES_ARM), all_lanes(0.0));
+    derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), all_lanes(0.0));
+    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
+    EACH_LANE each(rates) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
+    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL), rates, AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL), RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
     if (rails__on_springs(tables))
     {
-        derivative_rails__deflect_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);
+        derivative_rails__deflect_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_DEFLECTION);
         derivative_rails__deflect_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
     }
-    if (((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
+    if (AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL) != 0.0)
     {
         derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``lean_both``. */
 static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t)
 {
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), all_lanes(0.0), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)), (*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)));
-    lanes rates_1;
-    EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL)));
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), all_lanes(0.0), -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)), rates_1);
+    lanes rates;
+    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RAIL_Y), all_lanes(0.0), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL));
+    EACH_LANE each(rates) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL));
+    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y), all_lanes(0.0), -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL), rates);
     derivative_roll__turn_both_t(work, work_t, roll, roll_t);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``turn_both``. */
 static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
 {
-    if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
+    if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
     {
-        derivative_roll__restore_yaw_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE);
+        derivative_roll__restore_yaw_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE);
         derivative_roll__restore_yaw_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     }
-    derivative_locus__turn_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, roll, roll_t);
-    derivative_locus__mirror_roll_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
-    if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
+    derivative_locus__turn_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, roll, roll_t);
+    derivative_locus__mirror_roll_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
+    if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
     {
-        derivative_rails__turn_leaning_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE);
+        derivative_rails__turn_leaning_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE);
         derivative_rails__turn_leaning_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``restore_yaw``. */
 static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t place)
 {
-    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW)));
-    (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW));
-    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_TRACK_COS_YAW)));
-    (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW));
+    AT(work, place + layout__PLACE_SIN_YAW) = AT(work, place + layout__PLACE_TRACK_SIN_YAW);
+    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW));
+    AT(work, place + layout__PLACE_COS_YAW) = AT(work, place + layout__PLACE_TRACK_COS_YAW);
+    return 0;
 }

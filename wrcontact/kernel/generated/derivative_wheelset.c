@@ -12,12 +12,9 @@ static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tab
 {
     lanes approach_t;
     double approach;
-    int64_t n1;
-    int64_t n2;
-    int64_t status;
-    int64_t count;
-    EACH_LANE each(approach_t) = each(height_t) - each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST)));
-    approach = height - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
+    int64_t n1, n2, status, count;
+    EACH_LANE each(approach_t) = each(height_t) - each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
+    approach = height - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST);
     if (!(approach > at_height__GRAZING))
     {
         n1 = derivative_side__touch_side_t(tables, work, work_t, index);
@@ -29,15 +26,15 @@ static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tab
     }
     n2 = derivative_side__press_side_t(tables, work, work_t, index, approach, approach_t);
     status = n2;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY) && (!rails__is_sprung(tables, index)))
+    if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_GEOMETRY && !rails__is_sprung(tables, index))
     {
         return status;
     }
     if (status == layout__VALID)
     {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, all_lanes(0.0), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, all_lanes(0.0), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     }
-    if ((status == layout__VALID) && at_height__is_damped(tables))
+    if (status == layout__VALID && at_height__is_damped(tables))
     {
         derivative_at_height__damp_patches_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
     }
@@ -47,25 +44,16 @@ static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tab
 /* Derivative of ``damp_patches``. */
 static inline int64_t derivative_at_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
 {
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    lanes factor_t;
-    double factor;
-    double v3;
-    double v4;
-    lanes v4_t;
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    int64_t number, patch, number_end;
+    double v1, v2, factor, v3, v4;
+    lanes v1_t, v2_t, factor_t, v4_t;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_creepage__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        v2 = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1;
-        EACH_LANE each(v2_t) = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * each(v1_t);
+        v2 = 1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * v1;
+        EACH_LANE each(v2_t) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * each(v1_t);
         if (0.0 > v2)
         {
             v2 = 0.0;
@@ -75,69 +63,59 @@ static inline int64_t derivative_at_height__damp_patches_t(array_double_1d work,
         factor = v2;
         v3 = factor - 1.0;
         derivative_at_height__pressing_power_t(&v4, &v4_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_DAMPING_POWER))) = each(factor_t) * v4 + v3 * each(v4_t);
-        (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER)) = v3 * v4;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER)) = each(factor_t) * v4 + v3 * each(v4_t);
+        AT(work, patch + layout__PATCH_DAMPING_POWER) = v3 * v4;
         derivative_at_height__damp_patch_t(work, work_t, patch, factor, factor_t);
     }
     derivative_filling__total_patches_t(work, work_t, side);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``pressing_power``. */
-static inline int64_t derivative_at_height__pressing_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline void derivative_at_height__pressing_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t rail;
-    lanes force_y_t;
-    double force_y;
-    lanes force_z_t;
-    double force_z;
-    lanes moment_x_t;
-    double moment_x;
-    lanes rail_moment_t;
-    double rail_moment;
-    double v1;
-    double v2;
+    lanes force_y_t, force_z_t, moment_x_t, rail_moment_t;
+    double force_y, force_z, moment_x, rail_moment, v1, v2;
     rail = motion + layout__MOTION_RAIL;
-    EACH_LANE each(force_y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y)));
-    force_y = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-    EACH_LANE each(force_z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z)));
-    force_z = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
-    EACH_LANE each(moment_x_t) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0)))) - (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) * force_z + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * each(force_z_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) * force_y + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * each(force_y_t)));
-    moment_x = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * force_z - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * force_y);
-    EACH_LANE each(rail_moment_t) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0)))) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) * force_z + (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) * each(force_z_t) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) * force_y + (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) * each(force_y_t)));
-    rail_moment = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) * force_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) * force_y);
-    v1 = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL));
-    v2 = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL));
-    (*result_0) = rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) - force_y * v1 - force_z * v2 - moment_x * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z));
-    EACH_LANE each((*result_1)) = each(rail_moment_t) * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) + rail_moment * each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) - (each(force_y_t) * v1 + force_y * (each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))))) - (each(force_z_t) * v2 + force_z * (each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))))) - (each(moment_x_t) * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) + moment_x * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X)))) - (each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1)))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) + (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y)))) - (each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2)))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))));
-    return 0;
+    EACH_LANE each(force_y_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y));
+    force_y = AT(work, patch + layout__PATCH_NORMAL_Y);
+    EACH_LANE each(force_z_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z));
+    force_z = AT(work, patch + layout__PATCH_NORMAL_Z);
+    EACH_LANE each(moment_x_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) * force_z + AT(work, motion + layout__MOTION_CENTRE_Y) * each(force_z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) * force_y + AT(work, motion + layout__MOTION_CENTRE_Z) * each(force_y_t)));
+    moment_x = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, motion + layout__MOTION_CENTRE_Y) * force_z - AT(work, motion + layout__MOTION_CENTRE_Z) * force_y);
+    EACH_LANE each(rail_moment_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) * force_z + AT(work, rail + layout__RAIL_MOTION_Y) * each(force_z_t) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) * force_y + AT(work, rail + layout__RAIL_MOTION_Z) * each(force_y_t)));
+    rail_moment = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, rail + layout__RAIL_MOTION_Y) * force_z - AT(work, rail + layout__RAIL_MOTION_Z) * force_y);
+    v1 = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL);
+    v2 = AT(work, motion + layout__MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_VERTICAL);
+    *out_0 = rail_moment * AT(work, rail + layout__RAIL_MOTION_ROLL) - force_y * v1 - force_z * v2 - moment_x * AT(work, motion + layout__MOTION_TURN_X) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * AT(work, motion + layout__MOTION_TURN_Y) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * AT(work, motion + layout__MOTION_TURN_Z);
+    EACH_LANE each(*out_1) = each(rail_moment_t) * AT(work, rail + layout__RAIL_MOTION_ROLL) + rail_moment * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) - (each(force_y_t) * v1 + force_y * (each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)))) - (each(force_z_t) * v2 + force_z * (each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)))) - (each(moment_x_t) * AT(work, motion + layout__MOTION_TURN_X) + moment_x * each(RATE_AT(work_t, motion + layout__MOTION_TURN_X))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) * AT(work, motion + layout__MOTION_TURN_Y) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) * AT(work, motion + layout__MOTION_TURN_Z) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)));
 }
 
 /* Derivative of ``damp_patch``. */
 static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
-    int64_t i;
-    int64_t strip;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * factor + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * each(factor_t);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT))) * factor + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * each(factor_t);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) * each(factor_t);
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) * factor;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) * each(factor_t);
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) * factor;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    int64_t i, strip;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * each(factor_t);
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) * factor + AT(work, patch + layout__PATCH_NORMAL_Y) * each(factor_t);
+    AT(work, patch + layout__PATCH_NORMAL_Y) = AT(work, patch + layout__PATCH_NORMAL_Y) * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) * factor + AT(work, patch + layout__PATCH_NORMAL_Z) * each(factor_t);
+    AT(work, patch + layout__PATCH_NORMAL_Z) = AT(work, patch + layout__PATCH_NORMAL_Z) * factor;
+    for (i = 0; i < 3; i += 1)
     {
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i))) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) * each(factor_t);
-        (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor + AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * each(factor_t);
+        AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * factor;
     }
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * each(factor_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * each(factor_t);
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * factor;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -147,117 +125,105 @@ static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, a
  */
 
 /* Derivative of ``motion_size``. */
-static inline int64_t derivative_depth_rates__motion_size_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs)
+static inline void derivative_depth_rates__motion_size_t(double* v1_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs)
 {
-    double v1;
-    lanes turning_t;
-    double turning;
-    double v2;
-    lanes left_t;
-    double left;
-    double v3;
-    lanes right_t;
-    double right;
-    v1 = fabs((*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE)));
-    EACH_LANE each(turning_t) = (*cspan_at(&tables, layout__TABLES_ARM)) * derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE)), each((*lanes_at(&work_t, inputs + layout__INPUTS_YAW_RATE))));
-    turning = (*cspan_at(&tables, layout__TABLES_ARM)) * v1;
-    v2 = fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
-    EACH_LANE each(left_t) = derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)))) + derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY))));
-    left = fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY))) + fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * v2;
-    v3 = fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
-    EACH_LANE each(right_t) = derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)))) + derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY))));
-    right = fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY))) + fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * v3;
-    (*result_0) = fabs((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY))) + turning + left + right;
-    EACH_LANE each((*result_1)) = derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)))) + each(turning_t) + each(left_t) + each(right_t);
-    return 0;
+    lanes turning_t, left_rolling_t, right_rolling_t, square_t;
+    double turning, left_rolling, right_rolling, square, v1;
+    EACH_LANE each(turning_t) = AT(tables, layout__TABLES_ARM) * each(RATE_AT(work_t, inputs + layout__INPUTS_YAW_RATE));
+    turning = AT(tables, layout__TABLES_ARM) * AT(work, inputs + layout__INPUTS_YAW_RATE);
+    EACH_LANE each(left_rolling_t) = AT(tables, layout__TABLES_HEIGHT) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    left_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    EACH_LANE each(right_rolling_t) = AT(tables, layout__TABLES_HEIGHT) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    right_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    EACH_LANE each(square_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)) + (each(turning_t) * turning + turning * each(turning_t));
+    square = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + turning * turning;
+    EACH_LANE each(square_t) = each(square_t) + (each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + (each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + (each(left_rolling_t) * left_rolling + left_rolling * each(left_rolling_t)));
+    square = square + (AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + left_rolling * left_rolling);
+    EACH_LANE each(square_t) = each(square_t) + (each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + (each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + (each(right_rolling_t) * right_rolling + right_rolling * each(right_rolling_t)));
+    square = square + (AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + right_rolling * right_rolling);
+    v1 = sqrt(square);
+    *v1_out = v1;
+    EACH_LANE each(*out_1) = derivative_rates__root_rate(v1, each(square_t));
 }
 
 /* Derivative of ``displace_inputs``. */
 static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_lanes_1d work_t, double time, lanes time_t)
 {
     int64_t i_1;
-    for (i_1 = INT64_C(0); i_1 < layout__INPUTS_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__INPUTS_SIZE; i_1 += 1)
     {
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + i_1))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + i_1)));
-        (*cspan_at(&work, layout__WORK_DISPLACED + i_1)) = (*cspan_at(&work, layout__WORK_INPUTS + i_1));
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + i_1)) = each(RATE_AT(work_t, layout__WORK_INPUTS + i_1));
+        AT(work, layout__WORK_DISPLACED + i_1) = AT(work, layout__WORK_INPUTS + i_1);
     }
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY))));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE))));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_YAW)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_YAW)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY))));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY))));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY))));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY))));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)));
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)));
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_YAW) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_YAW) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)));
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)));
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)));
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)));
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    return 0;
 }
 
 /* Derivative of ``keep_sides``. */
 static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t index;
-    int64_t support;
-    int64_t side;
-    int64_t i_1;
-    int64_t i_2;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    int64_t index, support, side, i_1, i_2;
+    for (index = 0; index < 2; index += 1)
     {
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        for (i_1 = INT64_C(0); i_1 < layout__CONTACT_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__CONTACT_POINT_SIZE; i_1 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_POINT + i_1))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_POINT + i_1)));
-            (*cspan_at(&work, support + layout__SUPPORT_POINT + i_1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + i_1));
+            EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_POINT + i_1)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_POINT + i_1));
+            AT(work, support + layout__SUPPORT_POINT + i_1) = AT(work, side + layout__SIDE_SEARCH_POINT + i_1);
         }
-        for (i_2 = INT64_C(0); i_2 < layout__PATCH_TOTALS_SIZE; i_2 += INT64_C(1))
+        for (i_2 = 0; i_2 < layout__PATCH_TOTALS_SIZE; i_2 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_TOTALS + i_2))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + i_2)));
-            (*cspan_at(&work, support + layout__SUPPORT_TOTALS + i_2)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_2));
+            EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_TOTALS + i_2)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + i_2));
+            AT(work, support + layout__SUPPORT_TOTALS + i_2) = AT(work, side + layout__SIDE_SEARCH_TOTALS + i_2);
         }
-        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_PENETRATION))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)));
-        (*cspan_at(&work, support + layout__SUPPORT_PENETRATION)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION));
-        (*lanes_at(&work_t, support + layout__SUPPORT_PATCH_COUNT)) = all_lanes(0.0);
-        (*cspan_at(&work, support + layout__SUPPORT_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))));
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_PENETRATION)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION));
+        AT(work, support + layout__SUPPORT_PENETRATION) = AT(work, side + layout__SIDE_SEARCH_PENETRATION);
+        RATE_AT(work_t, support + layout__SUPPORT_PATCH_COUNT) = all_lanes(0.0);
+        AT(work, support + layout__SUPPORT_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``restore_sides``. */
 static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t index;
-    int64_t support;
-    int64_t side;
-    int64_t i_1;
-    int64_t i_2;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    int64_t index, support, side, i_1, i_2;
+    for (index = 0; index < 2; index += 1)
     {
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        for (i_1 = INT64_C(0); i_1 < layout__CONTACT_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__CONTACT_POINT_SIZE; i_1 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_POINT + i_1))) = each((*lanes_at(&work_t, support + layout__SUPPORT_POINT + i_1)));
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + i_1)) = (*cspan_at(&work, support + layout__SUPPORT_POINT + i_1));
+            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_POINT + i_1)) = each(RATE_AT(work_t, support + layout__SUPPORT_POINT + i_1));
+            AT(work, side + layout__SIDE_SEARCH_POINT + i_1) = AT(work, support + layout__SUPPORT_POINT + i_1);
         }
-        for (i_2 = INT64_C(0); i_2 < layout__PATCH_TOTALS_SIZE; i_2 += INT64_C(1))
+        for (i_2 = 0; i_2 < layout__PATCH_TOTALS_SIZE; i_2 += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + i_2))) = each((*lanes_at(&work_t, support + layout__SUPPORT_TOTALS + i_2)));
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_2)) = (*cspan_at(&work, support + layout__SUPPORT_TOTALS + i_2));
+            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + i_2)) = each(RATE_AT(work_t, support + layout__SUPPORT_TOTALS + i_2));
+            AT(work, side + layout__SIDE_SEARCH_TOTALS + i_2) = AT(work, support + layout__SUPPORT_TOTALS + i_2);
         }
-        EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION))) = each((*lanes_at(&work_t, support + layout__SUPPORT_PENETRATION)));
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = (*cspan_at(&work, support + layout__SUPPORT_PENETRATION));
-        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = all_lanes(0.0);
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, support + layout__SUPPORT_PATCH_COUNT))));
+        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) = each(RATE_AT(work_t, support + layout__SUPPORT_PENETRATION));
+        AT(work, side + layout__SIDE_SEARCH_PENETRATION) = AT(work, support + layout__SUPPORT_PENETRATION);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = all_lanes(0.0);
+        AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)((int64_t)AT(work, support + layout__SUPPORT_PATCH_COUNT));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -267,45 +233,48 @@ static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d wo
  */
 
 /* Derivative of ``wear_number_damage``. */
-static inline int64_t derivative_fatigue__wear_number_damage_t(double* damage, lanes* damage_t, double wear_number, lanes wear_number_t)
+static inline void derivative_fatigue__wear_number_damage_t(double* damage_out, lanes* damage_t_out, double wear_number, lanes wear_number_t)
 {
-    (*damage_t) = all_lanes(0.0);
-    (*damage) = 0.0;
+    lanes damage_t;
+    double damage;
+    damage_t = all_lanes(0.0);
+    damage = 0.0;
     if (wear_number >= fatigue__LARGEST)
     {
-        EACH_LANE each((*damage_t)) = fatigue__FALL * each(wear_number_t);
-        (*damage) = fatigue__FALL * wear_number + fatigue__FALL_CONSTANT;
-        if ((*damage) < 0.0)
+        EACH_LANE each(damage_t) = fatigue__FALL * each(wear_number_t);
+        damage = fatigue__FALL * wear_number + fatigue__FALL_CONSTANT;
+        if (damage < 0.0)
         {
-            (*damage_t) = all_lanes(0.0);
-            (*damage) = 0.0;
+            damage_t = all_lanes(0.0);
+            damage = 0.0;
         }
     }
     else if (wear_number >= fatigue__FIRST_BREAK)
     {
-        EACH_LANE each((*damage_t)) = fatigue__RISE * each(wear_number_t);
-        (*damage) = fatigue__RISE * wear_number + fatigue__RISE_CONSTANT;
+        EACH_LANE each(damage_t) = fatigue__RISE * each(wear_number_t);
+        damage = fatigue__RISE * wear_number + fatigue__RISE_CONSTANT;
     }
-    return 0;
+    *damage_out = damage;
+    EACH_LANE each(*damage_t_out) = each(damage_t);
 }
 
 /* Derivative of ``shakedown_ratio``. */
-static inline int64_t derivative_fatigue__shakedown_ratio_t(double* ratio, lanes* ratio_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, double yield_shear, lanes yield_shear_t)
+static inline void derivative_fatigue__shakedown_ratio_t(double* ratio_out, lanes* ratio_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, double yield_shear, lanes yield_shear_t)
 {
-    double v1;
-    double v2;
-    double v3;
-    (*ratio_t) = all_lanes(0.0);
-    (*ratio) = 0.0;
-    if ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) > 0.0)
+    lanes ratio_t;
+    double ratio, v1, v2, v3;
+    ratio_t = all_lanes(0.0);
+    ratio = 0.0;
+    if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) > 0.0)
     {
-        v1 = 1.5 * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        v2 = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear;
+        v1 = 1.5 * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+        v2 = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) * yield_shear;
         v3 = v1 / v2;
-        EACH_LANE each((*ratio_t)) = (1.5 * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) - v3 * (each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) * yield_shear + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * each(yield_shear_t))) / v2;
-        (*ratio) = v3;
+        EACH_LANE each(ratio_t) = (1.5 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v3 * (each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) * each(yield_shear_t))) / v2;
+        ratio = v3;
     }
-    return 0;
+    *ratio_out = ratio;
+    EACH_LANE each(*ratio_t_out) = each(ratio_t);
 }
 
 
@@ -318,44 +287,39 @@ static inline int64_t derivative_fatigue__shakedown_ratio_t(double* ratio, lanes
 static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     bool rubbing;
-    int64_t i_1;
-    int64_t index;
+    int64_t i_1, index, side;
     double mirror;
-    int64_t side;
     rubbing = requested__has_creep_forces(tables, work);
-    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        (*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = all_lanes(0.0);
-        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = 0.0;
+        RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1) = all_lanes(0.0);
+        AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1) = 0.0;
     }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    for (index = 0; index < 2; index += 1)
     {
-        mirror = (double)(INT64_C(2) * index - INT64_C(1));
+        mirror = (double)(2 * index - 1);
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y))) = mirror * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-        EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
+        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y)) = mirror * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y) = mirror * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT);
+        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) - AT(tables, layout__TABLES_HEIGHT);
         derivative_forces__sum_side_t(work, work_t, side, rubbing);
         derivative_forces__add_forces_t(work, work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES, side + layout__SIDE_SEARCH_FORCES, mirror, all_lanes(0.0));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``sum_side``. */
 static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side, bool rubbing)
 {
-    int64_t i_1;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    int64_t i_1, number, patch, number_end;
+    for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_FORCES + i_1)) = all_lanes(0.0);
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + i_1)) = 0.0;
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + i_1) = all_lanes(0.0);
+        AT(work, side + layout__SIDE_SEARCH_FORCES + i_1) = 0.0;
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_forces__press_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
@@ -365,117 +329,58 @@ static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_
         }
         derivative_forces__add_forces_t(work, work_t, side + layout__SIDE_SEARCH_FORCES, patch + layout__PATCH_FORCES, 1.0, all_lanes(0.0));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``press_patch``. */
 static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
-    int64_t forces;
-    int64_t i_1;
-    int64_t i_2;
-    int64_t i_3;
-    int64_t i_4;
+    int64_t forces, i_1, i_2, i_3, i_4;
     forces = patch + layout__PATCH_FORCES;
-    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        (*lanes_at(&work_t, forces + i_1)) = all_lanes(0.0);
-        (*cspan_at(&work, forces + i_1)) = 0.0;
+        RATE_AT(work_t, forces + i_1) = all_lanes(0.0);
+        AT(work, forces + i_1) = 0.0;
     }
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_DAMPING_POWER))) = each((*lanes_at(&work_t, patch + layout__PATCH_DAMPING_POWER)));
-    (*cspan_at(&work, forces + layout__FORCES_DAMPING_POWER)) = (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER));
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y)));
-    (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z)));
-    (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
-    for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_DAMPING_POWER)) = each(RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER));
+    AT(work, forces + layout__FORCES_DAMPING_POWER) = AT(work, patch + layout__PATCH_DAMPING_POWER);
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 1)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y));
+    AT(work, forces + layout__FORCES_NORMAL_FORCE + 1) = AT(work, patch + layout__PATCH_NORMAL_Y);
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 2)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z));
+    AT(work, forces + layout__FORCES_NORMAL_FORCE + 2) = AT(work, patch + layout__PATCH_NORMAL_Z);
+    for (i_2 = 0; i_2 < 3; i_2 += 1)
     {
-        EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i_2))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i_2)));
-        (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_2));
+        EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i_2));
+        AT(work, forces + layout__FORCES_NORMAL_MOMENT + i_2) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + i_2);
     }
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0)))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0)))) - (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) - (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y)))));
-    (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)));
-    for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) * AT(work, patch + layout__PATCH_NORMAL_Z) + AT(work, motion + layout__MOTION_CENTRE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) * AT(work, patch + layout__PATCH_NORMAL_Y) + AT(work, motion + layout__MOTION_CENTRE_Z) * each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y))));
+    AT(work, forces + layout__FORCES_NORMAL_MOMENT + 0) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 0) - (AT(work, motion + layout__MOTION_CENTRE_Y) * AT(work, patch + layout__PATCH_NORMAL_Z) - AT(work, motion + layout__MOTION_CENTRE_Z) * AT(work, patch + layout__PATCH_NORMAL_Y));
+    for (i_3 = 0; i_3 < 3; i_3 += 1)
     {
-        EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + i_3))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + i_3)));
-        (*cspan_at(&work, forces + layout__FORCES_FORCE + i_3)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i_3));
+        EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FORCE + i_3)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + i_3));
+        AT(work, forces + layout__FORCES_FORCE + i_3) = AT(work, forces + layout__FORCES_NORMAL_FORCE + i_3);
     }
-    for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
+    for (i_4 = 0; i_4 < 3; i_4 += 1)
     {
-        EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + i_4))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i_4)));
-        (*cspan_at(&work, forces + layout__FORCES_MOMENT + i_4)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_4));
+        EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + i_4)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + i_4));
+        AT(work, forces + layout__FORCES_MOMENT + i_4) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + i_4);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``rub_patch``. */
 static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
-    int64_t forces;
-    lanes rest_x_t;
-    double rest_x;
-    lanes rest_y_t;
-    double rest_y;
-    lanes turning_t;
-    double turning;
-    lanes force_y_t;
-    double force_y;
-    lanes force_z_t;
-    double force_z;
-    lanes moment_x_t;
-    double moment_x;
-    lanes moment_y_t;
-    double moment_y;
-    lanes moment_z_t;
-    double moment_z;
-    lanes missing_t;
-    double missing;
-    int64_t i;
-    int64_t strip;
-    lanes along_t;
-    double along;
-    lanes across_t;
-    double across;
-    lanes spinning_t;
-    double spinning;
-    lanes down_t;
-    double down;
-    lanes x_t;
-    double x;
-    lanes y_t;
-    double y;
-    lanes z_t;
-    double z;
-    lanes lever_x_t;
-    double lever_x;
-    lanes lever_y_t;
-    double lever_y;
-    lanes lever_z_t;
-    double lever_z;
-    double v1;
-    double v2;
-    lanes v2_t;
-    lanes sine_t;
-    double sine;
-    lanes cosine_t;
-    double cosine;
-    double v3;
-    double v4;
-    lanes v4_t;
-    double v5;
-    lanes v5_t;
-    double v6;
-    double v7;
-    lanes v7_t;
-    double v8;
-    double v9;
+    int64_t forces, i, strip;
+    lanes rest_x_t, rest_y_t, turning_t, force_y_t, force_z_t, moment_x_t, moment_y_t, moment_z_t, missing_t, along_t, across_t, spinning_t, down_t, x_t, y_t, z_t, lever_x_t, lever_y_t, lever_z_t, v2_t, sine_t, cosine_t, v4_t, v5_t, v7_t;
+    double rest_x, rest_y, turning, force_y, force_z, moment_x, moment_y, moment_z, missing, along, across, spinning, down, x, y, z, lever_x, lever_y, lever_z, v1, v2, sine, cosine, v3, v4, v5, v6, v7, v8, v9;
     forces = patch + layout__PATCH_FORCES;
-    EACH_LANE each(rest_x_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)));
-    rest_x = (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    EACH_LANE each(rest_y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)));
-    rest_y = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-    EACH_LANE each(turning_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)));
-    turning = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
+    EACH_LANE each(rest_x_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
+    rest_x = AT(work, patch + layout__PATCH_CREEP_X);
+    EACH_LANE each(rest_y_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y));
+    rest_y = AT(work, patch + layout__PATCH_CREEP_Y);
+    EACH_LANE each(turning_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT));
+    turning = AT(work, patch + layout__PATCH_CREEP_MOMENT);
     force_y_t = all_lanes(0.0);
     force_y = 0.0;
     force_z_t = all_lanes(0.0);
@@ -488,33 +393,33 @@ static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array
     moment_z = 0.0;
     missing_t = all_lanes(0.0);
     missing = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(along_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-        along = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        EACH_LANE each(across_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-        across = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        EACH_LANE each(spinning_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-        spinning = (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        along = AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        across = AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        EACH_LANE each(spinning_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_MOMENT) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        spinning = AT(work, strip + layout__ROLLING_STRIP_MOMENT) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         EACH_LANE each(rest_x_t) = each(rest_x_t) - each(along_t);
         rest_x = rest_x - along;
         EACH_LANE each(rest_y_t) = each(rest_y_t) - each(across_t);
         rest_y = rest_y - across;
-        EACH_LANE each(turning_t) = each(turning_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * each(along_t) - each(spinning_t));
-        turning = turning + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along - spinning);
-        EACH_LANE each(spinning_t) = each(spinning_t) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * each(across_t));
-        spinning = spinning - (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across;
-        EACH_LANE each(down_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * each(across_t);
-        down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * across;
-        EACH_LANE each(across_t) = each(across_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + across * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS)));
-        across = across * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-        EACH_LANE each(x_t) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) + each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
-        x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        EACH_LANE each(y_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
-        y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-        EACH_LANE each(z_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
-        z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+        EACH_LANE each(turning_t) = each(turning_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) * along + AT(work, strip + layout__ROLLING_STRIP_Y) * each(along_t) - each(spinning_t));
+        turning = turning + (AT(work, strip + layout__ROLLING_STRIP_Y) * along - spinning);
+        EACH_LANE each(spinning_t) = each(spinning_t) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t));
+        spinning = spinning - AT(work, strip + layout__ROLLING_STRIP_X) * across;
+        EACH_LANE each(down_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * across + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(across_t);
+        down = AT(work, strip + layout__ROLLING_STRIP_SIN) * across;
+        EACH_LANE each(across_t) = each(across_t) * AT(work, strip + layout__ROLLING_STRIP_COS) + across * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS));
+        across = across * AT(work, strip + layout__ROLLING_STRIP_COS);
+        EACH_LANE each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) + each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+        x = AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X);
+        EACH_LANE each(y_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+        y = AT(work, strip + layout__ROLLING_STRIP_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+        EACH_LANE each(z_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+        z = AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
         EACH_LANE each(lever_x_t) = each(y_t) * down + y * each(down_t) - (each(z_t) * across + z * each(across_t));
         lever_x = y * down - z * across;
         EACH_LANE each(lever_y_t) = each(z_t) * along + z * each(along_t) - (each(x_t) * down + x * each(down_t));
@@ -527,36 +432,36 @@ static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array
         force_z = force_z + down;
         EACH_LANE each(moment_x_t) = each(moment_x_t) + each(lever_x_t);
         moment_x = moment_x + lever_x;
-        EACH_LANE each(moment_y_t) = each(moment_y_t) + (each(lever_y_t) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) * spinning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * each(spinning_t)));
-        moment_y = moment_y + (lever_y - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * spinning);
-        EACH_LANE each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) * spinning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * each(spinning_t)));
-        moment_z = moment_z + (lever_z + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * spinning);
-        v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) - 1.0;
+        EACH_LANE each(moment_y_t) = each(moment_y_t) + (each(lever_y_t) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * spinning + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(spinning_t)));
+        moment_y = moment_y + (lever_y - AT(work, strip + layout__ROLLING_STRIP_SIN) * spinning);
+        EACH_LANE each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * spinning + AT(work, strip + layout__ROLLING_STRIP_COS) * each(spinning_t)));
+        moment_z = moment_z + (lever_z + AT(work, strip + layout__ROLLING_STRIP_COS) * spinning);
+        v1 = AT(work, strip + layout__ROLLING_STRIP_RADIUS_SHARE) - 1.0;
         derivative_forces__about_axle_t(&v2, &v2_t, work, work_t, motion, lever_x, lever_x_t, lever_y, lever_y_t, lever_z, lever_z_t);
-        EACH_LANE each(missing_t) = each(missing_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE))) * v2 + v1 * each(v2_t));
+        EACH_LANE each(missing_t) = each(missing_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) * v2 + v1 * each(v2_t));
         missing = missing + v1 * v2;
     }
-    EACH_LANE each(sine_t) = -each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_SIN)));
-    sine = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
-    EACH_LANE each(cosine_t) = each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS)));
-    cosine = (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
+    EACH_LANE each(sine_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN));
+    sine = -AT(work, patch + layout__PATCH_ANGLE_SIN);
+    EACH_LANE each(cosine_t) = each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS));
+    cosine = AT(work, patch + layout__PATCH_ANGLE_COS);
     EACH_LANE each(across_t) = each(cosine_t) * rest_y + cosine * each(rest_y_t);
     across = cosine * rest_y;
     EACH_LANE each(down_t) = each(sine_t) * rest_y + sine * each(rest_y_t);
     down = sine * rest_y;
-    EACH_LANE each(y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
-    y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    EACH_LANE each(z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
-    z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    EACH_LANE each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
     EACH_LANE each(lever_x_t) = each(y_t) * down + y * each(down_t) - (each(z_t) * across + z * each(across_t));
     lever_x = y * down - z * across;
-    EACH_LANE each(lever_y_t) = each(z_t) * rest_x + z * each(rest_x_t) - (each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) * down + (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * each(down_t));
-    lever_y = z * rest_x - (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * down;
-    EACH_LANE each(lever_z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) * across + (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * each(across_t) - (each(y_t) * rest_x + y * each(rest_x_t));
-    lever_z = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * across - y * rest_x;
-    v3 = (*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) - 1.0;
+    EACH_LANE each(lever_y_t) = each(z_t) * rest_x + z * each(rest_x_t) - (each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) * down + AT(work, patch + layout__PATCH_X_TRACK) * each(down_t));
+    lever_y = z * rest_x - AT(work, patch + layout__PATCH_X_TRACK) * down;
+    EACH_LANE each(lever_z_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) * across + AT(work, patch + layout__PATCH_X_TRACK) * each(across_t) - (each(y_t) * rest_x + y * each(rest_x_t));
+    lever_z = AT(work, patch + layout__PATCH_X_TRACK) * across - y * rest_x;
+    v3 = AT(work, patch + layout__PATCH_RADIUS_SHARE) - 1.0;
     derivative_forces__about_axle_t(&v4, &v4_t, work, work_t, motion, lever_x, lever_x_t, lever_y, lever_y_t, lever_z, lever_z_t);
-    EACH_LANE each(missing_t) = each(missing_t) + (each((*lanes_at(&work_t, patch + layout__PATCH_RADIUS_SHARE))) * v4 + v3 * each(v4_t));
+    EACH_LANE each(missing_t) = each(missing_t) + (each(RATE_AT(work_t, patch + layout__PATCH_RADIUS_SHARE)) * v4 + v3 * each(v4_t));
     missing = missing + v3 * v4;
     EACH_LANE each(moment_x_t) = each(moment_x_t) + each(lever_x_t);
     moment_x = moment_x + lever_x;
@@ -564,38 +469,37 @@ static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array
     moment_y = moment_y + (lever_y - sine * turning);
     EACH_LANE each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each(cosine_t) * turning + cosine * each(turning_t)));
     moment_z = moment_z + (lever_z + cosine * turning);
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(0)))) = each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(0)))) + each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)));
-    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(0))) = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(0))) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1)))) = each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1)))) + (each(force_y_t) + each(across_t));
-    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) + (force_y + across);
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2)))) = each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2)))) + (each(force_z_t) + each(down_t));
-    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) + (force_z + down);
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(0)))) = each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(0)))) + (each(moment_x_t) + (each(missing_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + missing * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X)))));
-    (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(0))) = (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(0))) + (moment_x + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)));
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(1)))) = each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(1)))) + (each(moment_y_t) + (each(missing_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + missing * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y)))));
-    (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(1))) = (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(1))) + (moment_y + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)));
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(2)))) = each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(2)))) + (each(moment_z_t) + (each(missing_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + missing * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z)))));
-    (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(2))) = (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(2))) + (moment_z + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)));
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 0)) + each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
+    AT(work, forces + layout__FORCES_FORCE + 0) = AT(work, forces + layout__FORCES_FORCE + 0) + AT(work, patch + layout__PATCH_CREEP_X);
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) + (each(force_y_t) + each(across_t));
+    AT(work, forces + layout__FORCES_FORCE + 1) = AT(work, forces + layout__FORCES_FORCE + 1) + (force_y + across);
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) + (each(force_z_t) + each(down_t));
+    AT(work, forces + layout__FORCES_FORCE + 2) = AT(work, forces + layout__FORCES_FORCE + 2) + (force_z + down);
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 0)) + (each(moment_x_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_X) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X))));
+    AT(work, forces + layout__FORCES_MOMENT + 0) = AT(work, forces + layout__FORCES_MOMENT + 0) + (moment_x + missing * AT(work, motion + layout__MOTION_AXLE_X));
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 1)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 1)) + (each(moment_y_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_Y) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y))));
+    AT(work, forces + layout__FORCES_MOMENT + 1) = AT(work, forces + layout__FORCES_MOMENT + 1) + (moment_y + missing * AT(work, motion + layout__MOTION_AXLE_Y));
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 2)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 2)) + (each(moment_z_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_Z) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z))));
+    AT(work, forces + layout__FORCES_MOMENT + 2) = AT(work, forces + layout__FORCES_MOMENT + 2) + (moment_z + missing * AT(work, motion + layout__MOTION_AXLE_Z));
     derivative_forces__about_axle_t(&v5, &v5_t, work, work_t, motion, moment_x, moment_x_t, moment_y, moment_y_t, moment_z, moment_z_t);
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE))) = -(each(v5_t) + each(missing_t));
-    (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = -(v5 + missing);
-    v6 = -(*cspan_at(&work, patch + layout__PATCH_SPEED));
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_DRIVING_TORQUE)) = -(each(v5_t) + each(missing_t));
+    AT(work, forces + layout__FORCES_DRIVING_TORQUE) = -(v5 + missing);
+    v6 = -AT(work, patch + layout__PATCH_SPEED);
     derivative_friction__creep_gain_t(&v7, &v7_t, work, work_t, patch);
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FRICTION_POWER))) = (-each((*lanes_at(&work_t, patch + layout__PATCH_SPEED)))) * v7 + v6 * each(v7_t);
-    (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = v6 * v7;
-    v8 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    v9 = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_WEAR_NUMBER))) = derivative_rates__size_rate(v8, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)))) + derivative_rates__size_rate(v9, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))));
-    (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = fabs(v8) + fabs(v9);
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FRICTION_POWER)) = -each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * v7 + v6 * each(v7_t);
+    AT(work, forces + layout__FORCES_FRICTION_POWER) = v6 * v7;
+    v8 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    v9 = AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER)) = derivative_rates__size_rate(v8, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X))) + derivative_rates__size_rate(v9, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
+    AT(work, forces + layout__FORCES_WEAR_NUMBER) = fabs(v8) + fabs(v9);
+    return 0;
 }
 
 /* Derivative of ``about_axle``. */
-static inline int64_t derivative_forces__about_axle_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double moment_x, lanes moment_x_t, double moment_y, lanes moment_y_t, double moment_z, lanes moment_z_t)
+static inline void derivative_forces__about_axle_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double moment_x, lanes moment_x_t, double moment_y, lanes moment_y_t, double moment_z, lanes moment_z_t)
 {
-    (*result_0) = moment_x * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + moment_y * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + moment_z * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    EACH_LANE each((*result_1)) = each(moment_x_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + moment_x * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X))) + (each(moment_y_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + moment_y * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y)))) + (each(moment_z_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + moment_z * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))));
-    return 0;
+    *out_0 = moment_x * AT(work, motion + layout__MOTION_AXLE_X) + moment_y * AT(work, motion + layout__MOTION_AXLE_Y) + moment_z * AT(work, motion + layout__MOTION_AXLE_Z);
+    EACH_LANE each(*out_1) = each(moment_x_t) * AT(work, motion + layout__MOTION_AXLE_X) + moment_x * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) + (each(moment_y_t) * AT(work, motion + layout__MOTION_AXLE_Y) + moment_y * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y))) + (each(moment_z_t) * AT(work, motion + layout__MOTION_AXLE_Z) + moment_z * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)));
 }
 
 /* Derivative of ``add_forces``. */
@@ -605,27 +509,46 @@ static inline int64_t derivative_forces__add_forces_t(array_double_1d work, arra
     derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_MOMENT, part + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
     derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_FORCE, part + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
     derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_MOMENT, part + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
-    EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_DRIVING_TORQUE))) = each((*lanes_at(&work_t, total + layout__FORCES_DRIVING_TORQUE))) + each((*lanes_at(&work_t, part + layout__FORCES_DRIVING_TORQUE)));
-    (*cspan_at(&work, total + layout__FORCES_DRIVING_TORQUE)) = (*cspan_at(&work, total + layout__FORCES_DRIVING_TORQUE)) + (*cspan_at(&work, part + layout__FORCES_DRIVING_TORQUE));
-    EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_FRICTION_POWER))) = each((*lanes_at(&work_t, total + layout__FORCES_FRICTION_POWER))) + each((*lanes_at(&work_t, part + layout__FORCES_FRICTION_POWER)));
-    (*cspan_at(&work, total + layout__FORCES_FRICTION_POWER)) = (*cspan_at(&work, total + layout__FORCES_FRICTION_POWER)) + (*cspan_at(&work, part + layout__FORCES_FRICTION_POWER));
-    EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_DAMPING_POWER))) = each((*lanes_at(&work_t, total + layout__FORCES_DAMPING_POWER))) + each((*lanes_at(&work_t, part + layout__FORCES_DAMPING_POWER)));
-    (*cspan_at(&work, total + layout__FORCES_DAMPING_POWER)) = (*cspan_at(&work, total + layout__FORCES_DAMPING_POWER)) + (*cspan_at(&work, part + layout__FORCES_DAMPING_POWER));
-    EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_WEAR_NUMBER))) = each((*lanes_at(&work_t, total + layout__FORCES_WEAR_NUMBER))) + each((*lanes_at(&work_t, part + layout__FORCES_WEAR_NUMBER)));
-    (*cspan_at(&work, total + layout__FORCES_WEAR_NUMBER)) = (*cspan_at(&work, total + layout__FORCES_WEAR_NUMBER)) + (*cspan_at(&work, part + layout__FORCES_WEAR_NUMBER));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, total + layout__FORCES_DRIVING_TORQUE)) = each(RATE_AT(work_t, total + layout__FORCES_DRIVING_TORQUE)) + each(RATE_AT(work_t, part + layout__FORCES_DRIVING_TORQUE));
+    AT(work, total + layout__FORCES_DRIVING_TORQUE) = AT(work, total + layout__FORCES_DRIVING_TORQUE) + AT(work, part + layout__FORCES_DRIVING_TORQUE);
+    EACH_LANE each(RATE_AT(work_t, total + layout__FORCES_FRICTION_POWER)) = each(RATE_AT(work_t, total + layout__FORCES_FRICTION_POWER)) + each(RATE_AT(work_t, part + layout__FORCES_FRICTION_POWER));
+    AT(work, total + layout__FORCES_FRICTION_POWER) = AT(work, total + layout__FORCES_FRICTION_POWER) + AT(work, part + layout__FORCES_FRICTION_POWER);
+    EACH_LANE each(RATE_AT(work_t, total + layout__FORCES_DAMPING_POWER)) = each(RATE_AT(work_t, total + layout__FORCES_DAMPING_POWER)) + each(RATE_AT(work_t, part + layout__FORCES_DAMPING_POWER));
+    AT(work, total + layout__FORCES_DAMPING_POWER) = AT(work, total + layout__FORCES_DAMPING_POWER) + AT(work, part + layout__FORCES_DAMPING_POWER);
+    EACH_LANE each(RATE_AT(work_t, total + layout__FORCES_WEAR_NUMBER)) = each(RATE_AT(work_t, total + layout__FORCES_WEAR_NUMBER)) + each(RATE_AT(work_t, part + layout__FORCES_WEAR_NUMBER));
+    AT(work, total + layout__FORCES_WEAR_NUMBER) = AT(work, total + layout__FORCES_WEAR_NUMBER) + AT(work, part + layout__FORCES_WEAR_NUMBER);
+    return 0;
 }
 
 /* Derivative of ``add_vector``. */
 static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double plane, lanes plane_t, double across, lanes across_t)
 {
-    EACH_LANE each((*lanes_at(&work_t, total + INT64_C(0)))) = each((*lanes_at(&work_t, total + INT64_C(0)))) + (each(plane_t) * (*cspan_at(&work, part + INT64_C(0))) + plane * each((*lanes_at(&work_t, part + INT64_C(0)))));
-    (*cspan_at(&work, total + INT64_C(0))) = (*cspan_at(&work, total + INT64_C(0))) + plane * (*cspan_at(&work, part + INT64_C(0)));
-    EACH_LANE each((*lanes_at(&work_t, total + INT64_C(1)))) = each((*lanes_at(&work_t, total + INT64_C(1)))) + (each(across_t) * (*cspan_at(&work, part + INT64_C(1))) + across * each((*lanes_at(&work_t, part + INT64_C(1)))));
-    (*cspan_at(&work, total + INT64_C(1))) = (*cspan_at(&work, total + INT64_C(1))) + across * (*cspan_at(&work, part + INT64_C(1)));
-    EACH_LANE each((*lanes_at(&work_t, total + INT64_C(2)))) = each((*lanes_at(&work_t, total + INT64_C(2)))) + (each(plane_t) * (*cspan_at(&work, part + INT64_C(2))) + plane * each((*lanes_at(&work_t, part + INT64_C(2)))));
-    (*cspan_at(&work, total + INT64_C(2))) = (*cspan_at(&work, total + INT64_C(2))) + plane * (*cspan_at(&work, part + INT64_C(2)));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, total + 0)) = each(RATE_AT(work_t, total + 0)) + (each(plane_t) * AT(work, part + 0) + plane * each(RATE_AT(work_t, part + 0)));
+    AT(work, total + 0) = AT(work, total + 0) + plane * AT(work, part + 0);
+    EACH_LANE each(RATE_AT(work_t, total + 1)) = each(RATE_AT(work_t, total + 1)) + (each(across_t) * AT(work, part + 1) + across * each(RATE_AT(work_t, part + 1)));
+    AT(work, total + 1) = AT(work, total + 1) + across * AT(work, part + 1);
+    EACH_LANE each(RATE_AT(work_t, total + 2)) = each(RATE_AT(work_t, total + 2)) + (each(plane_t) * AT(work, part + 2) + plane * each(RATE_AT(work_t, part + 2)));
+    AT(work, total + 2) = AT(work, total + 2) + plane * AT(work, part + 2);
+    return 0;
+}
+
+
+/* ---- From derivative_free_rolling.py; change that one.
+ *
+ * Derivatives of free_rolling.py.
+ */
+
+/* Derivative of ``nominal_rate``. */
+static inline void derivative_free_rolling__nominal_rate_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    double radius;
+    radius = AT(tables, layout__TABLES_HEIGHT);
+    if (motion__are_independent(tables))
+    {
+        radius = AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_RADIUS);
+    }
+    *out_0 = AT(work, layout__WORK_INPUTS + layout__INPUTS_SPEED) / radius;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / radius;
 }
 
 
@@ -637,11 +560,11 @@ static inline int64_t derivative_forces__add_vector_t(array_double_1d work, arra
 /* Derivative of ``set_reference``. */
 static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t)
 {
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE))) = each(height_t);
-    (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE))) = each(height_t);
-    (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
+    return 0;
 }
 
 
@@ -653,370 +576,384 @@ static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, 
 /* Derivative of ``report``. */
 static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t index;
-    int64_t i;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    int64_t index, i;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
     derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_FORCE, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
     derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_MOMENT, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
     derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
     derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE)));
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
+    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE);
+    for (index = 0; index < 2; index += 1)
     {
         derivative_report__report_side_t(tables, work, work_t, index);
     }
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY))
+    if ((int64_t)AT(tables, layout__TABLES_SIDES) != layout__SIDES_BOTH || (int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_GEOMETRY)
     {
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        for (i = 0; i < 3; i += 1)
         {
-            (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = all_lanes(0.0);
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = all_lanes(0.0);
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = all_lanes(0.0);
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = all_lanes(0.0);
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i) = all_lanes(0.0);
+            AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i) = AT(tables, layout__TABLES_ABSENT);
+            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i) = all_lanes(0.0);
+            AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
+            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i) = all_lanes(0.0);
+            AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i) = AT(tables, layout__TABLES_ABSENT);
+            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = all_lanes(0.0);
+            AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
         }
-        (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = all_lanes(0.0);
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = all_lanes(0.0);
+        AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(tables, layout__TABLES_ABSENT);
     }
-    return INT64_C(0);
+    return 0;
+}
+
+/* Derivative of ``found_rate``. */
+static inline void derivative_report__found_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    lanes rate_t;
+    double rate;
+    rate_t = all_lanes(0.0);
+    rate = 0.0;
+    if (requested__is_rolling(work, tables, layout__WORK_INPUTS) || requested__has_creep_forces(tables, work))
+    {
+        EACH_LANE each(rate_t) = each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE));
+        rate = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE);
+    }
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
 }
 
 /* Derivative of ``report_side``. */
 static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    int64_t side;
-    int64_t out;
-    double mirror;
-    int64_t first;
-    int64_t i;
-    int64_t outline;
-    int64_t i_end;
+    int64_t side, out, first, i, outline, i_end;
+    double mirror, v1;
+    bool rolling;
+    lanes v1_t;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
-    mirror = (double)(INT64_C(2) * index - INT64_C(1));
+    mirror = (double)(2 * index - 1);
     first = report__first_omitted(tables, index);
-    if (first > INT64_C(0))
+    if (first > 0)
     {
         derivative_report__report_point_t(work, work_t, side + layout__SIDE_SEARCH_POINT, out, mirror, all_lanes(0.0));
     }
     if (first > layout__SIDE_PENETRATION)
     {
-        derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0));
+        rolling = requested__is_rolling(work, tables, layout__WORK_INPUTS);
+        derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
+        derivative_report__found_rate_t(&v1, &v1_t, tables, work, work_t, index);
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND)) = each(v1_t);
+        AT(work, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND) = v1;
         derivative_report__report_deflection_t(work, work_t, tables, side, out, mirror, all_lanes(0.0));
-        derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0));
-        if ((*cspan_at(&tables, layout__TABLES_FATIGUE)) == 1.0)
+        derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
+        if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
         {
-            derivative_report__report_fatigue_t(work, work_t, side, out, (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR)), all_lanes(0.0));
+            derivative_report__report_fatigue_t(work, work_t, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), all_lanes(0.0), rolling);
         }
     }
-    for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
+    for (i = first; i < layout__SIDE_SIZE; i += 1)
     {
-        (*lanes_at(&work_t, out + i)) = all_lanes(0.0);
-        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        RATE_AT(work_t, out + i) = all_lanes(0.0);
+        AT(work, out + i) = AT(tables, layout__TABLES_ABSENT);
     }
     if (first <= layout__SIDE_PENETRATION)
     {
-        (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = all_lanes(0.0);
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = all_lanes(0.0);
+        AT(work, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = AT(tables, layout__TABLES_ABSENT);
     }
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))) != layout__STATION_COUNT)
+    if ((int64_t)AT(tables, layout__TABLES_STATIONS) != layout__STATION_COUNT)
     {
-        for (i = layout__SIDE_STATION; i < first; i += INT64_C(1))
+        for (i = layout__SIDE_STATION; i < first; i += 1)
         {
-            (*lanes_at(&work_t, out + i)) = all_lanes(0.0);
-            (*cspan_at(&work, out + i)) = 0.0;
+            RATE_AT(work_t, out + i) = all_lanes(0.0);
+            AT(work, out + i) = 0.0;
         }
     }
     outline = report__outline_place(tables, work, index);
     if (first > layout__SIDE_STATION)
     {
-        derivative_report__report_outline_t(work, work_t, side, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), requested__has_creep_forces(tables, work));
+        derivative_report__report_outline_t(work, work_t, side, outline, (int64_t)AT(tables, layout__TABLES_STATIONS), requested__has_creep_forces(tables, work));
     }
     else
     {
-        i_end = layout__RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        i_end = layout__RUN_COUNT * (int64_t)AT(tables, layout__TABLES_STATIONS);
+        for (i = 0; i < i_end; i += 1)
         {
-            (*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = all_lanes(0.0);
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i) = all_lanes(0.0);
+            AT(work, outline + layout__OUTLINE_NUMBERS + i) = AT(tables, layout__TABLES_ABSENT);
         }
     }
-    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
+    if (AT(tables, layout__TABLES_WEAR) == 1.0)
     {
         derivative_report__report_wear_t(tables, work, work_t, index, first > layout__SIDE_STATION);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``report_point``. */
 static inline int64_t derivative_report__report_point_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t out, double mirror, lanes mirror_t)
 {
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_X_WHEEL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_WHEEL)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Y_WHEEL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Z_WHEEL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Y_RAIL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Z_RAIL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK))) = each(mirror_t) * (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) + mirror * each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = mirror * (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_X_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_WHEEL));
+    AT(work, out + layout__SIDE_OUTPUTS_X_WHEEL) = AT(work, point + layout__CONTACT_POINT_X_WHEEL);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_WHEEL));
+    AT(work, out + layout__SIDE_OUTPUTS_Y_WHEEL) = AT(work, point + layout__CONTACT_POINT_Y_WHEEL);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_WHEEL));
+    AT(work, out + layout__SIDE_OUTPUTS_Z_WHEEL) = AT(work, point + layout__CONTACT_POINT_Z_WHEEL);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_RAIL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_RAIL));
+    AT(work, out + layout__SIDE_OUTPUTS_Y_RAIL) = AT(work, point + layout__CONTACT_POINT_Y_RAIL);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_RAIL));
+    AT(work, out + layout__SIDE_OUTPUTS_Z_RAIL) = AT(work, point + layout__CONTACT_POINT_Z_RAIL);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK));
+    AT(work, out + layout__SIDE_OUTPUTS_X_TRACK) = AT(work, point + layout__CONTACT_POINT_X_TRACK);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = each(mirror_t) * AT(work, point + layout__CONTACT_POINT_Y_TRACK) + mirror * each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK));
+    AT(work, out + layout__SIDE_OUTPUTS_Y_TRACK) = mirror * AT(work, point + layout__CONTACT_POINT_Y_TRACK);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK));
+    AT(work, out + layout__SIDE_OUTPUTS_Z_TRACK) = AT(work, point + layout__CONTACT_POINT_Z_TRACK);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE));
+    AT(work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE) = AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS));
+    AT(work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS) = AT(work, point + layout__CONTACT_POINT_ROLLING_RADIUS);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    AT(work, out + layout__SIDE_OUTPUTS_CURVATURE_X) = AT(work, point + layout__CONTACT_POINT_CURVATURE_X);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+    AT(work, out + layout__SIDE_OUTPUTS_CURVATURE_Y) = AT(work, point + layout__CONTACT_POINT_CURVATURE_Y);
+    return 0;
 }
 
 /* Derivative of ``report_load``. */
-static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
-    int64_t totals;
-    int64_t forces;
+    int64_t totals, forces;
     double v1;
     totals = side + layout__SIDE_SEARCH_TOTALS;
-    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = all_lanes(0.0);
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PENETRATION))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_NORMAL_FORCE))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_AREA))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_MAX_PRESSURE))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_LENGTH))) = 2.0 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_WIDTH))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_CENTROID))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = all_lanes(0.0);
+    AT(work, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT));
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION));
+    AT(work, out + layout__SIDE_OUTPUTS_PENETRATION) = AT(work, side + layout__SIDE_SEARCH_PENETRATION);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD));
+    AT(work, out + layout__SIDE_OUTPUTS_NORMAL_FORCE) = AT(work, totals + layout__PATCH_TOTALS_LOAD);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_AREA)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA));
+    AT(work, out + layout__SIDE_OUTPUTS_AREA) = AT(work, totals + layout__PATCH_TOTALS_AREA);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    AT(work, out + layout__SIDE_OUTPUTS_MAX_PRESSURE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    AT(work, out + layout__SIDE_OUTPUTS_PATCH_LENGTH) = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH));
+    AT(work, out + layout__SIDE_OUTPUTS_PATCH_WIDTH) = AT(work, totals + layout__PATCH_TOTALS_WIDTH);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_CENTROID));
+    AT(work, out + layout__SIDE_OUTPUTS_PATCH_CENTROID) = AT(work, totals + layout__PATCH_TOTALS_CENTROID);
     forces = side + layout__SIDE_SEARCH_FORCES;
     derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_FORCE, forces + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
     derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_MOMENT, forces + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
     derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_PART, forces + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
     derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_FRICTION_POWER))) = each((*lanes_at(&work_t, forces + layout__FORCES_FRICTION_POWER)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER))) = each((*lanes_at(&work_t, forces + layout__FORCES_WEAR_NUMBER)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE))) = each((*lanes_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DAMPING_POWER))) = each((*lanes_at(&work_t, forces + layout__FORCES_DAMPING_POWER)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = (*cspan_at(&work, forces + layout__FORCES_DAMPING_POWER));
-    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = all_lanes(0.0);
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = 0.0;
-    if ((*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) < 0.0)
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_FRICTION_POWER));
+    AT(work, out + layout__SIDE_OUTPUTS_FRICTION_POWER) = AT(work, forces + layout__FORCES_FRICTION_POWER);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = all_lanes(0.0);
+    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = 0.0;
+    if (rolling)
     {
-        v1 = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) / (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
-        EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT))) = (each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1)))) - v1 * each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) / (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = v1;
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER));
+        AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
     }
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, forces + layout__FORCES_DRIVING_TORQUE));
+    AT(work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE) = AT(work, forces + layout__FORCES_DRIVING_TORQUE);
+    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_DAMPING_POWER));
+    AT(work, out + layout__SIDE_OUTPUTS_DAMPING_POWER) = AT(work, forces + layout__FORCES_DAMPING_POWER);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = all_lanes(0.0);
+    AT(work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = 0.0;
+    if (AT(work, forces + layout__FORCES_FORCE + 2) < 0.0)
+    {
+        v1 = AT(work, forces + layout__FORCES_FORCE + 1) / AT(work, forces + layout__FORCES_FORCE + 2);
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = (each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) - v1 * each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2))) / AT(work, forces + layout__FORCES_FORCE + 2);
+        AT(work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = v1;
+    }
+    return 0;
 }
 
 /* Derivative of ``report_deflection``. */
 static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t)
 {
-    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = all_lanes(0.0);
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = 0.0;
-    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = all_lanes(0.0);
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = 0.0;
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = all_lanes(0.0);
+    AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = 0.0;
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = all_lanes(0.0);
+    AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = 0.0;
     if (rails__on_springs(tables))
     {
-        EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL))) = each(mirror_t) * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + mirror * each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)));
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = mirror * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + 0.0;
-        EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)));
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)) + 0.0;
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = each(mirror_t) * AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL) + mirror * each(RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
+        AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = mirror * AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL) + 0.0;
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL));
+        AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL) + 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``report_patches``. */
-static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
-    int64_t rank;
-    int64_t i_1;
-    int64_t number_end;
-    int64_t number;
-    int64_t i_2;
-    for (rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
+    int64_t rank, i_1, number, i_2, number_end;
+    for (rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT); rank < layout__PATCH_LIMIT; rank += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__PATCH_OUTPUTS_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__PATCH_OUTPUTS_SIZE; i_1 += 1)
         {
-            (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = all_lanes(0.0);
-            (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+            RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1) = all_lanes(0.0);
+            AT(work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1) = 0.0;
         }
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
-        rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK)));
-        if ((rank == INT64_C(0)) && (number < layout__PATCH_LIMIT))
+        rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK);
+        if (rank == 0 && number < layout__PATCH_LIMIT)
         {
-            for (i_2 = INT64_C(0); i_2 < layout__PATCH_OUTPUTS_SIZE; i_2 += INT64_C(1))
+            for (i_2 = 0; i_2 < layout__PATCH_OUTPUTS_SIZE; i_2 += 1)
             {
-                (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = all_lanes(0.0);
-                (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = 0.0;
+                RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2) = all_lanes(0.0);
+                AT(work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2) = 0.0;
             }
         }
-        else if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
+        else if (rank > 0 && rank <= layout__PATCH_LIMIT)
         {
-            derivative_report__report_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - INT64_C(1)), mirror, mirror_t);
+            derivative_report__report_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror, mirror_t, rolling);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``report_patch``. */
-static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_NORMAL_FORCE))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_AREA))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_MAX_PRESSURE))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_LENGTH))) = 2.0 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_LENGTH)) = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_WIDTH))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CENTROID))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE))) = each((*lanes_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE)) = (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_PENETRATION))) = each((*lanes_at(&work_t, patch + layout__PATCH_PENETRATION)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_PENETRATION)) = (*cspan_at(&work, patch + layout__PATCH_PENETRATION));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS))) = each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS)) = (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_X_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_X_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_X_TRACK));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_Y_TRACK))) = each(mirror_t) * (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) + mirror * each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_Y_TRACK)) = mirror * (*cspan_at(&work, patch + layout__PATCH_Y_TRACK));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_Z_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK));
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_NORMAL_FORCE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD));
+    AT(work, out + layout__PATCH_OUTPUTS_NORMAL_FORCE) = AT(work, totals + layout__PATCH_TOTALS_LOAD);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_AREA)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA));
+    AT(work, out + layout__PATCH_OUTPUTS_AREA) = AT(work, totals + layout__PATCH_TOTALS_AREA);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    AT(work, out + layout__PATCH_OUTPUTS_MAX_PRESSURE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_LENGTH)) = 2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    AT(work, out + layout__PATCH_OUTPUTS_LENGTH) = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_WIDTH)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH));
+    AT(work, out + layout__PATCH_OUTPUTS_WIDTH) = AT(work, totals + layout__PATCH_TOTALS_WIDTH);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CENTROID)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_CENTROID));
+    AT(work, out + layout__PATCH_OUTPUTS_CENTROID) = AT(work, totals + layout__PATCH_TOTALS_CENTROID);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE)) = each(RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE));
+    AT(work, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE) = AT(work, patch + layout__PATCH_CONTACT_ANGLE);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_PENETRATION)) = each(RATE_AT(work_t, patch + layout__PATCH_PENETRATION));
+    AT(work, out + layout__PATCH_OUTPUTS_PENETRATION) = AT(work, patch + layout__PATCH_PENETRATION);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS)) = each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS));
+    AT(work, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS) = AT(work, patch + layout__PATCH_ROLLING_RADIUS);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_X_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK));
+    AT(work, out + layout__PATCH_OUTPUTS_X_TRACK) = AT(work, patch + layout__PATCH_X_TRACK);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_Y_TRACK)) = each(mirror_t) * AT(work, patch + layout__PATCH_Y_TRACK) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK));
+    AT(work, out + layout__PATCH_OUTPUTS_Y_TRACK) = mirror * AT(work, patch + layout__PATCH_Y_TRACK);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_Z_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK));
+    AT(work, out + layout__PATCH_OUTPUTS_Z_TRACK) = AT(work, patch + layout__PATCH_Z_TRACK);
     derivative_report__write_vector_t(work, work_t, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y))) = -(each(mirror_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + mirror * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SPIN))) = -(each(mirror_t) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + mirror * each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SPIN)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_SPIN));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_MOMENT))) = -(each(mirror_t) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + mirror * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_MOMENT)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_STICK_SHARE))) = each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_MAX_SHEAR))) = each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_MAX_SHEAR)) = (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_FRICTION_POWER))) = each((*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SATURATION))) = each((*lanes_at(&work_t, patch + layout__PATCH_SATURATION)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SATURATION)) = (*cspan_at(&work, patch + layout__PATCH_SATURATION));
-    (*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = all_lanes(0.0);
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = 0.0;
-    (*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = all_lanes(0.0);
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = 0.0;
-    (*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = all_lanes(0.0);
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = 0.0;
-    (*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = all_lanes(0.0);
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = 0.0;
-    return INT64_C(0);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0;
+    if (rolling)
+    {
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_SPIN) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
+        AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    }
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
+    AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X) = AT(work, patch + layout__PATCH_CREEP_X);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y));
+    AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y) = AT(work, patch + layout__PATCH_CREEP_Y);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_MOMENT)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEP_MOMENT) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)));
+    AT(work, out + layout__PATCH_OUTPUTS_CREEP_MOMENT) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEP_MOMENT);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_STICK_SHARE)) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE));
+    AT(work, out + layout__PATCH_OUTPUTS_STICK_SHARE) = AT(work, patch + layout__PATCH_STICK_SHARE);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_MAX_SHEAR)) = each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR));
+    AT(work, out + layout__PATCH_OUTPUTS_MAX_SHEAR) = AT(work, patch + layout__PATCH_MAX_SHEAR);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_FRICTION_POWER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    AT(work, out + layout__PATCH_OUTPUTS_FRICTION_POWER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER);
+    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SATURATION)) = each(RATE_AT(work_t, patch + layout__PATCH_SATURATION));
+    AT(work, out + layout__PATCH_OUTPUTS_SATURATION) = AT(work, patch + layout__PATCH_SATURATION);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_WEAR_NUMBER) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = 0.0;
+    return 0;
 }
 
 /* Derivative of ``report_fatigue``. */
-static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t)
+static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t, bool rolling)
 {
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    int64_t found;
-    double v1;
-    lanes v1_t;
-    double v2;
-    lanes v2_t;
-    lanes ratio_t;
-    double ratio;
-    double v3;
-    double v4;
-    lanes force_t;
-    double force;
-    double v5;
-    double v6;
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    int64_t number, patch, found, number_end;
+    double v1, v2, ratio, v3, v4, force, v5, v6;
+    lanes v1_t, v2_t, ratio_t, force_t;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
+        if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
         {
-            found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1));
-            EACH_LANE each((*lanes_at(&work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER))) = each((*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
-            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-            derivative_fatigue__wear_number_damage_t(&v1, &v1_t, (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)), (*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
-            EACH_LANE each((*lanes_at(&work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE))) = each(v1_t);
-            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = v1;
+            found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1);
+            if (rolling)
+            {
+                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+                AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
+                derivative_fatigue__wear_number_damage_t(&v1, &v1_t, AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER), RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = each(v1_t);
+                AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = v1;
+            }
             derivative_fatigue__shakedown_ratio_t(&v2, &v2_t, work, work_t, patch, yield_shear, yield_shear_t);
             EACH_LANE each(ratio_t) = each(v2_t);
             ratio = v2;
-            EACH_LANE each((*lanes_at(&work_t, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO))) = each(ratio_t);
-            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = ratio;
+            EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = each(ratio_t);
+            AT(work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = ratio;
             if (ratio > 0.0)
             {
-                v3 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
+                v3 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y);
                 v4 = sqrt(v3);
-                EACH_LANE each(force_t) = derivative_rates__root_rate(v4, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))));
+                EACH_LANE each(force_t) = derivative_rates__root_rate(v4, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
                 force = v4;
-                v5 = force / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+                v5 = force / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
                 v6 = 1.0 / ratio;
-                EACH_LANE each((*lanes_at(&work_t, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX))) = (each(force_t) - v5 * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - (-v6) * each(ratio_t) / ratio;
-                (*cspan_at(&work, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = v5 - v6;
+                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = (each(force_t) - v5 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) - -v6 * each(ratio_t) / ratio;
+                AT(work, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = v5 - v6;
             }
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``write_vector``. */
 static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t out, int64_t vector, double plane, lanes plane_t, double across, lanes across_t)
 {
-    EACH_LANE each((*lanes_at(&work_t, out + INT64_C(0)))) = each(plane_t) * (*cspan_at(&work, vector + INT64_C(0))) + plane * each((*lanes_at(&work_t, vector + INT64_C(0))));
-    (*cspan_at(&work, out + INT64_C(0))) = plane * (*cspan_at(&work, vector + INT64_C(0))) + 0.0;
-    EACH_LANE each((*lanes_at(&work_t, out + INT64_C(1)))) = each(across_t) * (*cspan_at(&work, vector + INT64_C(1))) + across * each((*lanes_at(&work_t, vector + INT64_C(1))));
-    (*cspan_at(&work, out + INT64_C(1))) = across * (*cspan_at(&work, vector + INT64_C(1))) + 0.0;
-    EACH_LANE each((*lanes_at(&work_t, out + INT64_C(2)))) = each(plane_t) * (*cspan_at(&work, vector + INT64_C(2))) + plane * each((*lanes_at(&work_t, vector + INT64_C(2))));
-    (*cspan_at(&work, out + INT64_C(2))) = plane * (*cspan_at(&work, vector + INT64_C(2))) + 0.0;
-    return INT64_C(0);
+    EACH_LANE each(RATE_AT(work_t, out + 0)) = each(plane_t) * AT(work, vector + 0) + plane * each(RATE_AT(work_t, vector + 0));
+    AT(work, out + 0) = plane * AT(work, vector + 0) + 0.0;
+    EACH_LANE each(RATE_AT(work_t, out + 1)) = each(across_t) * AT(work, vector + 1) + across * each(RATE_AT(work_t, vector + 1));
+    AT(work, out + 1) = across * AT(work, vector + 1) + 0.0;
+    EACH_LANE each(RATE_AT(work_t, out + 2)) = each(plane_t) * AT(work, vector + 2) + plane * each(RATE_AT(work_t, vector + 2));
+    AT(work, out + 2) = plane * AT(work, vector + 2) + 0.0;
+    return 0;
 }
 
 /* Derivative of ``report_outline``. */
 static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing)
 {
-    int64_t known;
-    int64_t i;
-    known = INT64_C(0);
-    if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
+    int64_t known, i;
+    known = 0;
+    if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
         known = report__OUTLINE_RUNS * stations;
         if (rubbing)
@@ -1024,122 +961,109 @@ static inline int64_t derivative_report__report_outline_t(array_double_1d work, 
             known = layout__RUN_COUNT * stations;
         }
     }
-    for (i = INT64_C(0); i < known; i += INT64_C(1))
+    for (i = 0; i < known; i += 1)
     {
-        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + i))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)));
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i));
+        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i));
+        AT(work, outline + layout__OUTLINE_NUMBERS + i) = AT(work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i);
     }
-    for (i = known; i < layout__RUN_COUNT * stations; i += INT64_C(1))
+    for (i = known; i < layout__RUN_COUNT * stations; i += 1)
     {
-        (*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = all_lanes(0.0);
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = 0.0;
+        RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i) = all_lanes(0.0);
+        AT(work, outline + layout__OUTLINE_NUMBERS + i) = 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``report_wear``. */
 static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested)
 {
-    int64_t side;
-    int64_t runs;
-    int64_t first;
-    int64_t found;
-    int64_t strips;
-    int64_t i;
-    int64_t rank;
-    int64_t i_1;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    int64_t i_2;
-    int64_t k1;
+    int64_t side, runs, first, found, strips, i, rank, i_1, number, patch, i_2, k1, number_end;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    runs = layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    runs = layout__WEAR_RUN_COUNT * (int64_t)AT(tables, layout__TABLES_STATIONS);
     first = layout__WORK_OUTPUTS + outline__wear_place(tables);
     found = first + runs * index;
-    strips = first + INT64_C(2) * runs + layout__WEAR_STRIPS * index;
-    (*lanes_at(&work_t, first + INT64_C(2) * runs + INT64_C(2) * layout__WEAR_STRIPS)) = all_lanes(0.0);
-    (*cspan_at(&work, first + INT64_C(2) * runs + INT64_C(2) * layout__WEAR_STRIPS)) = 0.0;
+    strips = first + 2 * runs + layout__WEAR_STRIPS * index;
+    RATE_AT(work_t, first + 2 * runs + 2 * layout__WEAR_STRIPS) = all_lanes(0.0);
+    AT(work, first + 2 * runs + 2 * layout__WEAR_STRIPS) = 0.0;
     if (!requested)
     {
-        for (i = INT64_C(0); i < runs; i += INT64_C(1))
+        for (i = 0; i < runs; i += 1)
         {
-            (*lanes_at(&work_t, found + layout__WEAR_RUNS_NUMBERS + i)) = all_lanes(0.0);
-            (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i) = all_lanes(0.0);
+            AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = AT(tables, layout__TABLES_ABSENT);
         }
-        for (i = INT64_C(0); i < layout__WEAR_STRIPS; i += INT64_C(1))
+        for (i = 0; i < layout__WEAR_STRIPS; i += 1)
         {
-            (*lanes_at(&work_t, strips + i)) = all_lanes(0.0);
-            (*cspan_at(&work, strips + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            RATE_AT(work_t, strips + i) = all_lanes(0.0);
+            AT(work, strips + i) = AT(tables, layout__TABLES_ABSENT);
         }
-        return INT64_C(0);
+        return 0;
     }
-    for (i = INT64_C(0); i < runs; i += INT64_C(1))
+    for (i = 0; i < runs; i += 1)
     {
-        (*lanes_at(&work_t, found + layout__WEAR_RUNS_NUMBERS + i)) = all_lanes(0.0);
-        (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = 0.0;
+        RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i) = all_lanes(0.0);
+        AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = 0.0;
     }
-    for (rank = INT64_C(0); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
+    for (rank = 0; rank < layout__PATCH_LIMIT; rank += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__STRIP_OUTPUTS_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__STRIP_OUTPUTS_SIZE; i_1 += 1)
         {
-            (*lanes_at(&work_t, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1)) = all_lanes(0.0);
-            (*cspan_at(&work, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+            RATE_AT(work_t, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1) = all_lanes(0.0);
+            AT(work, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1) = 0.0;
         }
     }
-    if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
+    if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
-        derivative_shared_power__share_power_t(work, work_t, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
-        for (i = INT64_C(0); i < runs; i += INT64_C(1))
+        derivative_shared_power__share_power_t(work, work_t, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
+        for (i = 0; i < runs; i += 1)
         {
-            EACH_LANE each((*lanes_at(&work_t, found + layout__WEAR_RUNS_NUMBERS + i))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i)));
-            (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i));
+            EACH_LANE each(RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i));
+            AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i);
         }
-        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
         {
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-            if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
+            if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
             {
                 derivative_report__complete_strips_t(work, work_t, patch, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number, requested__has_creep_forces(tables, work));
-                for (i_2 = INT64_C(0); i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += INT64_C(1))
+                for (i_2 = 0; i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += 1)
                 {
-                    k1 = strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1)) + i_2;
-                    EACH_LANE each((*lanes_at(&work_t, k1))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2)));
-                    (*cspan_at(&work, k1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
+                    k1 = strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1) + i_2;
+                    EACH_LANE each(RATE_AT(work_t, k1)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
+                    AT(work, k1) = AT(work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2);
                 }
             }
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``complete_strips``. */
 static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool rubbing)
 {
-    int64_t i;
-    int64_t strip;
+    int64_t i, strip;
     double v1;
     lanes v1_t;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_WIDTH + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)));
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
-        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_SLIP + i)) = all_lanes(0.0);
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = 0.0;
+        EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        AT(work, worn + layout__STRIP_OUTPUTS_WIDTH + i) = AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD));
+        AT(work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD);
+        EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        AT(work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_SLIP + i) = all_lanes(0.0);
+        AT(work, worn + layout__STRIP_OUTPUTS_SLIP + i) = 0.0;
         if (rubbing)
         {
             derivative_rubbing__strip_slip_t(&v1, &v1_t, work, work_t, patch, strip);
-            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_SLIP + i))) = each(v1_t);
-            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = v1;
+            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_SLIP + i)) = each(v1_t);
+            AT(work, worn + layout__STRIP_OUTPUTS_SLIP + i) = v1;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -1149,17 +1073,35 @@ static inline int64_t derivative_report__complete_strips_t(array_double_1d work,
  */
 
 /* Derivative of ``side_force``. */
-static inline int64_t derivative_requested__side_force_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline void derivative_requested__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    double sign;
-    double v1;
-    double v2;
-    sign = (double)(INT64_C(2) * index - INT64_C(1));
-    v1 = 1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
-    v2 = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1;
-    (*result_0) = v2 * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
-    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE))) * v1 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (sign * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))))) * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD)) + v2 * each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD)));
-    return 0;
+    double sign, v1, v2;
+    sign = (double)(2 * index - 1);
+    v1 = 1.0 + sign * AT(work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER);
+    v2 = AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * v1;
+    *out_0 = v2 * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
+    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1 + AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (sign * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)))) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD) + v2 * each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
+}
+
+/* Derivative of ``outer_torque``. */
+static inline void derivative_requested__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    lanes torque_t;
+    double torque;
+    EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_AXLE_TORQUE));
+    torque = AT(work, inputs + layout__INPUTS_AXLE_TORQUE);
+    if (motion__are_independent(tables))
+    {
+        EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_AXLE_TORQUE));
+        torque = AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE);
+        if (index == 1)
+        {
+            EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE));
+            torque = AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE);
+        }
+    }
+    *torque_out = torque;
+    EACH_LANE each(*torque_t_out) = each(torque_t);
 }
 
 
@@ -1171,33 +1113,25 @@ static inline int64_t derivative_requested__side_force_t(double* result_0, lanes
 /* Derivative of ``solve_rigid``. */
 static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
 {
+    int64_t status, index, n1, outcome;
     double v2;
     lanes v2_t;
-    int64_t n1;
-    double v4;
-    lanes v4_t;
-    int64_t n3;
-    int64_t outcome;
-    int64_t status;
     status = layout__VALID;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) = each(roll_t);
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) = each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)));
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST));
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST);
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES);
-    derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
-    if (requested__is_requested(tables, INT64_C(0)))
+    derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
+    for (index = 0; index < 2; index += 1)
     {
-        derivative_requested__side_force_t(&v2, &v2_t, work, work_t, INT64_C(0));
-        n1 = derivative_side__solve_side_t(tables, work, work_t, INT64_C(0), v2, v2_t);
-        status = n1;
-    }
-    if (requested__is_requested(tables, INT64_C(1)))
-    {
-        derivative_requested__side_force_t(&v4, &v4_t, work, work_t, INT64_C(1));
-        n3 = derivative_side__solve_side_t(tables, work, work_t, INT64_C(1), v4, v4_t);
-        outcome = n3;
-        status = int64_t_max(2, status, outcome);
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        {
+            derivative_requested__side_force_t(&v2, &v2_t, work, work_t, index);
+            n1 = derivative_side__solve_side_t(tables, work, work_t, index, v2, v2_t);
+            outcome = n1;
+            status = requested__counted_outcome(tables, index, status, outcome);
+        }
     }
     return status;
 }
@@ -1211,8 +1145,8 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
 /* Derivative of ``open_given_motion``. */
 static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t right;
-    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
+    int64_t right, index;
+    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
     derivative_motion__open_motion_t(work, work_t, tables, right, layout__WORK_INPUTS);
     derivative_motion__mirror_motion_t(work, work_t, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
     if (motion__are_independent(tables))
@@ -1220,64 +1154,70 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
         derivative_motion__turn_wheels_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, layout__WORK_INPUTS);
     }
     derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_INPUTS);
-    derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL, layout__WORK_INPUTS);
+    derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, right + layout__MOTION_RAIL, layout__WORK_INPUTS);
     if (rails__on_springs(tables))
     {
         derivative_motion__carry_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
-        derivative_motion__carry_rail_t(work, work_t, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);
+        derivative_motion__carry_rail_t(work, work_t, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_DEFLECTION);
     }
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
-    return INT64_C(0);
+    for (index = 0; index < 2; index += 1)
+    {
+        if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+        {
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index));
+            AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index);
+        }
+    }
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY), AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE));
+    return 0;
 }
 
 /* Derivative of ``move_wheelset``. */
 static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
+        if ((int64_t)AT(tables, layout__TABLES_MODE) != layout__MODE_COMPLIANT)
         {
-            derivative_rubbing__constrain_side_t(tables, work, work_t, INT64_C(0));
-            derivative_rubbing__constrain_side_t(tables, work, work_t, INT64_C(1));
-            derivative_motion__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
+            derivative_rubbing__constrain_side_t(tables, work, work_t, 0);
+            derivative_rubbing__constrain_side_t(tables, work, work_t, 1);
+            derivative_motion__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``move_patches``. */
 static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
-    if (!requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (!requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
-        return INT64_C(0);
+        return 0;
     }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    for (index = 0; index < 2; index += 1)
     {
         derivative_rubbing__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``move_side``. */
 static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
 {
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    int64_t number, patch, number_end;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_creepage__move_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE)
         {
             derivative_creepage__move_strips_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``constrain_side``. */
@@ -1285,97 +1225,56 @@ static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d table
 {
     int64_t side;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_ELASTIC && (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
-        derivative_forces__sum_side_t(work, work_t, side, 0);
+        derivative_forces__sum_side_t(work, work_t, side, false);
         derivative_motion__constrain_loaded_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_FORCES);
     }
     else
     {
-        if (!requested__is_requested(tables, index))
+        if (!requested__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             derivative_side__touch_side_t(tables, work, work_t, index);
         }
         derivative_motion__constrain_touching_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_POINT);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``write_wear``. */
 static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
 {
-    int64_t i;
-    int64_t number_end;
-    int64_t number;
-    for (i = INT64_C(3) * stations; i < INT64_C(5) * stations; i += INT64_C(1))
+    int64_t i, number, number_end;
+    for (i = 3 * stations; i < 5 * stations; i += 1)
     {
-        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = all_lanes(0.0);
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i) = all_lanes(0.0);
+        AT(work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i) = 0.0;
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         derivative_rubbing__write_patch_wear_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``write_patch_wear``. */
 static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch)
 {
-    int64_t first;
-    int64_t last;
-    lanes start_t;
-    double start;
-    lanes stop_t;
-    double stop;
-    int64_t index;
-    lanes low_station_t;
-    double low_station;
-    lanes high_station_t;
-    double high_station;
-    lanes low_shear_t;
-    double low_shear;
-    lanes low_slip_t;
-    double low_slip;
-    double v1;
-    lanes v1_t;
-    lanes high_shear_t;
-    double high_shear;
-    double v2;
-    lanes v2_t;
-    lanes high_slip_t;
-    double high_slip;
-    int64_t j;
-    lanes station_t;
-    double station;
-    int64_t strip;
-    double v3;
-    lanes v3_t;
-    double v4;
-    lanes v4_t;
-    lanes shear_t;
-    double shear;
-    lanes slip_t;
-    double slip;
-    double v5;
-    double v6;
-    double v7;
-    lanes share_t;
-    double share;
-    double v8;
-    double v9;
+    int64_t first, last, index, j, strip;
+    lanes start_t, stop_t, low_station_t, high_station_t, low_shear_t, low_slip_t, v1_t, high_shear_t, v2_t, high_slip_t, station_t, v3_t, v4_t, shear_t, slip_t, share_t;
+    double start, stop, low_station, high_station, low_shear, low_slip, v1, high_shear, v2, high_slip, station, v3, v4, shear, slip, v5, v6, v7, share, v8, v9;
     first = patch + layout__PATCH_STRIPS;
-    last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - INT64_C(1));
-    EACH_LANE each(start_t) = each((*lanes_at(&work_t, first + layout__ROLLING_STRIP_STATION))) - 0.5 * each((*lanes_at(&work_t, first + layout__ROLLING_STRIP_WIDTH)));
-    start = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH));
-    EACH_LANE each(stop_t) = each((*lanes_at(&work_t, last + layout__ROLLING_STRIP_STATION))) + 0.5 * each((*lanes_at(&work_t, last + layout__ROLLING_STRIP_WIDTH)));
-    stop = (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH));
-    index = INT64_C(0);
-    EACH_LANE each(low_station_t) = each((*lanes_at(&work_t, first + layout__ROLLING_STRIP_STATION)));
-    low_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
-    EACH_LANE each(high_station_t) = each((*lanes_at(&work_t, first + layout__ROLLING_STRIP_STATION)));
-    high_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
+    last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - 1);
+    EACH_LANE each(start_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION)) - 0.5 * each(RATE_AT(work_t, first + layout__ROLLING_STRIP_WIDTH));
+    start = AT(work, first + layout__ROLLING_STRIP_STATION) - 0.5 * AT(work, first + layout__ROLLING_STRIP_WIDTH);
+    EACH_LANE each(stop_t) = each(RATE_AT(work_t, last + layout__ROLLING_STRIP_STATION)) + 0.5 * each(RATE_AT(work_t, last + layout__ROLLING_STRIP_WIDTH));
+    stop = AT(work, last + layout__ROLLING_STRIP_STATION) + 0.5 * AT(work, last + layout__ROLLING_STRIP_WIDTH);
+    index = 0;
+    EACH_LANE each(low_station_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION));
+    low_station = AT(work, first + layout__ROLLING_STRIP_STATION);
+    EACH_LANE each(high_station_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION));
+    high_station = AT(work, first + layout__ROLLING_STRIP_STATION);
     low_shear_t = all_lanes(0.0);
     low_shear = 0.0;
     low_slip_t = all_lanes(0.0);
@@ -1386,15 +1285,15 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
     derivative_rubbing__strip_slip_t(&v2, &v2_t, work, work_t, patch, first);
     EACH_LANE each(high_slip_t) = each(v2_t);
     high_slip = v2;
-    for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
+    for (j = 1; j < stations - 1; j += 1)
     {
-        EACH_LANE each(station_t) = each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)));
-        station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
-        if ((station > start) && (station < stop))
+        EACH_LANE each(station_t) = each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j));
+        station = AT(work, outline + layout__OUTLINE_NUMBERS + j);
+        if (station > start && station < stop)
         {
-            while((index < layout__ROLLING_STRIP_LIMIT - INT64_C(1)) && (high_station < station))
+            while (index < layout__ROLLING_STRIP_LIMIT - 1 && high_station < station)
             {
-                index = index + INT64_C(1);
+                index = index + 1;
                 strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
                 EACH_LANE each(low_station_t) = each(high_station_t);
                 low_station = high_station;
@@ -1402,8 +1301,8 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
                 low_shear = high_shear;
                 EACH_LANE each(low_slip_t) = each(high_slip_t);
                 low_slip = high_slip;
-                EACH_LANE each(high_station_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
-                high_station = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION));
+                EACH_LANE each(high_station_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
+                high_station = AT(work, strip + layout__ROLLING_STRIP_STATION);
                 derivative_rubbing__strip_shear_t(&v3, &v3_t, work, work_t, strip);
                 EACH_LANE each(high_shear_t) = each(v3_t);
                 high_shear = v3;
@@ -1415,7 +1314,7 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
             shear = high_shear;
             EACH_LANE each(slip_t) = each(high_slip_t);
             slip = high_slip;
-            if ((index > INT64_C(0)) && (station < high_station))
+            if (index > 0 && station < high_station)
             {
                 v5 = high_station - station;
                 v6 = high_station - low_station;
@@ -1429,58 +1328,48 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
                 EACH_LANE each(slip_t) = each(slip_t) + (each(share_t) * v9 + share * (each(low_slip_t) - each(slip_t)));
                 slip = slip + share * v9;
             }
-            EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j)))) = each(shear_t);
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
-            EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j)))) = each(slip_t);
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
+            EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (3 * stations + j))) = each(shear_t);
+            AT(work, outline + layout__OUTLINE_NUMBERS + (3 * stations + j)) = shear;
+            EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (4 * stations + j))) = each(slip_t);
+            AT(work, outline + layout__OUTLINE_NUMBERS + (4 * stations + j)) = slip;
         }
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``strip_shear``. */
-static inline int64_t derivative_rubbing__strip_shear_t(double* shear, lanes* shear_t, array_double_1d work, array_lanes_1d work_t, int64_t strip)
-{
-    double v1;
-    double v2;
-    lanes force_t;
-    double force;
-    double v3;
-    double v4;
-    (*shear_t) = all_lanes(0.0);
-    (*shear) = 0.0;
-    if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) > 0.0)
-    {
-        v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
-        v2 = sqrt(v1);
-        EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))));
-        force = v2;
-        v3 = 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        v4 = force / v3;
-        EACH_LANE each((*shear_t)) = (each(force_t) - v4 * (2.0 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))))) / v3;
-        (*shear) = v4;
     }
     return 0;
 }
 
-/* Derivative of ``strip_slip``. */
-static inline int64_t derivative_rubbing__strip_slip_t(double* slip, lanes* slip_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+/* Derivative of ``strip_shear``. */
+static inline void derivative_rubbing__strip_shear_t(double* shear_out, lanes* shear_t_out, array_double_1d work, array_lanes_1d work_t, int64_t strip)
 {
-    double v1;
-    double v2;
-    lanes force_t;
-    double force;
-    double v3;
-    lanes v3_t;
-    lanes power_t;
-    double power;
-    double v4;
-    v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
+    lanes shear_t, force_t;
+    double shear, v1, v2, force, v3, v4;
+    shear_t = all_lanes(0.0);
+    shear = 0.0;
+    if (AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) > 0.0)
+    {
+        v1 = AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y);
+        v2 = sqrt(v1);
+        EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
+        force = v2;
+        v3 = 2.0 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        v4 = force / v3;
+        EACH_LANE each(shear_t) = (each(force_t) - v4 * (2.0 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) / v3;
+        shear = v4;
+    }
+    *shear_out = shear;
+    EACH_LANE each(*shear_t_out) = each(shear_t);
+}
+
+/* Derivative of ``strip_slip``. */
+static inline void derivative_rubbing__strip_slip_t(double* slip_out, lanes* slip_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+{
+    double v1, v2, force, slip, v3, power, v4;
+    lanes force_t, slip_t, v3_t, power_t;
+    v1 = AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y);
     v2 = sqrt(v1);
-    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))));
+    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
     force = v2;
-    (*slip_t) = all_lanes(0.0);
-    (*slip) = 0.0;
+    slip_t = all_lanes(0.0);
+    slip = 0.0;
     if (force > 0.0)
     {
         derivative_rubbing__strip_power_t(&v3, &v3_t, work, work_t, patch, strip);
@@ -1489,24 +1378,22 @@ static inline int64_t derivative_rubbing__strip_slip_t(double* slip, lanes* slip
         if (power > 0.0)
         {
             v4 = power / force;
-            EACH_LANE each((*slip_t)) = (each(power_t) - v4 * each(force_t)) / force;
-            (*slip) = v4;
+            EACH_LANE each(slip_t) = (each(power_t) - v4 * each(force_t)) / force;
+            slip = v4;
         }
     }
-    return 0;
+    *slip_out = slip;
+    EACH_LANE each(*slip_t_out) = each(slip_t);
 }
 
 /* Derivative of ``strip_power``. */
-static inline int64_t derivative_rubbing__strip_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+static inline void derivative_rubbing__strip_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
 {
-    double v1;
-    lanes power_t;
-    double power;
-    double v2;
-    lanes v2_t;
-    v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    EACH_LANE each(power_t) = -(each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + ((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)))));
-    power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
+    double v1, power, v2;
+    lanes power_t, v2_t;
+    v1 = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
+    EACH_LANE each(power_t) = -(each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)))) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_MOMENT) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT))));
+    power = -(AT(work, strip + layout__ROLLING_STRIP_SLIP) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + v1 * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_MOMENT));
     v2 = power;
     EACH_LANE each(v2_t) = each(power_t);
     if (0.0 > v2)
@@ -1514,9 +1401,8 @@ static inline int64_t derivative_rubbing__strip_power_t(double* result_0, lanes*
         v2 = 0.0;
         v2_t = all_lanes(0.0);
     }
-    (*result_0) = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * v2;
-    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) * v2 + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * each(v2_t);
-    return 0;
+    *out_0 = AT(work, patch + layout__PATCH_SPEED) * v2;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * v2 + AT(work, patch + layout__PATCH_SPEED) * each(v2_t);
 }
 
 /* Derivative of ``rub_patches``. */
@@ -1524,112 +1410,114 @@ static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, 
 {
     if (requested__has_creep_forces(tables, work))
     {
-        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(0));
-        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(1));
+        derivative_rubbing__rub_side_t(tables, work, work_t, 0);
+        derivative_rubbing__rub_side_t(tables, work, work_t, 1);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``rub_side``. */
 static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    int64_t side;
+    derivative_rubbing__rub_wheel_t(tables, work, work_t, index);
+    derivative_rubbing__write_side_wear_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+    return 0;
+}
+
+/* Derivative of ``write_side_wear``. */
+static inline int64_t derivative_rubbing__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+{
+    if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
+    {
+        derivative_rubbing__write_wear_t(work, work_t, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
+    }
+    return 0;
+}
+
+/* Derivative of ``side_friction``. */
+static inline void derivative_rubbing__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
     lanes friction_t;
     double friction;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    double v1;
-    lanes v1_t;
-    lanes factor_t;
-    double factor;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    EACH_LANE each(friction_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
-    friction = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION));
-    if (index == INT64_C(1))
+    EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION));
+    friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION);
+    if (index == 1)
     {
-        EACH_LANE each(friction_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
-        friction = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION));
+        EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION));
+        friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION);
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    *friction_out = friction;
+    EACH_LANE each(*friction_t_out) = each(friction_t);
+}
+
+/* Derivative of ``rub_wheel``. */
+static inline int64_t derivative_rubbing__rub_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    int64_t side, number, patch, number_end;
+    double v1, friction, v2, factor;
+    lanes v1_t, friction_t, v2_t, factor_t;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    derivative_rubbing__side_friction_t(&v1, &v1_t, work, work_t, index);
+    EACH_LANE each(friction_t) = each(v1_t);
+    friction = v1;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL)
-        {
-            derivative_rubbing__open_rolling_t(&v1, &v1_t, work, work_t, tables, patch, friction, friction_t);
-            EACH_LANE each(factor_t) = each(v1_t);
-            factor = v1;
-            derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
-            derivative_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
-        }
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PLACE) = all_lanes(0.0);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE) = (double)(layout__SOLVED_PATCH_LIMIT * index + number);
+        derivative_rubbing__open_rolling_t(&v2, &v2_t, work, work_t, tables, patch, friction, friction_t);
+        EACH_LANE each(factor_t) = each(v2_t);
+        factor = v2;
+        derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
+        derivative_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
     }
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
-    {
-        derivative_rubbing__write_wear_t(work, work_t, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
-    }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``open_rolling``. */
-static inline int64_t derivative_rubbing__open_rolling_t(double* factor, lanes* factor_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t)
+static inline void derivative_rubbing__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t)
 {
-    double v1;
-    double v2;
-    lanes sliding_t;
-    double sliding;
-    double v3;
-    lanes v3_t;
-    double v4;
-    lanes v4_t;
-    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_BARE)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) = (double)(0);
-    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = (double)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN)) == 1.0);
-    v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    v2 = sqrt(v1);
-    EACH_LANE each(sliding_t) = each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) * v2 + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)))));
-    sliding = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * v2;
-    derivative_friction__patch_friction_t(&v3, &v3_t, tables, friction, friction_t, (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)), (*lanes_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)), sliding, sliding_t);
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) = each(v3_t);
-    (*cspan_at(&work, patch + layout__PATCH_FRICTION)) = v3;
-    derivative_friction__slope_factor_t(&v4, &v4_t, work, work_t, tables, patch);
-    EACH_LANE each((*factor_t)) = each(v4_t);
-    (*factor) = v4;
-    if ((*factor) != 1.0)
+    double v1, factor;
+    lanes v1_t, factor_t;
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BARE) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) = (double)false;
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = (double)(AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN) == 1.0);
+    derivative_friction__set_friction_t(work, work_t, tables, patch, friction, friction_t, AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) == 1.0);
+    derivative_friction__slope_factor_t(&v1, &v1_t, work, work_t, tables, patch);
+    EACH_LANE each(factor_t) = each(v1_t);
+    factor = v1;
+    if (factor != 1.0)
     {
-        derivative_friction__multiply_creepages_t(work, work_t, patch, (*factor), (*factor_t));
+        derivative_friction__multiply_creepages_t(work, work_t, patch, factor, factor_t);
     }
-    return 0;
+    *factor_out = factor;
+    EACH_LANE each(*factor_t_out) = each(factor_t);
 }
 
 /* Derivative of ``close_rolling``. */
 static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
-    double v1;
-    lanes limit_t;
-    double limit;
-    double v2;
-    double v3;
-    double v4;
+    double v1, limit, v2, v3, v4;
+    lanes limit_t, rates;
     if (factor != 1.0)
     {
         v1 = 1.0 / factor;
-        lanes rates_1;
-        EACH_LANE each(rates_1) = (-v1) * each(factor_t) / factor;
-        derivative_friction__multiply_creepages_t(work, work_t, patch, v1, rates_1);
+        EACH_LANE each(rates) = -v1 * each(factor_t) / factor;
+        derivative_friction__multiply_creepages_t(work, work_t, patch, v1, rates);
     }
-    EACH_LANE each(limit_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-    limit = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each(limit_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    limit = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     if (limit > 0.0)
     {
-        v2 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
+        v2 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y);
         v3 = sqrt(v2);
         v4 = v3 / limit;
-        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SATURATION))) = (derivative_rates__root_rate(v3, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))))) - v4 * each(limit_t)) / limit;
-        (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = v4;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SATURATION)) = (derivative_rates__root_rate(v3, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)))) - v4 * each(limit_t)) / limit;
+        AT(work, patch + layout__PATCH_SATURATION) = v4;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -1641,92 +1529,75 @@ static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, 
 /* Derivative of ``share_power``. */
 static inline int64_t derivative_shared_power__share_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
 {
-    int64_t j;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    int64_t worn;
-    int64_t i;
-    double v1;
-    lanes v1_t;
-    lanes width_t;
-    double width;
-    lanes own_t;
-    double own;
-    double v2;
-    for (j = INT64_C(2) * stations; j < INT64_C(3) * stations; j += INT64_C(1))
+    int64_t j, number, patch, worn, i, number_end;
+    double v1, width, own, v2;
+    lanes v1_t, width_t, own_t;
+    for (j = 2 * stations; j < 3 * stations; j += 1)
     {
-        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = all_lanes(0.0);
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = 0.0;
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = all_lanes(0.0);
+        AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = 0.0;
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
         derivative_shared_power__share_among_strips_t(work, work_t, patch, worn);
-        for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+        for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
         {
-            derivative_shared_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK)))), all_lanes(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)), (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i)));
+            derivative_shared_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)AT(work, patch + layout__PATCH_RANK)), all_lanes(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, AT(work, worn + layout__STRIP_OUTPUTS_POWER + i), RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i));
         }
     }
     derivative_shared_power__cell_width_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations);
     EACH_LANE each(width_t) = each(v1_t);
     width = v1;
-    for (j = INT64_C(2) * stations; j < INT64_C(3) * stations; j += INT64_C(1))
+    for (j = 2 * stations; j < 3 * stations; j += 1)
     {
         EACH_LANE each(own_t) = each(width_t);
         own = width;
-        if ((j == INT64_C(2) * stations) || (j == INT64_C(3) * stations - INT64_C(1)))
+        if (j == 2 * stations || j == 3 * stations - 1)
         {
             EACH_LANE each(own_t) = 0.5 * each(width_t);
             own = 0.5 * width;
         }
         if (own > 0.0)
         {
-            v2 = (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) / own;
-            EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j))) = (each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j))) - v2 * each(own_t)) / own;
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = v2;
+            v2 = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) / own;
+            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) - v2 * each(own_t)) / own;
+            AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = v2;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``share_among_strips``. */
 static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn)
 {
-    lanes power_t;
-    double power;
-    lanes total_t;
-    double total;
+    lanes power_t, total_t, v1_t, scale_t;
+    double power, total, v1, scale, v2;
     int64_t i;
-    double v1;
-    lanes v1_t;
-    lanes scale_t;
-    double scale;
-    double v2;
-    EACH_LANE each(power_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER)));
-    power = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    EACH_LANE each(power_t) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    power = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER);
     total_t = all_lanes(0.0);
     total = 0.0;
     if (power != 0.0)
     {
-        for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+        for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
         {
             derivative_rubbing__strip_power_t(&v1, &v1_t, work, work_t, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
-            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each(v1_t);
-            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = v1;
-            EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH))));
-            total = total + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(v1_t);
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = v1;
+            EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            total = total + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
         if (!(total > 0.0))
         {
-            for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+            for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
             {
-                EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD)));
-                (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
-                EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH))));
-                total = total + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+                EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+                AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
+                EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+                total = total + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
             }
         }
     }
@@ -1738,89 +1609,48 @@ static inline int64_t derivative_shared_power__share_among_strips_t(array_double
         EACH_LANE each(scale_t) = (each(power_t) - v2 * each(total_t)) / total;
         scale = v2;
     }
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         if (scale == 0.0)
         {
-            (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = all_lanes(0.0);
-            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = 0.0;
+            RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i) = all_lanes(0.0);
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = 0.0;
         }
         else
         {
-            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * scale + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each(scale_t);
-            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * scale;
+            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * scale + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(scale_t);
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * scale;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``cell_width``. */
-static inline int64_t derivative_shared_power__cell_width_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations)
+static inline void derivative_shared_power__cell_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations)
 {
-    double v1;
-    double v2;
-    v1 = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations - INT64_C(1)))) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)));
-    v2 = (double)(stations - INT64_C(1));
-    (*result_0) = v1 / v2;
-    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations - INT64_C(1))))) - each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + INT64_C(0))))) / v2;
-    return 0;
+    double v1, v2;
+    v1 = AT(work, outline + layout__OUTLINE_NUMBERS + (stations - 1)) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
+    v2 = (double)(stations - 1);
+    *out_0 = v1 / v2;
+    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations - 1))) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0))) / v2;
 }
 
 /* Derivative of ``add_power``. */
 static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t)
 {
-    double v1;
-    lanes v1_t;
-    lanes width_t;
-    double width;
-    double last;
-    double v2;
-    double v3;
-    double v4;
-    lanes v4_t;
-    double v5;
-    lanes v5_t;
-    lanes start_t;
-    double start;
-    double v6;
-    double v7;
-    double v8;
-    lanes v8_t;
-    double v9;
-    lanes v9_t;
-    lanes stop_t;
-    double stop;
-    double v10;
-    double v11;
-    double v12;
-    lanes density_t;
-    double density;
-    lanes at_t;
-    double at;
+    double v1, width, last, v2, v3, v4, v5, start, v6, v7, v8, v9, stop, v10, v11, v12, density, at, after, v13, v15, v14, share, v16, part, v17;
+    lanes v1_t, width_t, v4_t, v5_t, start_t, v8_t, v9_t, stop_t, density_t, at_t, after_t, v13_t, v14_t, share_t, part_t, rates;
     int64_t cell;
-    lanes after_t;
-    double after;
-    double v13;
-    lanes v13_t;
-    double v15;
-    double v14;
-    lanes v14_t;
-    lanes share_t;
-    double share;
-    double v16;
-    lanes part_t;
-    double part;
-    double v17;
     derivative_shared_power__cell_width_t(&v1, &v1_t, work, work_t, outline, stations);
     EACH_LANE each(width_t) = each(v1_t);
     width = v1;
-    last = (double)(stations - INT64_C(1));
-    if ((width > 0.0) && ((*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) > 0.0))
+    last = (double)(stations - 1);
+    if (width > 0.0 && AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
     {
-        v2 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)));
+        v2 = AT(work, strip + layout__ROLLING_STRIP_START) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
         v3 = v2 / width;
         v4 = v3;
-        EACH_LANE each(v4_t) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START))) - each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) - v3 * each(width_t)) / width;
+        EACH_LANE each(v4_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v3 * each(width_t)) / width;
         if (0.0 > v4)
         {
             v4 = 0.0;
@@ -1835,10 +1665,10 @@ static inline int64_t derivative_shared_power__add_power_t(array_double_1d work,
         }
         EACH_LANE each(start_t) = each(v5_t);
         start = v5;
-        v6 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)));
+        v6 = AT(work, strip + layout__ROLLING_STRIP_STOP) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
         v7 = v6 / width;
         v8 = v7;
-        EACH_LANE each(v8_t) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STOP))) - each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) - v7 * each(width_t)) / width;
+        EACH_LANE each(v8_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v7 * each(width_t)) / width;
         if (0.0 > v8)
         {
             v8 = 0.0;
@@ -1855,21 +1685,21 @@ static inline int64_t derivative_shared_power__add_power_t(array_double_1d work,
         stop = v9;
         if (stop > start)
         {
-            v10 = power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            v10 = power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
             v11 = stop - start;
             v12 = v10 / v11;
-            EACH_LANE each(density_t) = (each(power_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + power * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) - v12 * (each(stop_t) - each(start_t))) / v11;
+            EACH_LANE each(density_t) = (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) - v12 * (each(stop_t) - each(start_t))) / v11;
             density = v12;
             EACH_LANE each(at_t) = each(start_t);
             at = start;
-            while(at < stop)
+            while (at < stop)
             {
-                cell = int64_t_min(2, (int64_t)(at), stations - INT64_C(2));
+                cell = int64_min((int64_t)at, stations - 2);
                 EACH_LANE each(after_t) = each(stop_t);
                 after = stop;
-                if (cell < stations - INT64_C(2))
+                if (cell < stations - 2)
                 {
-                    v13 = (double)(cell + INT64_C(1));
+                    v13 = (double)(cell + 1);
                     v13_t = all_lanes(0.0);
                     if (stop < v13)
                     {
@@ -1880,57 +1710,55 @@ static inline int64_t derivative_shared_power__add_power_t(array_double_1d work,
                     after = v13;
                 }
                 v15 = at + after;
-                lanes rates_1;
-                EACH_LANE each(rates_1) = 0.5 * (each(at_t) + each(after_t));
-                derivative_shared_power__own_share_t(&v14, &v14_t, work, work_t, wear, stations, cell, owner, owner_t, 0.5 * v15 - (double)(cell), rates_1);
+                EACH_LANE each(rates) = 0.5 * (each(at_t) + each(after_t));
+                derivative_shared_power__own_share_t(&v14, &v14_t, work, work_t, wear, stations, cell, owner, owner_t, 0.5 * v15 - (double)cell, rates);
                 EACH_LANE each(share_t) = each(v14_t);
                 share = v14;
                 v16 = after - at;
                 EACH_LANE each(part_t) = each(density_t) * v16 + density * (each(after_t) - each(at_t));
                 part = density * v16;
                 v17 = 1.0 - share;
-                EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) + ((-each(share_t)) * part + v17 * each(part_t));
-                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) + v17 * part;
-                EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1))))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1))))) + (each(share_t) * part + share * each(part_t));
-                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) + share * part;
+                EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (-each(share_t) * part + v17 * each(part_t));
+                AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) + v17 * part;
+                EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) + (each(share_t) * part + share * each(part_t));
+                AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) + share * part;
                 EACH_LANE each(at_t) = each(after_t);
                 at = after;
             }
         }
         else
         {
-            cell = int64_t_min(2, (int64_t)(start + 0.5), stations - INT64_C(1));
-            EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) + (each(power_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + power * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-            (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) + power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            cell = int64_min((int64_t)(start + 0.5), stations - 1);
+            EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+            AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) + power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``own_share``. */
-static inline int64_t derivative_shared_power__own_share_t(double* found, lanes* found_t, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t)
+static inline void derivative_shared_power__own_share_t(double* found_out, lanes* found_t_out, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t)
 {
-    lanes first_t;
-    double first;
-    lanes second_t;
-    double second;
-    EACH_LANE each(first_t) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell))));
-    first = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell)));
-    EACH_LANE each(second_t) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell + INT64_C(1)))));
-    second = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell + INT64_C(1))));
-    EACH_LANE each((*found_t)) = each(share_t);
-    (*found) = share;
-    if ((first == owner) && (second != owner))
+    lanes first_t, second_t, found_t;
+    double first, second, found;
+    EACH_LANE each(first_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell)));
+    first = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell));
+    EACH_LANE each(second_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1)));
+    second = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1));
+    EACH_LANE each(found_t) = each(share_t);
+    found = share;
+    if (first == owner && second != owner)
     {
-        (*found_t) = all_lanes(0.0);
-        (*found) = 0.0;
+        found_t = all_lanes(0.0);
+        found = 0.0;
     }
-    else if ((second == owner) && (first != owner))
+    else if (second == owner && first != owner)
     {
-        (*found_t) = all_lanes(0.0);
-        (*found) = 1.0;
+        found_t = all_lanes(0.0);
+        found = 1.0;
     }
-    return 0;
+    *found_out = found;
+    EACH_LANE each(*found_t_out) = each(found_t);
 }
 
 
@@ -1942,46 +1770,9 @@ static inline int64_t derivative_shared_power__own_share_t(double* found, lanes*
 /* Derivative of ``describe_contact``. */
 static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t)
 {
-    int64_t pair;
-    int64_t place;
-    int64_t point;
-    double z;
-    lanes z_t;
-    double slope;
-    lanes slope_t;
-    double y_track;
-    lanes y_track_t;
-    double rail_slope;
-    lanes rail_slope_t;
-    double mismatch;
-    lanes mismatch_t;
-    double sin_phi;
-    lanes sin_phi_t;
-    double cos_phi;
-    lanes cos_phi_t;
-    lanes r_t;
-    double r;
-    double v1;
-    double v2;
-    lanes lateral_t;
-    double lateral;
-    double v3;
-    lanes x_track_t;
-    double x_track;
-    double pitch_sin;
-    lanes pitch_sin_t;
-    double pitch_cos;
-    lanes pitch_cos_t;
-    lanes ahead_t;
-    double ahead;
-    double z_track;
-    lanes z_track_t;
-    double v4;
-    lanes v4_t;
-    double v5;
-    lanes v5_t;
-    double v6;
-    lanes v6_t;
+    int64_t pair, place, point;
+    double z, slope, y_track, rail_slope, mismatch, sin_phi, cos_phi, r, v1, v2, lateral, v3, x_track, pitch_sin, pitch_cos, ahead, z_track, v4, v5, v6;
+    lanes z_t, slope_t, y_track_t, rail_slope_t, mismatch_t, sin_phi_t, cos_phi_t, r_t, lateral_t, x_track_t, pitch_sin_t, pitch_cos_t, ahead_t, z_track_t, v4_t, v5_t, v6_t;
     bool touches;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
@@ -1989,15 +1780,15 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     derivative_frame__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, tables, work, work_t, pair, place, y, y_t, aside, aside_t, shift, shift_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
     EACH_LANE each(r_t) = each(z_t);
-    r = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + z;
-    v1 = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
+    r = AT(tables, pair + layout__PAIR_RADIUS) + z;
+    v1 = AT(work, place + layout__PLACE_ARM) + y;
     v2 = r * cos_phi;
-    EACH_LANE each(lateral_t) = (each((*lanes_at(&work_t, place + layout__PLACE_ARM))) + each(y_t)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL))) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))));
-    lateral = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
-    EACH_LANE each(x_track_t) = (each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * each(r_t)) * sin_phi + v3 * each(sin_phi_t) - (each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * each(lateral_t));
-    x_track = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    EACH_LANE each(lateral_t) = (each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t)) * AT(work, place + layout__PLACE_COS_ROLL) + v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * AT(work, place + layout__PLACE_SIN_ROLL) + v2 * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)));
+    lateral = v1 * AT(work, place + layout__PLACE_COS_ROLL) - v2 * AT(work, place + layout__PLACE_SIN_ROLL);
+    v3 = AT(work, place + layout__PLACE_COS_YAW) * r;
+    EACH_LANE each(x_track_t) = (each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) * r + AT(work, place + layout__PLACE_COS_YAW) * each(r_t)) * sin_phi + v3 * each(sin_phi_t) - (each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * lateral + AT(work, place + layout__PLACE_SIN_YAW) * each(lateral_t));
+    x_track = v3 * sin_phi - AT(work, place + layout__PLACE_SIN_YAW) * lateral;
+    if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
         derivative_rails__pitch_of_frame_t(&pitch_sin, &pitch_sin_t, &pitch_cos, &pitch_cos_t, work, work_t, place);
         EACH_LANE each(ahead_t) = each(sin_phi_t) * pitch_cos + sin_phi * each(pitch_cos_t) - (each(cos_phi_t) * pitch_sin + cos_phi * each(pitch_sin_t));
@@ -2007,55 +1798,55 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
         EACH_LANE each(sin_phi_t) = each(ahead_t);
         sin_phi = ahead;
     }
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_WHEEL))) = each(r_t) * sin_phi + r * each(sin_phi_t);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL)) = r * sin_phi;
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL))) = each(y_t);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL))) = each(r_t) * cos_phi + r * each(cos_phi_t);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    derivative_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), all_lanes(0.0), y_track, y_track_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK))) = each(x_track_t);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK))) = each(y_track_t);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK))) = each(z_track_t);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_WHEEL)) = each(r_t) * sin_phi + r * each(sin_phi_t);
+    AT(work, point + layout__CONTACT_POINT_X_WHEEL) = r * sin_phi;
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_WHEEL)) = each(y_t);
+    AT(work, point + layout__CONTACT_POINT_Y_WHEEL) = y;
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_WHEEL)) = each(r_t) * cos_phi + r * each(cos_phi_t);
+    AT(work, point + layout__CONTACT_POINT_Z_WHEEL) = r * cos_phi - AT(tables, pair + layout__PAIR_RADIUS);
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    AT(work, point + layout__CONTACT_POINT_Y_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    AT(work, point + layout__CONTACT_POINT_Z_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z);
+    derivative_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, AT(tables, pair + layout__PAIR_RAIL_Y), all_lanes(0.0), y_track, y_track_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK)) = each(x_track_t);
+    AT(work, point + layout__CONTACT_POINT_X_TRACK) = x_track;
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK)) = each(y_track_t);
+    AT(work, point + layout__CONTACT_POINT_Y_TRACK) = y_track;
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK)) = each(z_track_t);
+    AT(work, point + layout__CONTACT_POINT_Z_TRACK) = z_track;
     derivative_circle__atan_rule_t(&v4, &v4_t, rail_slope, rail_slope_t);
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE))) = -each(v4_t);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -v4;
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -each(v4_t);
+    AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE) = -v4;
+    if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
         derivative_circle__atan_rule_t(&v5, &v5_t, rail_slope, rail_slope_t);
-        EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE))) = (-each(v5_t)) - each((*lanes_at(&work_t, place + layout__PLACE_RAIL_ROLL)));
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-v5) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+        EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -each(v5_t) - each(RATE_AT(work_t, place + layout__PLACE_RAIL_ROLL));
+        AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE) = -v5 - AT(work, place + layout__PLACE_RAIL_ROLL);
     }
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS))) = each(r_t);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = each(r_t);
+    AT(work, point + layout__CONTACT_POINT_ROLLING_RADIUS) = r;
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE)));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND)));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_X)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    AT(work, point + layout__CONTACT_POINT_CURVATURE_X) = AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE);
+    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
+    AT(work, point + layout__CONTACT_POINT_CURVATURE_Y) = AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND);
+    if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v6, &v6_t, tables, pair, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
-        EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y))) = 2.0 * each(v6_t);
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v6;
+        derivative_curvature__relative_curvature_t(&v6, &v6_t, tables, pair, y, y_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+        EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * each(v6_t);
+        AT(work, point + layout__CONTACT_POINT_CURVATURE_Y) = 2.0 * v6;
     }
-    touches = 1;
+    touches = true;
     if (fabs(mismatch) >= side__PARALLEL)
     {
-        if ((fabs(mismatch) > side__CORNER) || side__is_end(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y))
+        if (fabs(mismatch) > side__CORNER || side__is_end(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y))
         {
-            touches = 0;
+            touches = false;
         }
-        if (side__is_end(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
+        if (side__is_end(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)))
         {
-            touches = 0;
+            touches = false;
         }
     }
     return touches;
@@ -2064,72 +1855,70 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
 /* Derivative of ``clear_side``. */
 static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
 {
-    (*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) = all_lanes(0.0);
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = 0.0;
+    RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION) = all_lanes(0.0);
+    AT(work, side + layout__SIDE_SEARCH_PENETRATION) = 0.0;
     derivative_filling__clear_patches_t(work, work_t, side);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``load_side``. */
-static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_side__load_side_t(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
-    int64_t pair;
-    int64_t side;
+    int64_t pair, side, count, number, number_end;
     double penetration;
     lanes penetration_t;
     bool satisfied;
-    int64_t number_end;
-    int64_t number;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    derivative_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
-    EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION))) = each(penetration_t);
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = penetration;
-    if ((!satisfied) && ((*count) == INT64_C(0)))
+    derivative_normal_contact__solve_normal_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) = each(penetration_t);
+    AT(work, side + layout__SIDE_SEARCH_PENETRATION) = penetration;
+    if (!satisfied && count == 0)
     {
-        (*result_1) = layout__OFF_PROFILE;
-        return 0;
+        *count_out = count;
+        *VALID_out = layout__OFF_PROFILE;
+        return;
     }
     if (!satisfied)
     {
-        (*result_1) = layout__NOT_CONVERGED;
-        return 0;
+        *count_out = count;
+        *VALID_out = layout__NOT_CONVERGED;
+        return;
     }
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
     {
         derivative_patch_places__place_patches_t(tables, work, work_t, pair, side);
-        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) || requested__has_wear(tables))
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE || requested__has_wear(tables))
         {
-            number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-            for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+            number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+            for (number = 0; number < number_end; number += 1)
             {
                 derivative_cut__cut_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
                 derivative_patch_places__place_strips_t(tables, work, work_t, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
             }
         }
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+        if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
         {
-            derivative_outline__write_outline_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), side, (*count));
-            if (requested__has_wear(tables) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
+            derivative_outline__write_outline_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, (int64_t)AT(tables, layout__TABLES_STATIONS), side, count);
+            if (requested__has_wear(tables) && (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
             {
                 derivative_wear_places__place_wear_t(tables, work, work_t, pair, side);
             }
         }
     }
-    (*result_1) = layout__VALID;
-    return 0;
+    *count_out = count;
+    *VALID_out = layout__VALID;
 }
 
 /* Derivative of ``touch_side``. */
 static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    int64_t side;
+    int64_t side, status;
     bool n1;
-    int64_t status;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     derivative_side__clear_side_t(work, work_t, side);
     status = layout__UNLOADED;
-    n1 = derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, all_lanes(0.0), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
+    n1 = derivative_side__describe_contact_t(tables, work, work_t, index, AT(work, side + layout__SIDE_SEARCH_BEST_Y), RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST_Y), 0.0, all_lanes(0.0), AT(work, side + layout__SIDE_SEARCH_BEST), RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
     if (!n1)
     {
         status = layout__OFF_PROFILE;
@@ -2140,17 +1929,14 @@ static inline int64_t derivative_side__touch_side_t(array_double_1d tables, arra
 /* Derivative of ``solve_side``. */
 static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t)
 {
-    int64_t n1;
-    double penetration;
+    int64_t n1, status, count;
+    double penetration, pressed;
     lanes pressed_t;
-    double pressed;
-    int64_t count;
-    int64_t status;
     n1 = derivative_side__touch_side_t(tables, work, work_t, index);
     status = n1;
     if (status == layout__UNLOADED)
     {
-        penetration = (*cspan_at(&tables, layout__TABLES_PENETRATION + index));
+        penetration = AT(tables, layout__TABLES_PENETRATION + index);
         EACH_LANE each(pressed_t) = each(force_t);
         pressed = force;
         if (isfinite(penetration))
@@ -2161,7 +1947,7 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
         if (pressed > 0.0)
         {
             status = layout__VALID;
-            if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) != layout__DEPTH_GEOMETRY)
+            if ((int64_t)AT(tables, layout__TABLES_DEPTH) != layout__DEPTH_GEOMETRY)
             {
                 derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, penetration, all_lanes(0.0));
             }
@@ -2173,50 +1959,39 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
 /* Derivative of ``press_side``. */
 static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t)
 {
-    int64_t pair;
-    int64_t side;
-    lanes height_t;
-    double height;
-    int64_t n1;
-    int64_t deepest;
-    double aside;
-    lanes aside_t;
-    double shift;
-    lanes shift_t;
+    int64_t pair, side, n1, deepest;
+    lanes height_t, aside_t, shift_t;
+    double height, aside, shift;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    EACH_LANE each(height_t) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST))) + each(approach_t);
-    height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(approach_t);
+    height = AT(work, side + layout__SIDE_SEARCH_BEST) + approach;
     derivative_side__clear_side_t(work, work_t, side);
     n1 = derivative_side__find_points_t(work, work_t, tables, side, index, height, height_t);
-    if (n1 == INT64_C(0))
+    if (n1 == 0)
     {
         return layout__OFF_PROFILE;
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
-    derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*lanes_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, all_lanes(0.0));
+    derivative_side__describe_contact_t(tables, work, work_t, index, AT(work, deepest + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, deepest + layout__DEEP_POINT_WHEEL), aside, aside_t, shift, shift_t);
+    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH), 0.0, all_lanes(0.0));
     return layout__VALID;
 }
 
 /* Derivative of ``find_points``. */
 static inline int64_t derivative_side__find_points_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, lanes height_t)
 {
-    int64_t pair;
-    int64_t kept;
-    int64_t n1;
-    int64_t n2;
-    int64_t count;
+    int64_t pair, kept, count, n1, n2;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
-    count = INT64_C(0);
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0) && ((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) > INT64_C(0)))
+    count = 0;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0 && (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) > 0)
     {
         n1 = derivative_deep_points__follow_overlaps_t(tables, work, work_t, pair, kept, side + layout__SIDE_SEARCH_PLACE, height, height_t);
         count = n1;
     }
-    if (count == INT64_C(0))
+    if (count == 0)
     {
         n2 = derivative_overlaps__overlaps_rule_t(tables, work, work_t, pair, side, height, height_t);
         count = n2;
@@ -2226,52 +2001,40 @@ static inline int64_t derivative_side__find_points_t(array_double_1d work, array
 }
 
 /* Derivative of ``side_lever``. */
-static inline int64_t derivative_side__side_lever_t(double* lever, lanes* lever_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, int64_t count)
+static inline void derivative_side__side_lever_t(double* lever_out, lanes* lever_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, int64_t count)
 {
-    int64_t pair;
-    int64_t at;
-    lanes total_t;
-    double total;
-    lanes weight_t;
-    double weight;
-    int64_t region;
-    int64_t block;
-    double v1;
-    lanes stiffness_t;
-    double stiffness;
-    double v2;
-    lanes v2_t;
-    double v3;
-    lanes v3_t;
-    double v4;
+    int64_t pair, at, region, block;
+    lanes total_t, weight_t, stiffness_t, v2_t, v3_t, lever_t;
+    double total, weight, v1, stiffness, v2, v3, lever, v4;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     total_t = all_lanes(0.0);
     total = 0.0;
     weight_t = all_lanes(0.0);
     weight = 0.0;
-    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    for (region = 0; region < count; region += 1)
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
-        v1 = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE));
-        EACH_LANE each(stiffness_t) = (each((*lanes_at(&work_t, block + layout__REGION_STIFFNESS))) * (*cspan_at(&work, block + layout__REGION_SHARE)) + (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * each((*lanes_at(&work_t, block + layout__REGION_SHARE)))) * (*cspan_at(&work, block + layout__REGION_COS)) + v1 * each((*lanes_at(&work_t, block + layout__REGION_COS)));
-        stiffness = v1 * (*cspan_at(&work, block + layout__REGION_COS));
+        v1 = AT(work, block + layout__REGION_STIFFNESS) * AT(work, block + layout__REGION_SHARE);
+        EACH_LANE each(stiffness_t) = (each(RATE_AT(work_t, block + layout__REGION_STIFFNESS)) * AT(work, block + layout__REGION_SHARE) + AT(work, block + layout__REGION_STIFFNESS) * each(RATE_AT(work_t, block + layout__REGION_SHARE))) * AT(work, block + layout__REGION_COS) + v1 * each(RATE_AT(work_t, block + layout__REGION_COS));
+        stiffness = v1 * AT(work, block + layout__REGION_COS);
         EACH_LANE each(weight_t) = each(weight_t) + each(stiffness_t);
         weight = weight + stiffness;
-        derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, pair, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*lanes_at(&work_t, block + layout__REGION_WHEEL)));
+        derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, pair, at, AT(work, block + layout__REGION_WHEEL), RATE_AT(work_t, block + layout__REGION_WHEEL));
         EACH_LANE each(total_t) = each(total_t) + (each(stiffness_t) * v2 + stiffness * each(v2_t));
         total = total + stiffness * v2;
     }
-    derivative_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, pair, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)), (*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
-    EACH_LANE each((*lever_t)) = each(v3_t);
-    (*lever) = v3;
+    derivative_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, pair, at, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y), RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y));
+    EACH_LANE each(lever_t) = each(v3_t);
+    lever = v3;
     if (weight > 0.0)
     {
         v4 = total / weight;
-        EACH_LANE each((*lever_t)) = (each(total_t) - v4 * each(weight_t)) / weight;
-        (*lever) = v4;
+        EACH_LANE each(lever_t) = (each(total_t) - v4 * each(weight_t)) / weight;
+        lever = v4;
     }
-    return 0;
+    *lever_out = lever;
+    EACH_LANE each(*lever_t_out) = each(lever_t);
 }
 
 
@@ -2281,95 +2044,83 @@ static inline int64_t derivative_side__side_lever_t(double* lever, lanes* lever_
  */
 
 /* Derivative of ``damper_stiffness``. */
-static inline int64_t derivative_springs__damper_stiffness_t(double* stiffness, lanes* stiffness_t, double damping, lanes damping_t, double time_step, lanes time_step_t)
+static inline void derivative_springs__damper_stiffness_t(double* stiffness_out, lanes* stiffness_t_out, double damping, lanes damping_t, double time_step, lanes time_step_t)
 {
-    double v1;
-    (*stiffness_t) = all_lanes(0.0);
-    (*stiffness) = 0.0;
+    lanes stiffness_t;
+    double stiffness, v1;
+    stiffness_t = all_lanes(0.0);
+    stiffness = 0.0;
     if (time_step > 0.0)
     {
         v1 = damping / time_step;
-        EACH_LANE each((*stiffness_t)) = (each(damping_t) - v1 * each(time_step_t)) / time_step;
-        (*stiffness) = v1;
+        EACH_LANE each(stiffness_t) = (each(damping_t) - v1 * each(time_step_t)) / time_step;
+        stiffness = v1;
     }
-    return 0;
+    *stiffness_out = stiffness;
+    EACH_LANE each(*stiffness_t_out) = each(stiffness_t);
 }
 
 /* Derivative of ``open_settling``. */
 static inline int64_t derivative_springs__open_settling_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t spring;
-    lanes time_step_t;
-    double time_step;
-    lanes lateral_t;
-    double lateral;
-    lanes vertical_t;
-    double vertical;
-    double v1;
-    lanes v1_t;
-    lanes damper_t;
-    double damper;
-    double v2;
-    double v3;
-    double v4;
-    lanes v4_t;
-    double v5;
-    double v6;
+    lanes time_step_t, lateral_t, vertical_t, v1_t, damper_t, v4_t;
+    double time_step, lateral, vertical, v1, damper, v2, v3, v4, v5, v6;
     spring = layout__TABLES_SPRINGS + layout__SPRING_SIZE * index;
-    EACH_LANE each(time_step_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP)));
-    time_step = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
-    EACH_LANE each(lateral_t) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE)));
-    lateral = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE));
-    EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE)));
-    vertical = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE));
-    if (index == INT64_C(1))
+    EACH_LANE each(time_step_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    time_step = AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP);
+    EACH_LANE each(lateral_t) = -each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE));
+    lateral = -AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE);
+    EACH_LANE each(vertical_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE));
+    vertical = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE);
+    if (index == 1)
     {
-        EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE)));
-        lateral = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE));
-        EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE)));
-        vertical = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE));
+        EACH_LANE each(lateral_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE));
+        lateral = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE);
+        EACH_LANE each(vertical_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE));
+        vertical = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE);
     }
-    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = 0.0;
-    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = 0.0;
-    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = 0.0;
-    if ((*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) > 0.0)
+    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) = all_lanes(0.0);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) = 0.0;
+    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) = all_lanes(0.0);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) = 0.0;
+    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE) = all_lanes(0.0);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE) = 0.0;
+    if (AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) > 0.0)
     {
-        derivative_springs__damper_stiffness_t(&v1, &v1_t, (*cspan_at(&tables, spring + layout__SPRING_LATERAL_DAMPING)), all_lanes(0.0), time_step, time_step_t);
+        derivative_springs__damper_stiffness_t(&v1, &v1_t, AT(tables, spring + layout__SPRING_LATERAL_DAMPING), all_lanes(0.0), time_step, time_step_t);
         EACH_LANE each(damper_t) = each(v1_t);
         damper = v1;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS))) = each(damper_t);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = (*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) + damper;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = each(damper_t);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) = AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) + damper;
         v2 = damper * lateral;
-        v3 = v2 / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS));
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST))) = (each(damper_t) * lateral + damper * each(lateral_t) - v3 * each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)))) / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS));
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = v3;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE))) = each(lateral_t);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = lateral;
+        v3 = v2 / AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = (each(damper_t) * lateral + damper * each(lateral_t) - v3 * each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS))) / AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) = v3;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = each(lateral_t);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE) = lateral;
     }
-    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = 0.0;
-    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = 0.0;
-    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = all_lanes(0.0);
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = 0.0;
-    if ((*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) > 0.0)
+    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) = all_lanes(0.0);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) = 0.0;
+    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) = all_lanes(0.0);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) = 0.0;
+    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE) = all_lanes(0.0);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE) = 0.0;
+    if (AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) > 0.0)
     {
-        derivative_springs__damper_stiffness_t(&v4, &v4_t, (*cspan_at(&tables, spring + layout__SPRING_VERTICAL_DAMPING)), all_lanes(0.0), time_step, time_step_t);
+        derivative_springs__damper_stiffness_t(&v4, &v4_t, AT(tables, spring + layout__SPRING_VERTICAL_DAMPING), all_lanes(0.0), time_step, time_step_t);
         EACH_LANE each(damper_t) = each(v4_t);
         damper = v4;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS))) = each(damper_t);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = (*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) + damper;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = each(damper_t);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) = AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) + damper;
         v5 = damper * vertical;
-        v6 = v5 / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS));
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST))) = (each(damper_t) * vertical + damper * each(vertical_t) - v6 * each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)))) / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS));
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = v6;
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE))) = each(vertical_t);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = vertical;
+        v6 = v5 / AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = (each(damper_t) * vertical + damper * each(vertical_t) - v6 * each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS))) / AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) = v6;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = each(vertical_t);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE) = vertical;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``deflect``. */
@@ -2377,69 +2128,63 @@ static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_
 {
     int64_t deflection;
     lanes time_step_t;
-    double time_step;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
+    double time_step, v1, v2, v3, v4;
     deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
-    EACH_LANE each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL))) = each(lateral_t);
-    (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL)) = lateral;
-    EACH_LANE each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL))) = each(vertical_t);
-    (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL)) = vertical;
-    (*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL_RATE)) = all_lanes(0.0);
-    (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE)) = 0.0;
-    (*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)) = all_lanes(0.0);
-    (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE)) = 0.0;
-    EACH_LANE each(time_step_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP)));
-    time_step = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL)) = each(lateral_t);
+    AT(work, deflection + layout__DEFLECTION_LATERAL) = lateral;
+    EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL)) = each(vertical_t);
+    AT(work, deflection + layout__DEFLECTION_VERTICAL) = vertical;
+    RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE) = all_lanes(0.0);
+    AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) = 0.0;
+    RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE) = all_lanes(0.0);
+    AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) = 0.0;
+    EACH_LANE each(time_step_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    time_step = AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP);
     if (time_step > 0.0)
     {
-        v1 = lateral - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE));
+        v1 = lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE);
         v2 = v1 / time_step;
-        EACH_LANE each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL_RATE))) = (each(lateral_t) - each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE))) - v2 * each(time_step_t)) / time_step;
-        (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE)) = v2;
-        v3 = vertical - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE));
+        EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE)) = (each(lateral_t) - each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) - v2 * each(time_step_t)) / time_step;
+        AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) = v2;
+        v3 = vertical - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE);
         v4 = v3 / time_step;
-        EACH_LANE each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL_RATE))) = (each(vertical_t) - each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE))) - v4 * each(time_step_t)) / time_step;
-        (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE)) = v4;
+        EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)) = (each(vertical_t) - each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) - v4 * each(time_step_t)) / time_step;
+        AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) = v4;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Derivative of ``spring_residual``. */
-static inline int64_t derivative_springs__spring_residual_t(double* residual, lanes* residual_t, double stiffness, lanes stiffness_t, double rest, lanes rest_t, double deflection, lanes deflection_t, double force, lanes force_t)
+static inline void derivative_springs__spring_residual_t(double* residual_out, lanes* residual_t_out, double stiffness, lanes stiffness_t, double rest, lanes rest_t, double deflection, lanes deflection_t, double force, lanes force_t)
 {
-    double v1;
-    EACH_LANE each((*residual_t)) = each(deflection_t);
-    (*residual) = deflection;
+    lanes residual_t;
+    double residual, v1;
+    EACH_LANE each(residual_t) = each(deflection_t);
+    residual = deflection;
     if (stiffness > 0.0)
     {
         v1 = deflection - rest;
-        EACH_LANE each((*residual_t)) = each(stiffness_t) * v1 + stiffness * (each(deflection_t) - each(rest_t)) - each(force_t);
-        (*residual) = stiffness * v1 - force;
+        EACH_LANE each(residual_t) = each(stiffness_t) * v1 + stiffness * (each(deflection_t) - each(rest_t)) - each(force_t);
+        residual = stiffness * v1 - force;
     }
-    return 0;
+    *residual_out = residual;
+    EACH_LANE each(*residual_t_out) = each(residual_t);
 }
 
 /* Derivative of ``weigh_rail``. */
 static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
 {
-    int64_t n1;
-    int64_t side;
+    int64_t n1, status, side;
     bool rubbing;
-    double v2;
-    lanes v2_t;
-    double v3;
-    lanes v3_t;
-    int64_t status;
+    double v2, v3;
+    lanes v2_t, v3_t, rates, rates_2;
     n1 = derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
     status = n1;
     if (status <= layout__UNLOADED)
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+        if (requested__is_moving(work, tables, layout__WORK_INPUTS))
         {
             derivative_rubbing__move_side_t(work, work_t, tables, side);
         }
@@ -2448,16 +2193,14 @@ static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, a
             derivative_rubbing__rub_side_t(tables, work, work_t, index);
         }
         derivative_forces__sum_side_t(work, work_t, side, rubbing);
-        lanes rates_1;
-        EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(1))));
-        derivative_springs__spring_residual_t(&v2, &v2_t, (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)), (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)), (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)), (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)), (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)), (*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)), -(*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(1))), rates_1);
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) = each(v2_t);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) = v2;
-        lanes rates_2;
-        EACH_LANE each(rates_2) = -each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(2))));
-        derivative_springs__spring_residual_t(&v3, &v3_t, (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)), (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)), (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)), (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)), (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)), (*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)), -(*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(2))), rates_2);
-        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) = each(v3_t);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) = v3;
+        EACH_LANE each(rates) = -each(RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1));
+        derivative_springs__spring_residual_t(&v2, &v2_t, AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1), rates);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) = each(v2_t);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) = v2;
+        EACH_LANE each(rates_2) = -each(RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2));
+        derivative_springs__spring_residual_t(&v3, &v3_t, AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST), RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2), rates_2);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) = each(v3_t);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) = v3;
     }
     return status;
 }
@@ -2469,20 +2212,17 @@ static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, a
  */
 
 /* Derivative of ``permitted_approach``. */
-static inline int64_t derivative_trial__permitted_approach_t(double* approach, lanes* approach_t, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t)
+static inline void derivative_trial__permitted_approach_t(double* approach_out, lanes* approach_t_out, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t)
 {
-    double v1;
-    double v2;
-    lanes v2_t;
-    double v3;
-    lanes v3_t;
-    v1 = trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
-    v2 = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-    EACH_LANE each(v2_t) = each(height_t) - each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
+    double v1, v2, v3, approach;
+    lanes v2_t, v3_t, approach_t;
+    v1 = trial__SHALLOWEST * AT(work, support + layout__SUPPORT_APPROACH);
+    v2 = height - AT(work, side + layout__SIDE_SEARCH_BEST);
+    EACH_LANE each(v2_t) = each(height_t) - each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = trial__SHALLOWEST * each((*lanes_at(&work_t, support + layout__SUPPORT_APPROACH)));
+        EACH_LANE each(v2_t) = trial__SHALLOWEST * each(RATE_AT(work_t, support + layout__SUPPORT_APPROACH));
     }
     v3 = v2;
     EACH_LANE each(v3_t) = each(v2_t);
@@ -2491,41 +2231,27 @@ static inline int64_t derivative_trial__permitted_approach_t(double* approach, l
         v3 = trial__DEEPEST;
         v3_t = all_lanes(0.0);
     }
-    EACH_LANE each((*approach_t)) = each(v3_t);
-    (*approach) = v3;
-    return 0;
+    EACH_LANE each(approach_t) = each(v3_t);
+    approach = v3;
+    *approach_out = approach;
+    EACH_LANE each(*approach_t_out) = each(approach_t);
 }
 
 /* Derivative of ``balance_side``. */
 static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t)
 {
-    int64_t support;
-    int64_t side;
-    double v1;
-    lanes v1_t;
-    int64_t n2;
-    double v3;
-    lanes v3_t;
-    lanes approach_t;
-    double approach;
-    int64_t n4;
-    int64_t status;
-    int64_t count;
-    double v5;
-    double v6;
-    lanes carried_t;
-    double carried;
-    double v7;
-    lanes v7_t;
+    int64_t support, side, n2, n4, status, count;
+    double v1, v3, approach, v5, v6, carried, v7;
+    lanes v1_t, v3_t, approach_t, carried_t, v7_t;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     if (!(force > 0.0))
     {
-        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_HEIGHT))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
-        (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-        derivative_side__side_lever_t(&v1, &v1_t, tables, work, work_t, index, INT64_C(0));
-        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_LEVER))) = each(v1_t);
-        (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = v1;
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
+        AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST);
+        derivative_side__side_lever_t(&v1, &v1_t, tables, work, work_t, index, 0);
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v1_t);
+        AT(work, support + layout__SUPPORT_LEVER) = v1;
         n2 = derivative_side__touch_side_t(tables, work, work_t, index);
         return n2;
     }
@@ -2536,16 +2262,16 @@ static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, a
     status = n4;
     if (status == layout__VALID)
     {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, (*cspan_at(&tables, layout__TABLES_ABSENT)), all_lanes(0.0));
-        v5 = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-        v6 = v5 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        EACH_LANE each(carried_t) = each(approach_t) + (each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) - v6 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, AT(tables, layout__TABLES_ABSENT), all_lanes(0.0));
+        v5 = AT(work, side + layout__SIDE_SEARCH_PENETRATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+        v6 = v5 / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+        EACH_LANE each(carried_t) = each(approach_t) + (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - v6 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
         carried = approach + v6;
-        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_HEIGHT))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST))) + each(carried_t);
-        (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + carried;
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(carried_t);
+        AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST) + carried;
         derivative_side__side_lever_t(&v7, &v7_t, tables, work, work_t, index, count);
-        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_LEVER))) = each(v7_t);
-        (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = v7;
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v7_t);
+        AT(work, support + layout__SUPPORT_LEVER) = v7;
     }
     return status;
 }
@@ -2557,28 +2283,25 @@ static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, a
  */
 
 /* Derivative of ``carried_share``. */
-static inline int64_t derivative_vertical_load__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline void derivative_vertical_load__carried_share_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    double v1;
-    double v2;
-    lanes wanted_t;
-    double wanted;
+    lanes share_t, wanted_t;
+    double share, v1, v2, wanted, v3, v4;
     int64_t forces;
-    double v3;
-    double v4;
-    (*share_t) = all_lanes(0.0);
-    (*share) = 1.0;
-    v1 = (double)(INT64_C(2) * index - INT64_C(1));
-    v2 = 1.0 + v1 * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
-    EACH_LANE each(wanted_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE))) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))));
-    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2;
+    share_t = all_lanes(0.0);
+    share = 1.0;
+    v1 = (double)(2 * index - 1);
+    v2 = 1.0 + v1 * AT(work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER);
+    EACH_LANE each(wanted_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2 + AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (v1 * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    wanted = AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * v2;
     forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
-    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
+    if (wanted > 0.0 && AT(work, forces + layout__FORCES_NORMAL_FORCE + 2) < 0.0)
     {
-        v3 = -(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
+        v3 = -AT(work, forces + layout__FORCES_FORCE + 2);
         v4 = v3 / wanted;
-        EACH_LANE each((*share_t)) = ((-each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) - v4 * each(wanted_t)) / wanted;
-        (*share) = v4;
+        EACH_LANE each(share_t) = (-each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) - v4 * each(wanted_t)) / wanted;
+        share = v4;
     }
-    return 0;
+    *share_out = share;
+    EACH_LANE each(*share_t_out) = each(share_t);
 }

@@ -2,36 +2,36 @@
 #include "constants.h"
 
 /* normal/analyn.py */
-static inline double analyn__planes_cosine(array_double_1d work, int64_t one, int64_t other);
-static inline double analyn__region_lead(array_double_1d work, int64_t one, int64_t other);
 static inline double analyn__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other);
+static inline double analyn__region_lead(array_double_1d work, int64_t one, int64_t other);
+static inline double analyn__planes_cosine(array_double_1d work, int64_t one, int64_t other);
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t region, int64_t k, int64_t outward, double stop);
-static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration);
+static inline void analyn__region_load(double* out_0, double* out_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration);
 static inline double analyn__load_regions(array_double_1d work, int64_t count);
-static inline int64_t analyn__penetration_residuals(double* largest, double* slope, double* rest, array_double_1d work, array_double_1d tables, int64_t count, double penetration);
+static inline void analyn__solve_penetrations(double* penetration_out, bool* out_1, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed);
 static inline double analyn__penetration_move(double force, double total, double slope, double rest, double penetration, double low, double high);
+static inline void analyn__penetration_residuals(double* largest_out, double* slope_out, double* rest_out, array_double_1d work, array_double_1d tables, int64_t count, double penetration);
 static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move);
-static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed);
 
 /* normal/analyn_contact.py */
+static inline void analyn_contact__analyn_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration);
 static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration);
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration);
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration);
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration);
 
 /* normal/coefficients.py */
 static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double ratio);
-static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B);
-static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant);
+static inline void coefficients__hertz_coefficients(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double A, double B);
+static inline void coefficients__skewed_coefficients(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double A, double B, double slant);
 static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant);
 static inline double coefficients__hertz_stiffness(double one_beta, double nr, double B, double contact_modulus);
 static inline double coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window);
 static inline double coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle);
 static inline double coefficients__windowed_curvature(double averaged, double secant, double share);
-static inline int64_t coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least);
-static inline int64_t coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A);
+static inline void coefficients__adaptive_curvatures(double* secant_out, double* side_out, double* B_out, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least);
 static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
+static inline void coefficients__skew_factors(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t region, double A);
 
 /* normal/estimate.py */
 static inline double estimate__guess_penetration(double force, double A, double contact_modulus);
@@ -40,82 +40,92 @@ static inline double estimate__first_penetration(array_double_1d tables, array_d
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration);
 
 /* normal/hertz_contact.py */
-static inline int64_t hertz_contact__press_ellipse(double* result_0, double* result_1, double* stiffness, double* penetration, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed);
-static inline int64_t hertz_contact__profile_ends(double* low, double* high, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region);
+static inline void hertz_contact__hertz_contact(double* penetration_out, int64_t* out_1, bool* out_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline int64_t hertz_contact__fill_ellipse(array_double_1d work, int64_t side, int64_t region, double half_length, double half_width);
+static inline void hertz_contact__press_ellipse(double* out_0, double* out_1, double* stiffness_out, double* penetration_out, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed);
+static inline void hertz_contact__profile_ends(double* low_out, double* high_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region);
 static OUT_OF_LINE double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double low, double high);
 static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest);
-static inline int64_t hertz_contact__fill_ellipse(array_double_1d work, int64_t side, int64_t region, double half_length, double half_width);
-static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 
 /* normal/node_patches.py */
+static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t side, int64_t count);
 static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes);
+static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k);
 static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing);
 static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip);
-static inline int64_t node_patches__add_part(double* load, double* moment, array_double_1d work, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step);
-static inline double node_patches__peak_square(double before, double square, double after);
+static inline void node_patches__add_part(double* load_out, double* moment_out, array_double_1d work, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step);
 static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t patch, int64_t strip);
-static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k);
-static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t side, int64_t count);
+static inline double node_patches__peak_square(double before, double square, double after);
 
 /* normal/nodes.py */
 static inline int64_t nodes__window_nodes(array_double_1d tables);
 static inline int64_t nodes__node_stride(array_double_1d tables);
 static inline double nodes__trace_tolerance(double spacing);
+static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach);
 static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair);
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at);
-static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station);
+static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
+static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at);
+static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
+static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station);
 static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t nodes, int64_t at, int64_t direction);
-static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
-static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach);
-static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline double nodes__zone_share(array_double_1d tables, double A, double side);
 static inline double nodes__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge);
-static inline int64_t nodes__prepare_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double enlarge);
 static inline int64_t nodes__prepare_regions(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double enlarge);
+static inline int64_t nodes__prepare_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double enlarge);
 static inline bool nodes__covered(array_double_1d work, int64_t count);
 
 /* normal/normal_contact.py */
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline void normal_contact__solve_normal(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline bool normal_contact__has_coarse_form(array_double_1d tables);
 static inline double normal_contact__residual_rate(array_double_1d tables);
 
 /* normal/patch_places.py */
 static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration);
-static inline double patch_places__abscissa_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double away);
-static inline int64_t patch_places__place_load(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t patch, int64_t number);
-static inline int64_t patch_places__close_place(array_double_1d work, int64_t patch);
 static inline int64_t patch_places__place_patches(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
+static inline int64_t patch_places__place_load(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t patch, int64_t number);
+static inline double patch_places__abscissa_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double away);
+static inline int64_t patch_places__close_place(array_double_1d work, int64_t patch);
 static inline int64_t patch_places__place_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch);
 
 /* normal/strip_contact.py */
+static inline void strip_contact__strip_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration);
+static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables);
+static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double force);
 static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t strip_contact__start_runs(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t sweeps, double force, bool by_penetration);
-static inline int64_t strip_contact__sink_strips(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration);
-static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
-static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force);
 
 /* normal/strip_lengths.py */
 static inline double strip_lengths__corrected(double ratio, double power);
 static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t first, int64_t i, double penetration, bool yawed);
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double share);
 static inline int64_t strip_lengths__limit_axis(array_double_1d work, int64_t before, int64_t strip, int64_t after);
 static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second);
-static inline double strip_lengths__edge_move(double half, double away, double before);
 static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double share);
+static inline double strip_lengths__edge_move(double half, double away, double before);
 static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_double_1d tables, int64_t k);
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double share);
+
+/* normal/strip_levels.py */
+static inline int64_t strip_levels__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves);
+static inline bool strip_levels__is_one_curve(array_double_1d work, int64_t i);
+static inline double strip_levels__deepen_levels(array_double_1d work, double force);
+static inline void strip_levels__level_contact(double* load_out, double* out_1, array_double_1d work);
+static inline int64_t strip_levels__begin_curve(array_double_1d work, int64_t low, int64_t high);
+static inline double strip_levels__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high);
+static inline double strip_levels__level_length(array_double_1d work, int64_t j, double station);
 
 /* normal/strip_patches.py */
-static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
-static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index);
+static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t side, int64_t count);
+static inline int64_t strip_patches__fill_run(array_double_1d work, array_double_1d tables, int64_t side, int64_t k);
+static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, array_double_1d tables, int64_t k);
 static inline int64_t strip_patches__limit_spike(array_double_1d work, int64_t strip, int64_t inner);
 static inline double strip_patches__roughness(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t g);
-static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, array_double_1d tables, int64_t k);
 static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last, bool pressures);
-static inline int64_t strip_patches__fill_run(array_double_1d work, array_double_1d tables, int64_t side, int64_t k);
-static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t side, int64_t count);
+static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index);
+static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
 static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_double_1d tables, int64_t count);
 
 /* normal/strip_pressures.py */
@@ -128,59 +138,56 @@ static inline double strip_pressures__own_influence(array_double_1d tables, doub
 static inline int64_t strip_pressures__see_pairs(array_double_1d work);
 static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed);
 static inline double strip_pressures__local_displacement(array_double_1d work, array_double_1d tables, int64_t first, int64_t own);
-static inline int64_t strip_pressures__tested_displacements(double* front, double* back, array_double_1d work, array_double_1d tables, int64_t i, double away, bool yawed);
-static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, double force);
+static inline void strip_pressures__tested_displacements(double* front_out, double* back_out, array_double_1d work, array_double_1d tables, int64_t i, double away, bool yawed);
 static inline double strip_pressures__solve_pressures(array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed);
+static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, double force);
 
 /* normal/strip_runs.py */
-static inline double strip_runs__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high);
+static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count);
 static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int64_t high, double start, double stop);
-static inline int64_t strip_runs__begin_curve(array_double_1d work, int64_t low, int64_t high);
+static inline bool strip_runs__has_room(array_double_1d work, double width);
+static inline double strip_runs__run_width(array_double_1d work, int64_t run);
 static inline int64_t strip_runs__adopt_runs(array_double_1d work);
 static inline double strip_runs__run_station(array_double_1d work, int64_t run, double cosine);
-static inline double strip_runs__level_length(array_double_1d work, int64_t j, double station);
-static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count);
-static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves);
-static inline double strip_runs__deepen_levels(array_double_1d work, double force);
 static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x);
-static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip, int64_t low, int64_t high, double u);
-static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first);
 static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves, bool smooth);
-static inline int64_t strip_runs__keep_run(array_double_1d work, int64_t k);
-static inline double strip_runs__pressed_end(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, int64_t i, int64_t outward);
-static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, double largest);
-static inline int64_t strip_runs__sample_strips(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t waves, int64_t low, double station);
+static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first);
+static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip, int64_t low, int64_t high, double u);
 static inline int64_t strip_runs__renew_runs(array_double_1d tables, array_double_1d work, int64_t waves);
+static inline int64_t strip_runs__keep_run(array_double_1d work, int64_t k);
+static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, double largest);
+static inline double strip_runs__pressed_end(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, int64_t i, int64_t outward);
+static inline void strip_runs__sample_strips(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t waves, int64_t low, double station);
 
 /* normal/strip_surfaces.py */
-static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest);
 static inline int64_t strip_surfaces__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest);
-static inline double strip_surfaces__zone_curvature(double depth, double width, double A);
+static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest);
 static inline int64_t strip_surfaces__weigh_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t zone, double A, int64_t first, bool yawed);
-static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t at);
-static inline int64_t strip_surfaces__place_on_middle(array_double_1d work);
-static inline int64_t strip_surfaces__incline_station(array_double_1d work, array_double_1d tables, int64_t at);
-static inline int64_t strip_surfaces__bend_gaps(array_double_1d work);
+static inline double strip_surfaces__zone_curvature(double depth, double width, double A);
 static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
+static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t at);
+static inline int64_t strip_surfaces__measure_ridges(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y);
 static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t at, double away);
-static inline int64_t strip_surfaces__measure_ridges(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
+static inline int64_t strip_surfaces__place_on_middle(array_double_1d work);
+static inline int64_t strip_surfaces__incline_station(array_double_1d work, array_double_1d tables, int64_t at);
 static inline int64_t strip_surfaces__interval(array_double_1d work, int64_t first, int64_t high, double station);
 static inline double strip_surfaces__way_through(array_double_1d work, int64_t j, double station);
 static inline double strip_surfaces__between(double low, double high, double u);
 static inline double strip_surfaces__rest_gap(array_double_1d work, int64_t j, double station);
+static inline int64_t strip_surfaces__bend_gaps(array_double_1d work);
 
 /* normal/wear_places.py */
-static OUT_OF_LINE int64_t wear_places__nearest_patch(array_double_1d work, int64_t side, int64_t index, double station);
-static OUT_OF_LINE int64_t wear_places__first_region(array_double_1d work, int64_t patch);
-static OUT_OF_LINE int64_t wear_places__profile_places(double* rail, double* wheel, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double station);
-static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch, int64_t worn);
 static OUT_OF_LINE int64_t wear_places__place_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
+static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch, int64_t worn);
+static OUT_OF_LINE void wear_places__profile_places(double* rail_out, double* wheel_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double station);
+static OUT_OF_LINE int64_t wear_places__first_region(array_double_1d work, int64_t patch);
+static OUT_OF_LINE int64_t wear_places__nearest_patch(array_double_1d work, int64_t side, int64_t index, double station);
 
 
 /* ---- From normal/analyn.py; change that one.
  *
- * ANALYN on the nodes of up to three regions: from local penetrations to loads, and from a
+ * ANALYN on the nodes of up to four regions: from local penetrations to loads, and from a
  * force to penetrations.
  *
  * Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where
@@ -204,16 +211,12 @@ static OUT_OF_LINE int64_t wear_places__place_wear(array_double_1d tables, array
  */
 static inline double analyn__region_influence(array_double_1d work, array_double_1d tables, int64_t one, int64_t other)
 {
-    double distance;
-    double lead;
-    double squares;
-    double apart;
-    double result;
-    distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
+    double distance, lead, squares, apart, result;
+    distance = AT(work, one + layout__REGION_OFFSET) + AT(work, one + layout__REGION_MIDDLE) - AT(work, other + layout__REGION_OFFSET) - AT(work, other + layout__REGION_MIDDLE);
     lead = analyn__region_lead(work, one, other);
-    squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
+    squares = AT(work, one + layout__REGION_SQUARE) + AT(work, other + layout__REGION_SQUARE);
     apart = sqrt(distance * distance + lead * lead + analyn__ELONGATED * squares);
-    result = 1.0 / (M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * apart);
+    result = 1.0 / (M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS) * apart);
     result *= analyn__planes_cosine(work, one, other);
     return result;
 }
@@ -231,7 +234,7 @@ static inline double analyn__region_lead(array_double_1d work, int64_t one, int6
     lead = 0.0;
     if (analyn__planes_cosine(work, one, other) < analyn__INCLINED)
     {
-        lead = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
+        lead = AT(work, one + layout__REGION_X_TRACK) - AT(work, other + layout__REGION_X_TRACK);
     }
     return lead;
 }
@@ -241,9 +244,9 @@ static inline double analyn__planes_cosine(array_double_1d work, int64_t one, in
 {
     double cosine;
     cosine = 1.0;
-    if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
+    if (AT(work, one + layout__REGION_OWN) == 1.0 || AT(work, other + layout__REGION_OWN) == 1.0)
     {
-        cosine = double_max(2, (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)), 0.0);
+        cosine = double_max(AT(work, one + layout__REGION_COS) * AT(work, other + layout__REGION_COS) + AT(work, one + layout__REGION_SIN) * AT(work, other + layout__REGION_SIN), 0.0);
     }
     return cosine;
 }
@@ -252,66 +255,52 @@ static inline double analyn__planes_cosine(array_double_1d work, int64_t one, in
 static inline double analyn__clip_to_bound(array_double_1d work, int64_t region, int64_t k, int64_t outward, double stop)
 {
     double reach;
-    reach = ((*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION))) / (*cspan_at(&work, region + layout__REGION_SPACING)) - (double)(k);
-    if (outward < INT64_C(0))
+    reach = (AT(work, region + layout__REGION_HIGH) - AT(work, region + layout__REGION_STATION)) / AT(work, region + layout__REGION_SPACING) - (double)k;
+    if (outward < 0)
     {
-        reach = ((*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW))) / (*cspan_at(&work, region + layout__REGION_SPACING)) + (double)(k);
+        reach = (AT(work, region + layout__REGION_STATION) - AT(work, region + layout__REGION_LOW)) / AT(work, region + layout__REGION_SPACING) + (double)k;
     }
-    stop = double_max(2, double_min(2, stop, reach), 0.0);
+    stop = double_max(double_min(stop, reach), 0.0);
     return stop;
 }
 
 /* Load [N] of a region at a local penetration [m], and its derivative [N/m] to a few per mille. */
-static inline int64_t analyn__region_load(double* result_0, double* result_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration)
+static inline void analyn__region_load(double* out_0, double* out_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration)
 {
-    double load;
-    double stiffness;
-    int64_t outward;
-    int64_t last;
-    double d_before;
-    double c_before;
-    double d_low;
-    double c_low;
-    int64_t k;
-    int64_t at;
-    double d_high;
-    double c_high;
-    double f_low;
-    double f_high;
-    double start;
-    double stop;
+    double load, stiffness, d_before, c_before, d_low, c_low, d_high, c_high, f_low, f_high, start, stop;
+    int64_t outward, last, k, at;
     load = 0.0;
     stiffness = 0.0;
     if (local_penetration > 0.0)
     {
-        for (outward = -INT64_C(1); outward < INT64_C(2); outward += INT64_C(2))
+        for (outward = -1; outward < 2; outward += 2)
         {
-            last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
-            if (outward < INT64_C(0))
+            last = (int64_t)AT(work, region + layout__REGION_LAST);
+            if (outward < 0)
             {
-                last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
+                last = -((int64_t)AT(work, region + layout__REGION_FIRST));
             }
-            d_before = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + (-outward)));
-            c_before = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + (-outward)));
-            d_low = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0)));
-            c_low = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0)));
-            for (k = INT64_C(0); k < last; k += INT64_C(1))
+            d_before = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + -outward);
+            c_before = AT(work, nodes + layout__NODES_LINE + 128 + -outward);
+            d_low = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + 0);
+            c_low = AT(work, nodes + layout__NODES_LINE + 128 + 0);
+            for (k = 0; k < last; k += 1)
             {
-                at = outward * (k + INT64_C(1));
-                d_high = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + at));
-                c_high = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + at));
+                at = outward * (k + 1);
+                d_high = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + at);
+                c_high = AT(work, nodes + layout__NODES_LINE + 128 + at);
                 f_low = c_low * d_low;
                 f_high = c_high * d_high;
-                if ((d_low > 0.0) && (d_high > 0.0) && (k < last - INT64_C(1)))
+                if (d_low > 0.0 && d_high > 0.0 && k < last - 1)
                 {
                     /* a fully loaded cell: quadratic_integral up to 1 */
                     load += 0.5 * (f_low + f_high) - quadrature__bend_of(c_before * d_before, f_low, f_high) / 6.0;
                     stiffness += 0.5 * (c_low + c_high);
                 }
-                else if ((d_low > 0.0) || (d_high > 0.0))
+                else if (d_low > 0.0 || d_high > 0.0)
                 {
                     quadrature__cell_part(&start, &stop, d_before, d_low, d_high);
-                    if (k == last - INT64_C(1))
+                    if (k == last - 1)
                     {
                         stop = analyn__clip_to_bound(work, region, outward * k, outward, stop);
                     }
@@ -328,9 +317,8 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
             }
         }
     }
-    (*result_0) = load * (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*result_1) = stiffness * (*cspan_at(&work, region + layout__REGION_SPACING));
-    return 0;
+    *out_0 = load * AT(work, region + layout__REGION_SPACING);
+    *out_1 = stiffness * AT(work, region + layout__REGION_SPACING);
 }
 
 /* Loads and stiffnesses of all regions at their local penetrations; the total of what counts for the
@@ -338,19 +326,16 @@ static inline int64_t analyn__region_load(double* result_0, double* result_1, ar
  */
 static inline double analyn__load_regions(array_double_1d work, int64_t count)
 {
-    int64_t i;
-    int64_t region;
-    double load;
-    double stiffness;
-    double total;
+    double total, load, stiffness;
+    int64_t i, region;
     total = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        analyn__region_load(&load, &stiffness, work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
-        (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
-        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = stiffness;
-        total += (*cspan_at(&work, region + layout__REGION_SHARE)) * load;
+        analyn__region_load(&load, &stiffness, work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, AT(work, region + layout__REGION_LOCAL_PENETRATION));
+        AT(work, region + layout__REGION_LOAD) = load;
+        AT(work, region + layout__REGION_STIFFNESS) = stiffness;
+        total += AT(work, region + layout__REGION_SHARE) * load;
     }
     return total;
 }
@@ -359,38 +344,26 @@ static inline double analyn__load_regions(array_double_1d work, int64_t count)
  * Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
  * value: whether the force is satisfied.
  */
-static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed)
+static inline void analyn__solve_penetrations(double* penetration_out, bool* out_1, array_double_1d work, array_double_1d tables, int64_t count, double force, double penetration, bool prescribed)
 {
-    int64_t i;
-    int64_t region;
-    double low;
-    double high;
-    double total_before;
-    double slope_before;
-    double move;
-    int64_t iteration;
-    double total;
-    double residual;
-    double slope;
-    double rest;
-    double share;
-    double missed;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    int64_t i, region, iteration;
+    double low, high, total_before, slope_before, move, total, residual, slope, rest, share, missed;
+    for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
+        AT(work, region + layout__REGION_LOCAL_PENETRATION) = AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP);
     }
     low = 0.0;
     high = analyn__HIGHEST * penetration;
     total_before = 0.0;
     slope_before = 0.0;
     move = 0.0;
-    for (iteration = INT64_C(0); iteration < analyn__FORCE_ITERATIONS; iteration += INT64_C(1))
+    for (iteration = 0; iteration < analyn__FORCE_ITERATIONS; iteration += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SOLVE_COUNT)) += 1.0;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SOLVE_COUNT) += 1.0;
         total = analyn__load_regions(work, count);
         analyn__penetration_residuals(&residual, &slope, &rest, work, tables, count, penetration);
-        if ((count == INT64_C(1)) && (iteration > INT64_C(0)) && (fabs(total - total_before) > analyn__LOAD_ROUNDING * force))
+        if (count == 1 && iteration > 0 && fabs(total - total_before) > analyn__LOAD_ROUNDING * force)
         {
             /* the change of the load that the slopes of both ends predict for the last move, against the real */
             /* one */
@@ -407,7 +380,7 @@ static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* re
         if (!prescribed)
         {
             missed = fabs(force - total);
-            if ((residual <= analyn__CLOSED * penetration) && (missed > 10.0 * analyn__CLOSED * force))
+            if (residual <= analyn__CLOSED * penetration && missed > 10.0 * analyn__CLOSED * force)
             {
                 if (total < force)
                 {
@@ -420,24 +393,23 @@ static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* re
             }
             move = analyn__penetration_move(force, total, slope, rest, penetration, low, high);
         }
-        if ((missed <= analyn__FORCE_SHARP * force) && (residual <= analyn__FORCE_SHARP * penetration))
+        if (missed <= analyn__FORCE_SHARP * force && residual <= analyn__FORCE_SHARP * penetration)
         {
-            (*result_0_0001) = penetration;
-            (*result_1_0001) = 1;
-            return 0;
+            *penetration_out = penetration;
+            *out_1 = true;
+            return;
         }
         penetration += move;
         analyn__apply_moves(work, count, move);
-        if ((missed <= analyn__NEARLY_SHARP * force) && (residual <= analyn__NEARLY_SHARP * penetration))
+        if (missed <= analyn__NEARLY_SHARP * force && residual <= analyn__NEARLY_SHARP * penetration)
         {
-            (*result_0_0001) = penetration;
-            (*result_1_0001) = 1;
-            return 0;
+            *penetration_out = penetration;
+            *out_1 = true;
+            return;
         }
     }
-    (*result_0_0001) = penetration;
-    (*result_1_0001) = 0;
-    return 0;
+    *penetration_out = penetration;
+    *out_1 = false;
 }
 
 /* Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry
@@ -451,19 +423,17 @@ static inline int64_t analyn__solve_penetrations(double* result_0_0001, bool* re
  */
 static inline double analyn__penetration_move(double force, double total, double slope, double rest, double penetration, double low, double high)
 {
-    double following;
-    double newton;
-    double root;
+    double following, newton, root;
     following = 0.5 * (low + high);
     if (slope > 0.0)
     {
         newton = penetration + (force - total - rest) / slope;
-        if ((fabs(force - total) > analyn__NEARLY * force) && (total > 0.0))
+        if (fabs(force - total) > analyn__NEARLY * force && total > 0.0)
         {
             root = powers__cube_root(force / total);
             newton = penetration + (1.5 * total * (root * root - 1.0) - rest) / slope;
         }
-        if ((newton > low) && (newton < high))
+        if (newton > low && newton < high)
         {
             following = newton;
         }
@@ -478,88 +448,79 @@ static inline double analyn__penetration_move(double force, double total, double
  * add [N]. Solved by Gauss-Seidel: the coupling of the regions is weak (c N / D < 0.2), three of them at
  * most.
  */
-static inline int64_t analyn__penetration_residuals(double* largest, double* slope, double* rest, array_double_1d work, array_double_1d tables, int64_t count, double penetration)
+static inline void analyn__penetration_residuals(double* largest_out, double* slope_out, double* rest_out, array_double_1d work, array_double_1d tables, int64_t count, double penetration)
 {
-    int64_t i;
-    int64_t region;
-    double pushed;
-    int64_t j;
-    double turn;
-    double residual;
-    int64_t sweeps;
-    int64_t sweep;
-    double move;
-    int64_t other;
-    double coupling;
-    double counted;
-    (*largest) = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    double largest, pushed, turn, residual, slope, move, coupling, rest, counted;
+    int64_t i, region, j, sweeps, sweep, other;
+    largest = 0.0;
+    for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         pushed = 0.0;
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        for (j = 0; j < count; j += 1)
         {
             if (j != i)
             {
-                pushed += analyn__region_influence(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
+                pushed += analyn__region_influence(work, tables, region, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j) * AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD);
             }
         }
-        turn = (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
-        residual = turn * penetration - (*cspan_at(&work, region + layout__REGION_GAP)) - pushed - (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
-        (*cspan_at(&work, region + layout__REGION_RESIDUAL)) = residual;
-        (*cspan_at(&work, region + layout__REGION_SLOPE)) = turn;
-        (*cspan_at(&work, region + layout__REGION_MOVE)) = residual;
-        (*largest) = double_max(2, (*largest), fabs(residual));
+        turn = AT(work, region + layout__REGION_ALIGNMENT);
+        residual = turn * penetration - AT(work, region + layout__REGION_GAP) - pushed - AT(work, region + layout__REGION_LOCAL_PENETRATION);
+        AT(work, region + layout__REGION_RESIDUAL) = residual;
+        AT(work, region + layout__REGION_SLOPE) = turn;
+        AT(work, region + layout__REGION_MOVE) = residual;
+        largest = double_max(largest, fabs(residual));
     }
-    sweeps = INT64_C(12);
-    if (count == INT64_C(1))
+    sweeps = 12;
+    if (count == 1)
     {
-        sweeps = INT64_C(0);
+        sweeps = 0;
     }
-    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
+    for (sweep = 0; sweep < sweeps; sweep += 1)
     {
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        for (i = 0; i < count; i += 1)
         {
             region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-            (*slope) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT));
-            move = (*cspan_at(&work, region + layout__REGION_RESIDUAL));
-            for (j = INT64_C(0); j < count; j += INT64_C(1))
+            slope = AT(work, region + layout__REGION_ALIGNMENT);
+            move = AT(work, region + layout__REGION_RESIDUAL);
+            for (j = 0; j < count; j += 1)
             {
                 if (j != i)
                 {
                     other = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j;
-                    coupling = analyn__region_influence(work, tables, region, other) * (*cspan_at(&work, other + layout__REGION_STIFFNESS));
-                    (*slope) -= coupling * (*cspan_at(&work, other + layout__REGION_SLOPE));
-                    move -= coupling * (*cspan_at(&work, other + layout__REGION_MOVE));
+                    coupling = analyn__region_influence(work, tables, region, other) * AT(work, other + layout__REGION_STIFFNESS);
+                    slope -= coupling * AT(work, other + layout__REGION_SLOPE);
+                    move -= coupling * AT(work, other + layout__REGION_MOVE);
                 }
             }
-            (*cspan_at(&work, region + layout__REGION_SLOPE)) = (*slope);
-            (*cspan_at(&work, region + layout__REGION_MOVE)) = move;
+            AT(work, region + layout__REGION_SLOPE) = slope;
+            AT(work, region + layout__REGION_MOVE) = move;
         }
     }
-    (*slope) = 0.0;
-    (*rest) = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    slope = 0.0;
+    rest = 0.0;
+    for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        counted = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*cspan_at(&work, region + layout__REGION_STIFFNESS));
-        (*slope) += counted * (*cspan_at(&work, region + layout__REGION_SLOPE));
-        (*rest) += counted * (*cspan_at(&work, region + layout__REGION_MOVE));
+        counted = AT(work, region + layout__REGION_SHARE) * AT(work, region + layout__REGION_STIFFNESS);
+        slope += counted * AT(work, region + layout__REGION_SLOPE);
+        rest += counted * AT(work, region + layout__REGION_MOVE);
     }
-    return 0;
+    *largest_out = largest;
+    *slope_out = slope;
+    *rest_out = rest;
 }
 
 /* Move the local penetrations with the penetration, by ``move`` [m], and close their residuals. */
 static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, double move)
 {
-    int64_t i;
-    int64_t region;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    int64_t i, region;
+    for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) += (*cspan_at(&work, region + layout__REGION_MOVE)) + (*cspan_at(&work, region + layout__REGION_SLOPE)) * move;
+        AT(work, region + layout__REGION_LOCAL_PENETRATION) += AT(work, region + layout__REGION_MOVE) + AT(work, region + layout__REGION_SLOPE) * move;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -578,79 +539,95 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
 /* Fill the patches of a side by ANALYN if they are wanted; penetration [m], number of regions, and
  * whether the force is satisfied.
  */
-static inline int64_t analyn_contact__analyn_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+static inline void analyn_contact__analyn_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
-    analyn_contact__solve_analyn(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
-    if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
+    double penetration;
+    int64_t count;
+    bool satisfied;
+    analyn_contact__solve_analyn(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
+    if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
     {
-        frame__locate_along_track(tables, work, pair, (*count));
-        node_patches__fill_from_nodes(work, side, (*count));
+        frame__locate_along_track(tables, work, pair, count);
+        node_patches__fill_from_nodes(work, side, count);
     }
-    return 0;
+    *penetration_out = penetration;
+    *count_out = count;
+    *satisfied_out = satisfied;
 }
 
 /* Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that
  * is a number; third value: whether the force is satisfied.  A pressed wheel has its regions where it
  * stands.
  */
-static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
-    bool by_penetration;
-    int64_t repeat;
-    double estimate;
-    by_penetration = 0;
-    (*penetration) = prescribed;
+    bool by_penetration, satisfied;
+    double penetration, estimate;
+    int64_t count, repeat;
+    by_penetration = false;
+    penetration = prescribed;
     if (isfinite(prescribed))
     {
-        by_penetration = 1;
+        by_penetration = true;
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = 0.0;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        analyn_contact__solve_estimated(penetration, count, satisfied, tables, work, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
-        return 0;
+        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, by_penetration);
+        *penetration_out = penetration;
+        *count_out = count;
+        *satisfied_out = satisfied;
+        return;
     }
     if (!by_penetration)
     {
-        (*penetration) = estimate__first_penetration(tables, work, pair, force);
+        penetration = estimate__first_penetration(tables, work, pair, force);
         widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
-    (*count) = INT64_C(0);
-    (*satisfied) = 0;
-    for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
+    count = 0;
+    satisfied = false;
+    for (repeat = 0; repeat < analyn_contact__ESTIMATE_REPEATS; repeat += 1)
     {
-        estimate = (*penetration);
-        if (pressed_regions__sink_wheel(tables, work, pair, side, estimate) == INT64_C(0))
+        estimate = penetration;
+        if (pressed_regions__sink_wheel(tables, work, pair, side, estimate) == 0)
         {
             /* it overlaps most at the end of a profile */
-            (*count) = INT64_C(0);
-            (*satisfied) = 0;
-            return 0;
+            *penetration_out = penetration;
+            *count_out = 0;
+            *satisfied_out = false;
+            return;
         }
-        analyn_contact__solve_estimated(penetration, count, satisfied, tables, work, pair, estimate, force, by_penetration);
-        if (((*penetration) < analyn_contact__ESTIMATE_FACTOR * estimate) && (analyn_contact__ESTIMATE_FACTOR * (*penetration) > estimate))
+        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, estimate, force, by_penetration);
+        if (penetration < analyn_contact__ESTIMATE_FACTOR * estimate && analyn_contact__ESTIMATE_FACTOR * penetration > estimate)
         {
             break;
         }
     }
-    return 0;
+    *penetration_out = penetration;
+    *count_out = count;
+    *satisfied_out = satisfied;
 }
 
 /* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
  * value: whether the force is satisfied.
  */
-static inline int64_t analyn_contact__solve_estimated(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration)
+static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration)
 {
-    (*count) = analyn_contact__gather_regions(tables, work, pair, estimate);
-    analyn_contact__solve_fine(penetration, satisfied, tables, work, pair, (*count), force, estimate, by_penetration);
-    if ((!(*satisfied)) && ((*count) > INT64_C(1)))
+    int64_t count;
+    double penetration;
+    bool satisfied;
+    count = analyn_contact__gather_regions(tables, work, pair, estimate);
+    analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, count, force, estimate, by_penetration);
+    if (!satisfied && count > 1)
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         deep_points__keep_deepest(work);
-        (*count) = analyn_contact__gather_regions(tables, work, pair, estimate);
-        analyn_contact__solve_fine(penetration, satisfied, tables, work, pair, (*count), force, estimate, by_penetration);
+        count = analyn_contact__gather_regions(tables, work, pair, estimate);
+        analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, count, force, estimate, by_penetration);
     }
-    return 0;
+    *penetration_out = penetration;
+    *count_out = count;
+    *satisfied_out = satisfied;
 }
 
 /* Open the regions where the wheel overlaps its rail, with their first local penetrations; their
@@ -658,14 +635,13 @@ static inline int64_t analyn_contact__solve_estimated(double* penetration, int64
  */
 static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration)
 {
-    int64_t i;
-    int64_t count;
-    for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
+    int64_t i, count;
+    for (i = 0; i < layout__REGION_LIMIT; i += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = 0.0;
     }
     count = pressed_regions__gather_overlaps(tables, work, pair);
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = 0; i < count; i += 1)
     {
         widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
@@ -676,40 +652,38 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
 /* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
  * the force is satisfied.
  */
-static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration)
+static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration)
 {
-    double start;
-    double enlarge;
+    double start, enlarge;
     bool satisfied;
     int64_t repeat;
     start = penetration;
     enlarge = 1.0;
-    satisfied = 0;
-    for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
+    satisfied = false;
+    for (repeat = 0; repeat < analyn_contact__COVER_REPEATS; repeat += 1)
     {
         nodes__prepare_regions(tables, work, pair, count, enlarge);
         analyn__solve_penetrations(&penetration, &satisfied, work, tables, count, force, start, by_penetration);
         if (!satisfied)
         {
-            (*result_0_0001) = start;
-            (*result_1) = satisfied;
-            return 0;
+            *penetration_out = start;
+            *satisfied_out = satisfied;
+            return;
         }
         if (nodes__covered(work, count))
         {
             break;
         }
-        if (repeat < analyn_contact__COVER_REPEATS - INT64_C(1))
+        if (repeat < analyn_contact__COVER_REPEATS - 1)
         {
             enlarge *= analyn_contact__ENLARGED;
             start = penetration;
             /* nodes stay where the wheel stands; there are only more of them */
-            estimate__start_penetrations(work, count, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+            estimate__start_penetrations(work, count, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
         }
     }
-    (*result_0_0001) = penetration;
-    (*result_1) = satisfied;
-    return 0;
+    *penetration_out = penetration;
+    *satisfied_out = satisfied;
 }
 
 
@@ -744,33 +718,26 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
 /* Value of column 0 (1 + alpha) or 6 (n r) at the ``ratio`` B/A; clamped to the table's range. */
 static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double ratio)
 {
-    int64_t octave;
-    double place;
-    int64_t cell;
-    double u;
-    int64_t at;
-    double high;
-    double result;
-    ratio = double_min(2, double_max(2, coefficients__LEAST_RATIO, ratio), coefficients__MOST_RATIO);
+    int64_t octave, cell, at;
+    double place, u, high;
+    ratio = double_min(double_max(coefficients__LEAST_RATIO, ratio), coefficients__MOST_RATIO);
     octave = binary__exponent(ratio);
-    place = (double)(layout__HERTZ_CELLS) * (ratio * binary__power_of_two(-octave) - 1.0);
-    cell = (int64_t)(place);
-    u = place - (double)(cell);
+    place = (double)layout__HERTZ_CELLS * (ratio * binary__power_of_two(-octave) - 1.0);
+    cell = (int64_t)place;
+    u = place - (double)cell;
     at = layout__HERTZ_ROW * (layout__HERTZ_CELLS * (octave + layout__HERTZ_OCTAVES) + cell) + column;
-    high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
-    result = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * ((*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high));
-    return result;
+    high = AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 3)) + u * (AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 4)) + u * AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 5)));
+    return AT(tables, table + layout__HERTZ_TABLE_ROWS + at) + u * (AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 1)) + u * (AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 2)) + u * high));
 }
 
 /* 1 + alpha, 1 + beta and n r for the separation A x^2 + B s^2; both positive. */
-static inline int64_t coefficients__hertz_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B)
+static inline void coefficients__hertz_coefficients(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double A, double B)
 {
     double ratio;
     ratio = B / A;
-    (*result_0) = coefficients__table_value(tables, table, INT64_C(0), ratio);
-    (*result_1) = coefficients__table_value(tables, table, INT64_C(0), A / B);
-    (*result_2) = coefficients__table_value(tables, table, INT64_C(6), ratio);
-    return 0;
+    *out_0 = coefficients__table_value(tables, table, 0, ratio);
+    *out_1 = coefficients__table_value(tables, table, 0, A / B);
+    *out_2 = coefficients__table_value(tables, table, 6, ratio);
 }
 
 /* 1 + alpha, 1 + beta and n r for the separation A (x - slant s)^2 + B s^2 of a yawed wheel.
@@ -783,20 +750,9 @@ static inline int64_t coefficients__hertz_coefficients(double* result_0, double*
  * Where the lateral curvature has fallen to its floor, a slant would make a long oblique ellipse of what is
  * a patch's edge: A slant^2 counts as STEEPEST_SLANT B at most.
  */
-static inline int64_t coefficients__skewed_coefficients(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t table, double A, double B, double slant)
+static inline void coefficients__skewed_coefficients(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double A, double B, double slant)
 {
-    double cross;
-    double diagonal;
-    double half;
-    double spread;
-    double large;
-    double small;
-    double along;
-    double across;
-    double nr;
-    double cosine;
-    double length;
-    double width;
+    double cross, diagonal, half, spread, large, small, along, across, nr, cosine, length, width;
     if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
         slant = sqrt(coefficients__STEEPEST_SLANT * B / A);
@@ -818,10 +774,9 @@ static inline int64_t coefficients__skewed_coefficients(double* result_0, double
     }
     length = cosine * along + (1.0 - cosine) * across;
     width = along * across / (cosine * along + (1.0 - cosine) * across);
-    (*result_0) = length / A;
-    (*result_1) = width / B;
-    (*result_2) = nr * sqrt(length / along);
-    return 0;
+    *out_0 = length / A;
+    *out_1 = width / B;
+    *out_2 = nr * sqrt(length / along);
 }
 
 /* dx/ds of the line through the middles of the ellipse's chords along x, for a gap whose ridge has this
@@ -829,17 +784,7 @@ static inline int64_t coefficients__skewed_coefficients(double* result_0, double
  */
 static inline double coefficients__middle_slant(array_double_1d tables, int64_t table, double A, double B, double slant)
 {
-    double cross;
-    double diagonal;
-    double half;
-    double spread;
-    double large;
-    double small;
-    double along;
-    double across;
-    double nr;
-    double cosine;
-    double length;
+    double cross, diagonal, half, spread, large, small, along, across, nr, cosine, length;
     if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
         slant = sqrt(coefficients__STEEPEST_SLANT * B / A) * slant / fabs(slant);
@@ -878,39 +823,33 @@ static inline double coefficients__hertz_stiffness(double one_beta, double nr, d
 static inline double coefficients__second_difference(array_double_1d work, int64_t values, int64_t k, double spacing, int64_t window)
 {
     double width;
-    double result;
-    width = spacing * (double)(window);
-    result = ((*cspan_at(&work, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work, values + INT64_C(128) + k)) + (*cspan_at(&work, values + INT64_C(128) + (k - window)))) / (2.0 * width * width);
-    return result;
+    width = spacing * (double)window;
+    return (AT(work, values + 128 + (k + window)) - 2.0 * AT(work, values + 128 + k) + AT(work, values + 128 + (k - window))) / (2.0 * width * width);
 }
 
 /* g / s^2 [1/m] at node ``k``; within the window a blend from ``middle`` to the secant at its end. */
 static inline double coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle)
 {
-    double s;
-    double width;
-    double edge;
-    double result;
-    if ((k >= window) || (k <= -window))
+    double s, width, edge;
+    if (k >= window || k <= -window)
     {
-        s = spacing * (double)(k);
-        result = (*cspan_at(&work, gaps + INT64_C(128) + k)) / (s * s);
-        return result;
+        s = spacing * (double)k;
+        return AT(work, gaps + 128 + k) / (s * s);
     }
-    width = spacing * (double)(window);
-    edge = (*cspan_at(&work, gaps + INT64_C(128) + window)) / (width * width);
-    if (k < INT64_C(0))
+    width = spacing * (double)window;
+    edge = AT(work, gaps + 128 + window) / (width * width);
+    if (k < 0)
     {
-        edge = (*cspan_at(&work, gaps + INT64_C(128) + (-window))) / (width * width);
+        edge = AT(work, gaps + 128 + -window) / (width * width);
     }
-    return middle + (edge - middle) * fabs((double)(k)) / (double)(window);
+    return middle + (edge - middle) * fabs((double)k) / (double)window;
 }
 
 /* sqrt(B_w (B_s + GROWTH share max(B_w - B_s, 0))) [1/m], with B_w not below WINDOW_FLOOR B_s. */
 static inline double coefficients__windowed_curvature(double averaged, double secant, double share)
 {
     double grown;
-    averaged = double_max(2, averaged, coefficients__WINDOW_FLOOR * secant);
+    averaged = double_max(averaged, coefficients__WINDOW_FLOOR * secant);
     grown = secant;
     if (averaged > secant)
     {
@@ -922,21 +861,22 @@ static inline double coefficients__windowed_curvature(double averaged, double se
 /* The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and
  * window; none below ``least``.
  */
-static inline int64_t coefficients__adaptive_curvatures(double* secant, double* side, double* B, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least)
+static inline void coefficients__adaptive_curvatures(double* secant_out, double* side_out, double* B_out, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least)
 {
-    double spacing;
-    double share;
-    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*secant) = double_max(2, coefficients__secant_curvature(work, gaps, k, spacing, window, middle), least);
-    share = double_min(2, fabs((double)(k)) * spacing / mean, 1.0);
-    (*B) = double_max(2, coefficients__windowed_curvature(coefficients__second_difference(work, gaps, k, spacing, window), (*secant), share), least);
-    (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
-    if (k < INT64_C(0))
+    double spacing, secant, share, B, side;
+    spacing = AT(work, region + layout__REGION_SPACING);
+    secant = double_max(coefficients__secant_curvature(work, gaps, k, spacing, window, middle), least);
+    share = double_min(fabs((double)k) * spacing / mean, 1.0);
+    B = double_max(coefficients__windowed_curvature(coefficients__second_difference(work, gaps, k, spacing, window), secant, share), least);
+    side = AT(work, region + layout__REGION_SIDE_HIGH);
+    if (k < 0)
     {
-        (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
+        side = AT(work, region + layout__REGION_SIDE_LOW);
     }
-    (*side) = double_max(2, (*side), least);
-    return 0;
+    side = double_max(side, least);
+    *secant_out = secant;
+    *side_out = side;
+    *B_out = B;
 }
 
 /* ANALYN's coefficients at the nodes of a region: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its
@@ -945,42 +885,28 @@ static inline int64_t coefficients__adaptive_curvatures(double* secant, double* 
  */
 static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
 {
-    int64_t table;
+    int64_t table, k, k_end;
     bool prepared;
-    double alpha_factor;
-    double beta_factor;
-    double nr_factor;
-    double mean;
-    double middle;
-    int64_t k_end;
-    int64_t k;
-    double A;
-    double least;
-    double B;
-    double secant;
-    double side;
-    double alpha;
-    double beta;
-    double nr;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    prepared = (int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE;
+    double alpha_factor, beta_factor, nr_factor, mean, middle, A, least, B, secant, side, alpha, beta, nr;
+    table = (int64_t)AT(tables, layout__TABLES_HERTZ);
+    prepared = (int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE;
     alpha_factor = 1.0;
     beta_factor = 1.0;
     nr_factor = 1.0;
     if (yawed)
     {
-        coefficients__skew_factors(&alpha_factor, &beta_factor, &nr_factor, work, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
+        coefficients__skew_factors(&alpha_factor, &beta_factor, &nr_factor, work, tables, region, AT(work, nodes + layout__NODES_A + 128 + 0));
     }
-    mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    middle = double_max(2, coefficients__second_difference(work, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), window), 0.0);
-    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    mean = 0.5 * (AT(work, region + layout__REGION_WIDTH_LOW) + AT(work, region + layout__REGION_WIDTH_HIGH));
+    middle = double_max(coefficients__second_difference(work, nodes + layout__NODES_GAP, 0, AT(work, region + layout__REGION_SPACING), window), 0.0);
+    k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
+    for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
     {
-        A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
+        A = AT(work, nodes + layout__NODES_A + 128 + k);
         least = coefficients__FLOOR * A;
         if (prepared)
         {
-            B = double_max(2, (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)), least);
+            B = double_max(AT(work, nodes + layout__NODES_B + 128 + k), least);
             secant = B;
             side = B;
         }
@@ -988,44 +914,37 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
         {
             coefficients__adaptive_curvatures(&secant, &side, &B, work, region, nodes + layout__NODES_GAP, k, window, middle, mean, least);
         }
-        alpha = coefficients__table_value(tables, table, INT64_C(0), secant / A);
-        beta = coefficients__table_value(tables, table, INT64_C(0), A / side);
-        nr = coefficients__table_value(tables, table, INT64_C(6), B / A);
+        alpha = coefficients__table_value(tables, table, 0, secant / A);
+        beta = coefficients__table_value(tables, table, 0, A / side);
+        nr = coefficients__table_value(tables, table, 6, B / A);
         if (yawed)
         {
             alpha *= alpha_factor;
             beta *= beta_factor;
             nr *= nr_factor;
         }
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)) = B;
-        (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
-        (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-        (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha * A;
+        AT(work, nodes + layout__NODES_B + 128 + k) = B;
+        AT(work, nodes + layout__NODES_RISE + 128 + k) = beta * AT(work, nodes + layout__NODES_GAP + 128 + k);
+        AT(work, nodes + layout__NODES_LINE + 128 + k) = AT(tables, layout__TABLES_CONTACT_MODULUS) / nr;
+        AT(work, nodes + layout__NODES_LENGTH + 128 + k) = alpha * A;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Factors of 1 + alpha, 1 + beta and n r for all nodes of a region, from the slant of a yawed wheel's
  * ridge: its mean slant and curvature, with ``A`` [1/m] at the minimum.
  */
-static inline int64_t coefficients__skew_factors(double* result_0, double* result_1, double* result_2, array_double_1d work, array_double_1d tables, int64_t region, double A)
+static inline void coefficients__skew_factors(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t region, double A)
 {
     int64_t table;
-    double B;
-    double alpha;
-    double beta;
-    double nr;
-    double skewed_alpha;
-    double skewed_beta;
-    double skewed_nr;
-    table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
-    B = double_max(2, 0.5 * ((*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH))), coefficients__FLOOR * A);
+    double B, alpha, beta, nr, skewed_alpha, skewed_beta, skewed_nr;
+    table = (int64_t)AT(tables, layout__TABLES_HERTZ);
+    B = double_max(0.5 * (AT(work, region + layout__REGION_SIDE_LOW) + AT(work, region + layout__REGION_SIDE_HIGH)), coefficients__FLOOR * A);
     coefficients__hertz_coefficients(&alpha, &beta, &nr, tables, table, A, B);
-    coefficients__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, table, A, B, (*cspan_at(&work, region + layout__REGION_SLANT)));
-    (*result_0) = skewed_alpha / alpha;
-    (*result_1) = skewed_beta / beta;
-    (*result_2) = skewed_nr / nr;
-    return 0;
+    coefficients__skewed_coefficients(&skewed_alpha, &skewed_beta, &skewed_nr, tables, table, A, B, AT(work, region + layout__REGION_SLANT));
+    *out_0 = skewed_alpha / alpha;
+    *out_1 = skewed_beta / beta;
+    *out_2 = skewed_nr / nr;
 }
 
 
@@ -1050,19 +969,11 @@ static inline double estimate__guess_penetration(double force, double A, double 
  */
 static inline double estimate__estimate_penetration(array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
-    double A;
-    double guess;
-    double width;
-    double B;
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double stiffness;
-    double root;
-    A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    guess = estimate__guess_penetration(force, A, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    double A, guess, width, B, one_alpha, one_beta, nr, stiffness, root;
+    A = 0.5 * AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE);
+    guess = estimate__guess_penetration(force, A, AT(tables, layout__TABLES_CONTACT_MODULUS));
     widths__measure_widths(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess);
-    width = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
+    width = 0.5 * (AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW) + AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
     B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
     {
@@ -1072,8 +983,8 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
     {
         B = guess / (width * width);
     }
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
-    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, B);
+    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, AT(tables, layout__TABLES_CONTACT_MODULUS));
     root = powers__cube_root(force / stiffness);
     return root * root;
 }
@@ -1081,11 +992,9 @@ static inline double estimate__estimate_penetration(array_double_1d tables, arra
 /* Estimate of the penetration [m] under the prescribed ``force`` [N]. */
 static inline double estimate__first_penetration(array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
-    double result;
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    result = estimate__estimate_penetration(tables, work, pair, force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
-    return result;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION) = 0.0;
+    return estimate__estimate_penetration(tables, work, pair, force / AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
 }
 
 /* Local penetrations before any interaction is known; a region that is hardly reached still gets nodes
@@ -1093,16 +1002,15 @@ static inline double estimate__first_penetration(array_double_1d tables, array_d
  */
 static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t count, double penetration)
 {
-    int64_t i;
-    int64_t region;
+    int64_t i, region;
     double local;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        local = double_max(2, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), estimate__LEAST_SHARE * penetration);
-        (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
+        local = double_max(AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP), estimate__LEAST_SHARE * penetration);
+        AT(work, region + layout__REGION_LOCAL_PENETRATION) = local;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -1121,25 +1029,18 @@ static inline int64_t estimate__start_penetrations(array_double_1d work, int64_t
  *
  * A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
  */
-static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+static inline void hertz_contact__hertz_contact(double* penetration_out, int64_t* out_1, bool* out_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
     int64_t point;
-    double A;
-    double B;
-    double half_length;
-    double half_width;
-    double stiffness;
-    double low;
-    double high;
-    double widest;
+    double A, B, half_length, half_width, stiffness, penetration, low, high, widest;
     point = side + layout__SIDE_SEARCH_POINT;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
-    A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
-    hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK) = AT(work, point + layout__CONTACT_POINT_X_TRACK);
+    A = 0.5 * AT(work, point + layout__CONTACT_POINT_CURVATURE_X);
+    B = double_max(coefficients__FLOOR * A, 0.5 * AT(work, point + layout__CONTACT_POINT_CURVATURE_Y));
+    hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, &penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
     hertz_contact__profile_ends(&low, &high, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     /* no station is nearer than its abscissa */
-    widest = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - low, high - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)));
+    widest = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL) - low, high - AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
     if (half_width > widest)
     {
         widest = hertz_contact__widest_ellipse(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, low, high);
@@ -1147,73 +1048,72 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     if (half_width > widest)
     {
         B = hertz_contact__narrow_ellipse(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed, widest);
-        hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
+        hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, &penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = stiffness * (*penetration) * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS) = 1.5 * stiffness * sqrt(penetration);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED) = stiffness * penetration * sqrt(penetration);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT) = 0.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT) = 0.0;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION) = penetration;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
     {
         hertz_contact__fill_ellipse(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, half_length, half_width);
     }
-    (*result_1) = INT64_C(1);
-    (*result_2) = 1;
-    return 0;
+    *penetration_out = penetration;
+    *out_1 = 1;
+    *out_2 = true;
 }
 
 /* Let the ellipse with these half-axes [m] be the only patch of a side. */
 static inline int64_t hertz_contact__fill_ellipse(array_double_1d work, int64_t side, int64_t region, double half_length, double half_width)
 {
-    double load;
+    double load, pressure;
     int64_t patch;
-    double pressure;
     filling__clear_patches(work, side);
-    load = (*cspan_at(&work, region + layout__REGION_CARRIED));
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, region, -half_width, INT64_C(0), layout__RULE_ELLIPSE);
-    filling__add_load(work, patch, INT64_C(0), load, 0.0);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    pressure = 1.5 * load / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
+    load = AT(work, region + layout__REGION_CARRIED);
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, region, -half_width, 0, layout__RULE_ELLIPSE);
+    filling__add_load(work, patch, 0, load, 0.0);
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) = M_PI * half_length * half_width;
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) = half_width;
+    pressure = 1.5 * load / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA);
+    AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = pressure * pressure;
+    AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = half_length * half_length;
     filling__finish_patch(work, side);
     filling__finish_patches(work, side);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Half-length and half-width [m], N / penetration^(3/2) [N/m^1.5] and penetration [m] of the ellipse for
  * the separation A x^2 + B s^2 under ``force`` [N], as far as it counts in the region, or at the
  * ``prescribed`` penetration [m] if that is a number.
  */
-static inline int64_t hertz_contact__press_ellipse(double* result_0, double* result_1, double* stiffness, double* penetration, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed)
+static inline void hertz_contact__press_ellipse(double* out_0, double* out_1, double* stiffness_out, double* penetration_out, array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed)
 {
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double root;
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
-    (*stiffness) = coefficients__hertz_stiffness(one_beta, nr, B, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)));
-    (*penetration) = prescribed;
+    double one_alpha, one_beta, nr, stiffness, penetration, root;
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, B);
+    stiffness = coefficients__hertz_stiffness(one_beta, nr, B, AT(tables, layout__TABLES_CONTACT_MODULUS));
+    penetration = prescribed;
     if (!isfinite(prescribed))
     {
-        root = powers__cube_root(force / ((*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness)));
-        (*penetration) = root * root;
+        root = powers__cube_root(force / (AT(work, region + layout__REGION_SHARE) * stiffness));
+        penetration = root * root;
     }
-    (*result_0) = sqrt((*penetration) / (one_alpha * A));
-    (*result_1) = sqrt((*penetration) / (one_beta * B));
-    return 0;
+    *out_0 = sqrt(penetration / (one_alpha * A));
+    *out_1 = sqrt(penetration / (one_beta * B));
+    *stiffness_out = stiffness;
+    *penetration_out = penetration;
 }
 
 /* Abscissae of the rail [m] at which the first profile ends to either side of the contact point.  Below a
  * patch both abscissae run alike (patch_places.py).
  */
-static inline int64_t hertz_contact__profile_ends(double* low, double* high, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region)
+static inline void hertz_contact__profile_ends(double* low_out, double* high_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region)
 {
-    (*low) = double_max(2, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)), (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START))));
-    (*high) = double_min(2, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)), (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL))));
-    return 0;
+    double low, high;
+    low = double_max(AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START), AT(work, region + layout__REGION_RAIL) - (AT(work, region + layout__REGION_WHEEL) - AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL) + layout__PROFILE_START)));
+    high = double_min(AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP), AT(work, region + layout__REGION_RAIL) + (AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL) + layout__PROFILE_STOP) - AT(work, region + layout__REGION_WHEEL)));
+    *low_out = low;
+    *high_out = high;
 }
 
 /* Distance [m] of the contact point from the nearer one of two ends, in stations of the patch: along the
@@ -1222,15 +1122,15 @@ static inline int64_t hertz_contact__profile_ends(double* low, double* high, arr
 static OUT_OF_LINE double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double low, double high)
 {
     double widest;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        widest = double_min(2, curves__rail_length(tables, pair, low, (*cspan_at(&work, region + layout__REGION_RAIL))), curves__rail_length(tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), high));
+        widest = double_min(curves__rail_length(tables, pair, low, AT(work, region + layout__REGION_RAIL)), curves__rail_length(tables, pair, AT(work, region + layout__REGION_RAIL), high));
     }
     else
     {
-        widest = double_min(2, (*cspan_at(&work, region + layout__REGION_RAIL)) - low, high - (*cspan_at(&work, region + layout__REGION_RAIL))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        widest = double_min(AT(work, region + layout__REGION_RAIL) - low, high - AT(work, region + layout__REGION_RAIL)) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     }
-    return double_max(2, widest, hertz_contact__NARROWEST);
+    return double_max(widest, hertz_contact__NARROWEST);
 }
 
 /* The lateral curvature [1/m] whose ellipse is ``widest`` [m] to either side, if it is not sharper than
@@ -1242,16 +1142,12 @@ static OUT_OF_LINE double hertz_contact__widest_ellipse(array_double_1d tables, 
 static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest)
 {
     int64_t narrowing;
-    double half_length;
-    double half_width;
-    double stiffness;
-    double penetration;
-    double share;
-    for (narrowing = INT64_C(0); narrowing < hertz_contact__NARROWINGS; narrowing += INT64_C(1))
+    double half_length, half_width, stiffness, penetration, share;
+    for (narrowing = 0; narrowing < hertz_contact__NARROWINGS; narrowing += 1)
     {
         hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, &penetration, work, tables, region, A, B, force, prescribed);
         share = half_width / widest;
-        B = double_min(2, B * share * share, hertz_contact__SHARPEST * A);
+        B = double_min(B * share * share, hertz_contact__SHARPEST * A);
     }
     return B;
 }
@@ -1269,25 +1165,21 @@ static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, ar
 /* Fill the patches of a side from ``count`` regions at their local penetrations. */
 static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t side, int64_t count)
 {
-    int64_t strips;
-    int64_t index;
-    int64_t region;
-    int64_t k_end;
-    int64_t k;
+    int64_t strips, index, region, k, k_end;
     filling__clear_patches(work, side);
-    strips = INT64_C(0);
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    strips = 0;
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
-        if ((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0)
+        AT(work, region + layout__REGION_CARRIED) = 0.0;
+        AT(work, region + layout__REGION_MOMENT) = 0.0;
+        if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > 0.0)
         {
-            (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
+            AT(work, region + layout__REGION_STRIP) = (double)(strips - (int64_t)AT(work, region + layout__REGION_FIRST));
             node_patches__fill_strips(work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
-            strips += (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1);
-            k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
-            for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+            strips += (int64_t)AT(work, region + layout__REGION_LAST) - (int64_t)AT(work, region + layout__REGION_FIRST) + 1;
+            k_end = (int64_t)AT(work, region + layout__REGION_LAST);
+            for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
             {
                 node_patches__add_cell(work, side, index, k);
             }
@@ -1295,7 +1187,7 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
     }
     filling__finish_patch(work, side);
     filling__finish_patches(work, side);
-    return INT64_C(0);
+    return 0;
 }
 
 /* The strips of a region, one at each node, also where it is not loaded.  Each is as wide as the spacing,
@@ -1305,42 +1197,32 @@ static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_
  */
 static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t region, int64_t nodes)
 {
-    double deepest;
-    int64_t middle;
-    double spacing;
-    double origin;
-    double along;
-    double slant;
-    int64_t k_end;
-    int64_t k;
-    int64_t strip;
-    double d;
-    double load;
-    double away;
-    deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
-    middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
-    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    origin = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    along = (*cspan_at(&work, region + layout__REGION_X_TRACK));
-    slant = (*cspan_at(&work, region + layout__REGION_SLANT));
-    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    double deepest, spacing, origin, along, slant, d, load, away;
+    int64_t middle, k, strip, k_end;
+    deepest = AT(work, region + layout__REGION_LOCAL_PENETRATION);
+    middle = (int64_t)AT(work, region + layout__REGION_STRIP);
+    spacing = AT(work, region + layout__REGION_SPACING);
+    origin = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
+    along = AT(work, region + layout__REGION_X_TRACK);
+    slant = AT(work, region + layout__REGION_SLANT);
+    k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
+    for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
-        d = deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
-        load = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = d / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = 4.0 / (M_PI * M_PI) * (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * load * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
-        away = spacing * (double)(k);
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = origin + away;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = spacing;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = along + slant * away;
-        (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
+        d = deepest - AT(work, nodes + layout__NODES_RISE + 128 + k);
+        load = AT(work, nodes + layout__NODES_LINE + 128 + k) * d;
+        AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) = load;
+        AT(work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) = d / AT(work, nodes + layout__NODES_LENGTH + 128 + k);
+        AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) = 4.0 / (M_PI * M_PI) * AT(work, nodes + layout__NODES_LINE + 128 + k) * load * AT(work, nodes + layout__NODES_LENGTH + 128 + k);
+        away = spacing * (double)k;
+        AT(work, strip + layout__SOLVED_STRIP_STATION) = origin + away;
+        AT(work, strip + layout__SOLVED_STRIP_WIDTH) = spacing;
+        AT(work, strip + layout__SOLVED_STRIP_X) = along + slant * away;
+        AT(work, strip + layout__SOLVED_STRIP_CURVATURE) = 2.0 * AT(work, nodes + layout__NODES_A + 128 + k);
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH)) = 0.5 * spacing;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH)) = 0.5 * spacing;
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)AT(work, region + layout__REGION_FIRST)) + layout__SOLVED_STRIP_WIDTH) = 0.5 * spacing;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)AT(work, region + layout__REGION_LAST)) + layout__SOLVED_STRIP_WIDTH) = 0.5 * spacing;
+    return 0;
 }
 
 /* Add the cell between nodes ``k`` and ``k`` + 1 of region ``number`` to the last patch, or to a
@@ -1348,68 +1230,51 @@ static inline int64_t node_patches__fill_strips(array_double_1d work, int64_t re
  */
 static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side, int64_t number, int64_t k)
 {
-    int64_t region;
-    int64_t nodes;
-    double spacing;
-    double deepest;
-    int64_t outward;
-    int64_t low;
-    int64_t before;
-    int64_t high;
-    double start;
-    double stop;
-    int64_t strip;
-    int64_t inner;
-    int64_t outer;
-    double begin;
-    double end;
-    int64_t index;
-    int64_t patch;
-    double load;
-    double moment;
+    int64_t region, nodes, outward, low, before, high, strip, inner, outer, index, patch;
+    double spacing, deepest, start, stop, begin, end, load, moment;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
     nodes = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * number;
-    spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
-    outward = INT64_C(1);
+    spacing = AT(work, region + layout__REGION_SPACING);
+    deepest = AT(work, region + layout__REGION_LOCAL_PENETRATION);
+    outward = 1;
     low = k;
-    if (k < INT64_C(0))
+    if (k < 0)
     {
-        outward = -INT64_C(1);
-        low = k + INT64_C(1);
+        outward = -1;
+        low = k + 1;
     }
     before = low - outward;
     high = low + outward;
-    quadrature__cell_part(&start, &stop, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)));
-    if ((k == (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1)))
+    quadrature__cell_part(&start, &stop, deepest - AT(work, nodes + layout__NODES_RISE + 128 + before), deepest - AT(work, nodes + layout__NODES_RISE + 128 + low), deepest - AT(work, nodes + layout__NODES_RISE + 128 + high));
+    if (k == (int64_t)AT(work, region + layout__REGION_FIRST) || k == (int64_t)AT(work, region + layout__REGION_LAST) - 1)
     {
         stop = analyn__clip_to_bound(work, region, low, outward, stop);
     }
-    strip = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
+    strip = (int64_t)AT(work, region + layout__REGION_STRIP);
     inner = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + low);
     outer = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + high);
-    if ((start > 0.0) || (stop < 1.0))
+    if (start > 0.0 || stop < 1.0)
     {
         node_patches__narrow_strips(work, inner, outer, start, stop, spacing);
     }
     if (stop > start)
     {
-        begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * start;
-        end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * stop;
-        if (outward < INT64_C(0))
+        begin = AT(work, inner + layout__SOLVED_STRIP_STATION) + spacing * start;
+        end = AT(work, inner + layout__SOLVED_STRIP_STATION) + spacing * stop;
+        if (outward < 0)
         {
-            begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * stop;
-            end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
+            begin = AT(work, inner + layout__SOLVED_STRIP_STATION) - spacing * stop;
+            end = AT(work, inner + layout__SOLVED_STRIP_STATION) - spacing * start;
         }
         index = node_patches__patch_from(work, side, region, begin, strip + k);
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
-        (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(strip + k + INT64_C(1));
-        node_patches__add_part(&load, &moment, work, patch, region, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, stop, spacing * (double)(outward));
+        AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) = end;
+        AT(work, patch + layout__PATCH_LAST) = (double)(strip + k + 1);
+        node_patches__add_part(&load, &moment, work, patch, region, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, stop, spacing * (double)outward);
         filling__add_load(work, patch, number, load, moment);
         node_patches__keep_largest(work, patch, strip + low);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Take from the strips at the ends of a cell what of it is not loaded, so that the widths of a patch's
@@ -1418,8 +1283,7 @@ static inline int64_t node_patches__add_cell(array_double_1d work, int64_t side,
  */
 static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t inner, int64_t outer, double start, double stop, double spacing)
 {
-    double inner_share;
-    double outer_share;
+    double inner_share, outer_share;
     inner_share = 0.0;
     outer_share = 0.0;
     if (stop > start)
@@ -1433,9 +1297,9 @@ static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t 
             inner_share = stop - start;
         }
     }
-    (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) += (inner_share - 0.5) * spacing;
-    (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) += (outer_share - 0.5) * spacing;
-    return INT64_C(0);
+    AT(work, inner + layout__SOLVED_STRIP_WIDTH) += (inner_share - 0.5) * spacing;
+    AT(work, outer + layout__SOLVED_STRIP_WIDTH) += (outer_share - 0.5) * spacing;
+    return 0;
 }
 
 /* Index of the patch that a loaded part that begins at station ``start`` [m], beside ``strip``, belongs
@@ -1443,17 +1307,16 @@ static inline int64_t node_patches__narrow_strips(array_double_1d work, int64_t 
  */
 static inline int64_t node_patches__patch_from(array_double_1d work, int64_t side, int64_t region, double start, int64_t strip)
 {
+    int64_t index, last;
     bool joined;
-    int64_t last;
-    int64_t index;
-    index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1);
-    joined = 0;
-    if (index >= INT64_C(0))
+    index = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) - 1;
+    joined = false;
+    if (index >= 0)
     {
         last = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        if (start - (*cspan_at(&work, last + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) < node_patches__JOINED * (*cspan_at(&work, region + layout__REGION_SPACING)))
+        if (start - AT(work, last + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) < node_patches__JOINED * AT(work, region + layout__REGION_SPACING))
         {
-            joined = 1;
+            joined = true;
         }
     }
     if (!joined)
@@ -1470,25 +1333,25 @@ static inline int64_t node_patches__patch_from(array_double_1d work, int64_t sid
  * ``low`` and ``high`` are the strips at its inner and outer end, ``step`` [m] from each other, and
  * ``before`` the next one further in.
  */
-static inline int64_t node_patches__add_part(double* load, double* moment, array_double_1d work, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step)
+static inline void node_patches__add_part(double* load_out, double* moment_out, array_double_1d work, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double stop, double step)
 {
-    double width;
-    double area;
+    double width, load, moment, area;
     width = fabs(step);
-    (*load) = quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), stop);
-    (*moment) = quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), stop);
+    load = quadrature__quadratic_integral(AT(work, before + layout__SOLVED_STRIP_LINE_LOAD), AT(work, low + layout__SOLVED_STRIP_LINE_LOAD), AT(work, high + layout__SOLVED_STRIP_LINE_LOAD), stop);
+    moment = quadrature__quadratic_moment(AT(work, before + layout__SOLVED_STRIP_LINE_LOAD), AT(work, low + layout__SOLVED_STRIP_LINE_LOAD), AT(work, high + layout__SOLVED_STRIP_LINE_LOAD), stop);
     if (start > 0.0)
     {
-        (*load) -= quadrature__quadratic_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start);
-        (*moment) -= quadrature__quadratic_moment((*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), start);
+        load -= quadrature__quadratic_integral(AT(work, before + layout__SOLVED_STRIP_LINE_LOAD), AT(work, low + layout__SOLVED_STRIP_LINE_LOAD), AT(work, high + layout__SOLVED_STRIP_LINE_LOAD), start);
+        moment -= quadrature__quadratic_moment(AT(work, before + layout__SOLVED_STRIP_LINE_LOAD), AT(work, low + layout__SOLVED_STRIP_LINE_LOAD), AT(work, high + layout__SOLVED_STRIP_LINE_LOAD), start);
     }
-    (*load) *= width;
-    area = quadrature__root_integral((*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, stop);
-    (*moment) = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * (*load) + width * step * (*moment);
-    (*cspan_at(&work, region + layout__REGION_CARRIED)) += (*load);
-    (*cspan_at(&work, region + layout__REGION_MOMENT)) += (*moment);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) += 2.0 * width * area;
-    return 0;
+    load *= width;
+    area = quadrature__root_integral(AT(work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), start, stop);
+    moment = AT(work, low + layout__SOLVED_STRIP_STATION) * load + width * step * moment;
+    AT(work, region + layout__REGION_CARRIED) += load;
+    AT(work, region + layout__REGION_MOMENT) += moment;
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) += 2.0 * width * area;
+    *load_out = load;
+    *moment_out = moment;
 }
 
 /* Let a patch have the squares of half-length and pressure at ``strip``, if they are its largest
@@ -1496,21 +1359,19 @@ static inline int64_t node_patches__add_part(double* load, double* moment, array
  */
 static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t patch, int64_t strip)
 {
-    int64_t low;
-    int64_t here;
-    int64_t high;
-    low = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
+    int64_t low, here, high;
+    low = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - 1);
     here = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
-    high = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
-    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)))
+    high = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + 1);
+    if (AT(work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) > AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE))
     {
-        (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = node_patches__peak_square((*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
+        AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = node_patches__peak_square(AT(work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
     }
-    if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)))
+    if (AT(work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE) > AT(work, patch + layout__PATCH_PRESSURE_SQUARE))
     {
-        (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = node_patches__peak_square((*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
+        AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = node_patches__peak_square(AT(work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE), AT(work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE), AT(work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Square of the largest value of the parabola through the roots of three squares, where the middle one is
@@ -1518,11 +1379,8 @@ static inline int64_t node_patches__keep_largest(array_double_1d work, int64_t p
  */
 static inline double node_patches__peak_square(double before, double square, double after)
 {
-    double top;
-    double left;
-    double right;
-    double bend;
-    if ((before > 0.0) && (after > 0.0) && (square >= before) && (square >= after))
+    double top, left, right, bend;
+    if (before > 0.0 && after > 0.0 && square >= before && square >= after)
     {
         top = sqrt(square);
         left = sqrt(before);
@@ -1551,9 +1409,7 @@ static inline double node_patches__peak_square(double before, double square, dou
 /* Half the width of the window of the lateral curvature, in nodes. */
 static inline int64_t nodes__window_nodes(array_double_1d tables)
 {
-    int64_t result;
-    result = (int64_t)((int64_t)((*cspan_at(&tables, layout__TABLES_NODES))) * nodes__WINDOW + 0.5);
-    return result;
+    return (int64_t)((int64_t)AT(tables, layout__TABLES_NODES) * nodes__WINDOW + 0.5);
 }
 
 /* Every so many of the nodes are traced on the profiles.
@@ -1564,17 +1420,16 @@ static inline int64_t nodes__window_nodes(array_double_1d tables)
  */
 static inline int64_t nodes__node_stride(array_double_1d tables)
 {
-    int64_t kind;
-    int64_t stride;
-    stride = (int64_t)((*cspan_at(&tables, layout__TABLES_STRIDE)));
-    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
-    if ((kind == layout__SEPARATION_EQUIDISTANT_CHORD) || (kind == layout__SEPARATION_VERTICAL))
+    int64_t stride, kind;
+    stride = (int64_t)AT(tables, layout__TABLES_STRIDE);
+    kind = (int64_t)AT(tables, layout__TABLES_SEPARATION);
+    if (kind == layout__SEPARATION_EQUIDISTANT_CHORD || kind == layout__SEPARATION_VERTICAL)
     {
-        stride = INT64_C(1);
+        stride = 1;
     }
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
-        stride = INT64_C(1);
+        stride = 1;
     }
     return stride;
 }
@@ -1583,7 +1438,7 @@ static inline int64_t nodes__node_stride(array_double_1d tables)
 static inline double nodes__trace_tolerance(double spacing)
 {
     double tolerance;
-    tolerance = double_min(2, nodes__TRACE_SHARE * spacing, nodes__COARSEST_TRACE);
+    tolerance = double_min(nodes__TRACE_SHARE * spacing, nodes__COARSEST_TRACE);
     return tolerance;
 }
 
@@ -1596,38 +1451,31 @@ static inline double nodes__trace_tolerance(double spacing)
  */
 static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach)
 {
-    double gap;
-    double rate;
-    double bend;
-    double curvature;
-    int64_t before;
-    int64_t after;
-    traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    curves__open_origin(tables, work, pair, region, (*cspan_at(&work, region + layout__REGION_SPACING)));
-    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, region + layout__REGION_STATION)), nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
-    (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
-    (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
-    (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = nodes__turn_cosine(tables, work, pair);
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    double gap, rate, bend, curvature;
+    int64_t before, after;
+    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
+    curves__open_origin(tables, work, pair, region, AT(work, region + layout__REGION_SPACING));
+    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, AT(work, region + layout__REGION_STATION), nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
+    AT(work, nodes + layout__NODES_GAP + 128 + 0) = 0.0;
+    AT(work, nodes + layout__NODES_A + 128 + 0) = 0.5 * curvature;
+    AT(work, nodes + layout__NODES_TURN + 128 + 0) = nodes__turn_cosine(tables, work, pair);
+    if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = curvature__relative_curvature(tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        AT(work, nodes + layout__NODES_B + 128 + 0) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
-    before = nodes__lay_side_nodes(tables, work, pair, region, nodes, -INT64_C(1), low_reach, rate);
-    (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
-    after = nodes__lay_side_nodes(tables, work, pair, region, nodes, INT64_C(1), high_reach, rate);
-    (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
-    return INT64_C(0);
+    before = nodes__lay_side_nodes(tables, work, pair, region, nodes, -1, low_reach, rate);
+    AT(work, region + layout__REGION_FIRST) = (double)(-before);
+    after = nodes__lay_side_nodes(tables, work, pair, region, nodes, 1, high_reach, rate);
+    AT(work, region + layout__REGION_LAST) = (double)after;
+    return 0;
 }
 
 /* Cosine of the angle between the rail's normal at the present trace and that of the open frame. */
 static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    double height;
-    double slope;
-    double result;
-    tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    result = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) / sqrt(1.0 + slope * slope);
-    return result;
+    double height, slope;
+    tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    return (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / sqrt(1.0 + slope * slope);
 }
 
 /* Let the gap rise less where a region turns.
@@ -1638,42 +1486,40 @@ static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d 
  */
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes)
 {
-    int64_t k_end;
-    int64_t k;
+    int64_t k, k_end;
     double level;
-    k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
-    for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
+    for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
     {
-        level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
-        if ((level > 0.0) && ((*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k)) > nodes__LEAST_TURN))
+        level = AT(work, region + layout__REGION_LOCAL_PENETRATION) - AT(work, nodes + layout__NODES_GAP + 128 + k);
+        if (level > 0.0 && AT(work, nodes + layout__NODES_TURN + 128 + k) > nodes__LEAST_TURN)
         {
-            (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) -= level * (1.0 / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k)) - 1.0);
+            AT(work, nodes + layout__NODES_GAP + 128 + k) -= level * (1.0 / AT(work, nodes + layout__NODES_TURN + 128 + k) - 1.0);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
  * [-].
  */
-static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at)
+static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
-    double station;
-    double bend;
-    double curvature;
-    station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(at);
-    separation__separation(gap, rate, &bend, &curvature, tables, work, pair, station, nodes__trace_tolerance((*cspan_at(&work, region + layout__REGION_SPACING))));
-    if ((*gap) < frame__NO_GAP)
+    double station, gap, rate, bend, curvature;
+    station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (double)at;
+    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, station, nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
+    if (gap < frame__NO_GAP)
     {
-        (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
-        (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
-        (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = nodes__turn_cosine(tables, work, pair);
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+        AT(work, nodes + layout__NODES_GAP + 128 + at) = gap - AT(work, region + layout__REGION_GAP);
+        AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * curvature;
+        AT(work, nodes + layout__NODES_TURN + 128 + at) = nodes__turn_cosine(tables, work, pair);
+        if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
-            (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = curvature__relative_curvature(tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            AT(work, nodes + layout__NODES_B + 128 + at) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         }
     }
-    return 0;
+    *gap_out = gap;
+    *rate_out = rate;
 }
 
 /* Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
@@ -1684,78 +1530,68 @@ static inline int64_t nodes__trace_node(double* gap, double* rate, array_double_
  */
 static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
 {
-    int64_t stride;
-    int64_t window;
-    int64_t k;
-    int64_t traced;
-    int64_t step;
-    int64_t left;
+    int64_t stride, window, k, traced, step, left, passed, start, at;
     bool ended;
-    double gap;
-    double next_rate;
-    int64_t start;
-    int64_t at;
-    double station;
-    int64_t passed;
-    traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+    double gap, next_rate, station;
+    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
-    k = INT64_C(0);
-    traced = INT64_C(0);
+    k = 0;
+    traced = 0;
     step = stride;
     left = window;
-    passed = INT64_C(0);
-    ended = 0;
-    while((left > INT64_C(0)) && (k < layout__NODE_LIMIT - layout__NODE_MIDDLE - INT64_C(2) - stride))
+    passed = 0;
+    ended = false;
+    while (left > 0 && k < layout__NODE_LIMIT - layout__NODE_MIDDLE - 2 - stride)
     {
-        if ((k == traced) && (!ended))
+        if (k == traced && !ended)
         {
             nodes__trace_node(&gap, &next_rate, tables, work, pair, region, nodes, direction * (traced + step));
-            if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
+            if (gap >= frame__NO_GAP && step > 1)
             {
                 /* a profile ends within this stretch: node by node from here */
-                step = INT64_C(1);
-                traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+                step = 1;
+                traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
                 nodes__trace_node(&gap, &next_rate, tables, work, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
-                ended = 1;
-                nodes__end_region(work, region, direction, (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(direction * k));
+                ended = true;
+                nodes__end_region(work, region, direction, AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (double)(direction * k));
             }
             else
             {
                 start = direction * traced;
-                nodes__fill_between(work, nodes, start, start + direction * step, step, (*cspan_at(&work, region + layout__REGION_SPACING)), rate, next_rate);
+                nodes__fill_between(work, nodes, start, start + direction * step, step, AT(work, region + layout__REGION_SPACING), rate, next_rate);
                 rate = next_rate;
                 traced += step;
             }
         }
-        k += INT64_C(1);
+        k += 1;
         at = direction * k;
-        station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(at);
+        station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (double)at;
         if (ended)
         {
             nodes__extrapolate_node(work, nodes, at, direction);
-            if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+            if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
             {
-                (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
+                AT(work, nodes + layout__NODES_B + 128 + at) = AT(work, nodes + layout__NODES_B + 128 + (at - direction));
             }
         }
-        if (passed > INT64_C(0))
+        if (passed > 0)
         {
-            left -= INT64_C(1);
+            left -= 1;
         }
-        else if (ended || ((*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) > reach))
+        else if (ended || AT(work, nodes + layout__NODES_GAP + 128 + at) > reach)
         {
             passed = k;
         }
-        else if ((station > (*cspan_at(&work, region + layout__REGION_HIGH))) || (station < (*cspan_at(&work, region + layout__REGION_LOW))))
+        else if (station > AT(work, region + layout__REGION_HIGH) || station < AT(work, region + layout__REGION_LOW))
         {
             passed = k;
         }
     }
-    if (passed == INT64_C(0))
+    if (passed == 0)
     {
         passed = k - window;
     }
@@ -1765,20 +1601,19 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
 /* Values at the ``count`` - 1 nodes between ``start`` and ``stop``, on a straight line. */
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values, int64_t start, int64_t stop, int64_t count)
 {
-    int64_t inward;
+    int64_t inward, i;
     double rise;
-    int64_t i;
-    inward = INT64_C(1);
+    inward = 1;
     if (stop < start)
     {
-        inward = -INT64_C(1);
+        inward = -1;
     }
-    rise = ((*cspan_at(&work, values + INT64_C(128) + stop)) - (*cspan_at(&work, values + INT64_C(128) + start))) / (double)(count);
-    for (i = INT64_C(1); i < count; i += INT64_C(1))
+    rise = (AT(work, values + 128 + stop) - AT(work, values + 128 + start)) / (double)count;
+    for (i = 1; i < count; i += 1)
     {
-        (*cspan_at(&work, values + INT64_C(128) + (start + inward * i))) = (*cspan_at(&work, values + INT64_C(128) + start)) + rise * (double)(i);
+        AT(work, values + 128 + (start + inward * i)) = AT(work, values + 128 + start) + rise * (double)i;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
@@ -1789,36 +1624,28 @@ static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values,
  */
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate)
 {
-    double low;
-    double rise;
-    double width;
-    double forward;
-    double backward;
-    int64_t inward;
-    int64_t i;
-    double x;
-    double rest;
-    double gap;
-    low = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + start));
-    rise = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + stop)) - low;
+    double low, rise, width, forward, backward, x, rest, gap;
+    int64_t inward, i;
+    low = AT(work, nodes + layout__NODES_GAP + 128 + start);
+    rise = AT(work, nodes + layout__NODES_GAP + 128 + stop) - low;
     width = spacing * (double)(stop - start);
     forward = start_rate * width - rise;
     backward = stop_rate * width - rise;
-    inward = INT64_C(1);
+    inward = 1;
     if (stop < start)
     {
-        inward = -INT64_C(1);
+        inward = -1;
     }
-    for (i = INT64_C(1); i < count; i += INT64_C(1))
+    for (i = 1; i < count; i += 1)
     {
-        x = (double)(i) / (double)(count);
+        x = (double)i / (double)count;
         rest = 1.0 - x;
-        gap = double_max(2, low + x * (rise + rest * (rest * forward - x * backward)), 0.0);
-        (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap;
+        gap = double_max(low + x * (rise + rest * (rest * forward - x * backward)), 0.0);
+        AT(work, nodes + layout__NODES_GAP + 128 + (start + inward * i)) = gap;
     }
     nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, count);
     nodes__fill_straight(work, nodes + layout__NODES_TURN, start, stop, count);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Bound the region at ``station`` [m]: beyond it a profile ends, or the outline of a strongly yawed wheel
@@ -1826,39 +1653,38 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
  */
 static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station)
 {
-    if (direction > INT64_C(0))
+    if (direction > 0)
     {
-        if (station + (*cspan_at(&work, region + layout__REGION_SPACING)) < (*cspan_at(&work, region + layout__REGION_HIGH)))
+        if (station + AT(work, region + layout__REGION_SPACING) < AT(work, region + layout__REGION_HIGH))
         {
-            (*cspan_at(&work, region + layout__REGION_HIGH)) = station;
+            AT(work, region + layout__REGION_HIGH) = station;
         }
     }
-    else if (station - (*cspan_at(&work, region + layout__REGION_SPACING)) > (*cspan_at(&work, region + layout__REGION_LOW)))
+    else if (station - AT(work, region + layout__REGION_SPACING) > AT(work, region + layout__REGION_LOW))
     {
-        (*cspan_at(&work, region + layout__REGION_LOW)) = station;
+        AT(work, region + layout__REGION_LOW) = station;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Continue gap and A past an end, so that windows over it see the curvature before it. */
 static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t nodes, int64_t at, int64_t direction)
 {
-    int64_t one;
-    int64_t two;
+    int64_t one, two;
     one = at - direction;
-    if (at * direction > INT64_C(2))
+    if (at * direction > 2)
     {
         two = one - direction;
-        (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + two)) + (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction)));
+        AT(work, nodes + layout__NODES_GAP + 128 + at) = 3.0 * AT(work, nodes + layout__NODES_GAP + 128 + one) - 3.0 * AT(work, nodes + layout__NODES_GAP + 128 + two) + AT(work, nodes + layout__NODES_GAP + 128 + (two - direction));
     }
     else
     {
         /* next to the minimum: take the other side's, or nothing if that is not known yet */
-        (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one));
+        AT(work, nodes + layout__NODES_GAP + 128 + at) = AT(work, nodes + layout__NODES_GAP + 128 + one);
     }
-    (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + one));
-    (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + one));
-    return INT64_C(0);
+    AT(work, nodes + layout__NODES_A + 128 + at) = AT(work, nodes + layout__NODES_A + 128 + one);
+    AT(work, nodes + layout__NODES_TURN + 128 + at) = AT(work, nodes + layout__NODES_TURN + 128 + one);
+    return 0;
 }
 
 /* Share of the local penetration up to which the gap is laid with nodes on a side with lateral curvature
@@ -1868,9 +1694,9 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
 static inline double nodes__zone_share(array_double_1d tables, double A, double side)
 {
     double share;
-    side = double_max(2, side, coefficients__FLOOR * A);
-    share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / side);
-    if ((share > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
+    side = double_max(side, coefficients__FLOOR * A);
+    share = nodes__SPREAD / coefficients__table_value(tables, (int64_t)AT(tables, layout__TABLES_HERTZ), 0, A / side);
+    if (share > nodes__COVER || (int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
         share = nodes__COVER;
     }
@@ -1882,15 +1708,12 @@ static inline double nodes__zone_share(array_double_1d tables, double A, double 
  */
 static inline double nodes__node_spacing(array_double_1d work, array_double_1d tables, int64_t region, double enlarge)
 {
-    double mean;
-    double widest;
-    double least;
-    double spacing;
-    mean = 0.5 * ((*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    widest = double_max(2, (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)), (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)));
-    least = nodes__NARROWEST * sqrt((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
-    mean = double_max(2, mean, least);
-    spacing = mean / (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
+    double mean, widest, least, spacing;
+    mean = 0.5 * (AT(work, region + layout__REGION_WIDTH_LOW) + AT(work, region + layout__REGION_WIDTH_HIGH));
+    widest = double_max(AT(work, region + layout__REGION_WIDTH_LOW), AT(work, region + layout__REGION_WIDTH_HIGH));
+    least = nodes__NARROWEST * sqrt(AT(work, region + layout__REGION_LOCAL_PENETRATION) / AT(work, region + layout__REGION_CURVATURE));
+    mean = double_max(mean, least);
+    spacing = mean / (double)((int64_t)AT(tables, layout__TABLES_NODES));
     if (widest * enlarge > nodes__NODE_ROOM * spacing)
     {
         spacing = widest * enlarge / nodes__NODE_ROOM;
@@ -1901,18 +1724,17 @@ static inline double nodes__node_spacing(array_double_1d work, array_double_1d t
 /* Widths, nodes and coefficients of all regions at their local penetrations times ``enlarge``. */
 static inline int64_t nodes__prepare_regions(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double enlarge)
 {
-    int64_t i;
-    int64_t region;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    int64_t i, region;
+    for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         frame__enter_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        widths__measure_widths(tables, work, pair, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
-        (*cspan_at(&work, region + layout__REGION_SPACING)) = nodes__node_spacing(work, tables, region, enlarge);
+        widths__measure_widths(tables, work, pair, region, nodes__MEASURED * AT(work, region + layout__REGION_LOCAL_PENETRATION));
+        AT(work, region + layout__REGION_SPACING) = nodes__node_spacing(work, tables, region, enlarge);
         nodes__prepare_nodes(tables, work, pair, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge);
         frame__leave_plane(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Nodes and coefficients of a region whose frame is open, up to its local
@@ -1921,65 +1743,59 @@ static inline int64_t nodes__prepare_regions(array_double_1d tables, array_doubl
 static inline int64_t nodes__prepare_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double enlarge)
 {
     bool yawed;
-    double reach;
-    double A;
-    double low_reach;
-    double high_reach;
+    double reach, A, low_reach, high_reach;
     yawed = frame__is_yawed(work);
-    reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
-    A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    low_reach = reach * nodes__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)));
-    high_reach = reach * nodes__zone_share(tables, A, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)));
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && yawed)
+    reach = AT(work, region + layout__REGION_LOCAL_PENETRATION) * enlarge;
+    A = 0.5 * AT(work, region + layout__REGION_CURVATURE);
+    low_reach = reach * nodes__zone_share(tables, A, AT(work, region + layout__REGION_SIDE_LOW));
+    high_reach = reach * nodes__zone_share(tables, A, AT(work, region + layout__REGION_SIDE_HIGH));
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && yawed)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work, region + layout__REGION_SPACING)) * (double)(nodes__node_stride(tables)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = AT(work, region + layout__REGION_SPACING) * (double)nodes__node_stride(tables) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS);
     }
     nodes__lay_nodes(tables, work, pair, region, nodes, low_reach, high_reach);
     nodes__bring_nearer(work, region, nodes);
     coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 || (int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
-        patch_places__mean_normal(tables, work, pair, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)));
+        patch_places__mean_normal(tables, work, pair, region, nodes, AT(work, region + layout__REGION_LOCAL_PENETRATION));
     }
-    (*cspan_at(&work, region + layout__REGION_SQUARE)) = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
-    return INT64_C(0);
+    AT(work, region + layout__REGION_SQUARE) = AT(work, region + layout__REGION_LOCAL_PENETRATION) / AT(work, nodes + layout__NODES_LENGTH + 128 + 0);
+    return 0;
 }
 
 /* Whether no region is loaded at an end of its nodes other than its bound. */
 static inline bool nodes__covered(array_double_1d work, int64_t count)
 {
-    int64_t i;
-    int64_t region;
-    double low;
-    double high;
-    int64_t ends;
     bool result;
-    result = 1;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    int64_t i, region, ends;
+    double low, high;
+    result = true;
+    for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        low = (*cspan_at(&work, region + layout__REGION_LOW));
-        high = (*cspan_at(&work, region + layout__REGION_HIGH));
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+        low = AT(work, region + layout__REGION_LOW);
+        high = AT(work, region + layout__REGION_HIGH);
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
         {
             /* a bound that it does not reach is none */
-            if (low < (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))))
+            if (low < AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (int64_t)AT(work, region + layout__REGION_FIRST))
             {
                 low = -frame__BEYOND;
             }
-            if (high > (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))))
+            if (high > AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (int64_t)AT(work, region + layout__REGION_LAST))
             {
                 high = frame__BEYOND;
             }
         }
         ends = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i;
-        if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))))) && (high >= frame__BEYOND))
+        if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > AT(work, ends + layout__NODES_RISE + 128 + (int64_t)AT(work, region + layout__REGION_LAST)) && high >= frame__BEYOND)
         {
-            result = 0;
+            result = false;
         }
-        if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > (*cspan_at(&work, ends + layout__NODES_RISE + INT64_C(128) + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))))) && (low <= -frame__BEYOND))
+        if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > AT(work, ends + layout__NODES_RISE + 128 + (int64_t)AT(work, region + layout__REGION_FIRST)) && low <= -frame__BEYOND)
         {
-            result = 0;
+            result = false;
         }
     }
     return result;
@@ -1999,35 +1815,37 @@ static inline bool nodes__covered(array_double_1d work, int64_t count)
  *
  * Returns the penetration [m], the number of regions, and whether the force is satisfied.
  */
-static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+static inline void normal_contact__solve_normal(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
-    int64_t model;
-    model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
+    int64_t model, count;
+    double penetration;
+    bool satisfied;
+    model = (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL);
     if (model == layout__MODEL_HERTZ)
     {
-        hertz_contact__hertz_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
+        hertz_contact__hertz_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
     }
     else if (model == layout__MODEL_ANALYN)
     {
-        analyn_contact__analyn_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
+        analyn_contact__analyn_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
     }
-    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0)
+    else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0)
     {
-        strip_contact__coarse_contact(penetration, count, satisfied, tables, work, pair, force);
+        strip_contact__coarse_contact(&penetration, &count, &satisfied, tables, work, pair, force);
     }
     else
     {
-        strip_contact__strip_contact(penetration, count, satisfied, tables, work, pair, side, force, prescribed);
+        strip_contact__strip_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
     }
-    return 0;
+    *penetration_out = penetration;
+    *count_out = count;
+    *satisfied_out = satisfied;
 }
 
 /* Whether the model has a form for the first trials of an equilibrium, a per cent off. */
 static inline bool normal_contact__has_coarse_form(array_double_1d tables)
 {
-    bool result;
-    result = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP;
-    return result;
+    return (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_ANALYN_STRIP;
 }
 
 /* About how fast the penetration under a force falls behind the depth, where a wheel is pressed deeper.
@@ -2038,7 +1856,7 @@ static inline double normal_contact__residual_rate(array_double_1d tables)
 {
     double rate;
     rate = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    if ((int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_ANALYN_STRIP)
     {
         rate = normal_contact__STRIP_RATE;
     }
@@ -2062,89 +1880,74 @@ static inline double normal_contact__residual_rate(array_double_1d tables)
  */
 static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration)
 {
-    double arc;
-    double total;
-    double cosines;
-    double sines;
-    int64_t direction;
-    double x;
-    double step;
-    int64_t last;
-    int64_t k;
-    double height;
-    double slope;
-    double cosine;
-    double weight;
-    arc = tables__read_cubic(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)));
+    double arc, total, cosines, sines, x, step, height, slope, cosine, weight;
+    int64_t direction, last, k;
+    arc = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), AT(work, region + layout__REGION_RAIL));
     total = 0.0;
     cosines = 0.0;
     sines = 0.0;
-    for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
+    for (direction = -1; direction < 2; direction += 2)
     {
-        x = (*cspan_at(&work, region + layout__REGION_RAIL));
-        step = (double)(direction) * (*cspan_at(&work, region + layout__REGION_SPACING));
-        last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
-        if (direction < INT64_C(0))
+        x = AT(work, region + layout__REGION_RAIL);
+        step = (double)direction * AT(work, region + layout__REGION_SPACING);
+        last = (int64_t)AT(work, region + layout__REGION_LAST);
+        if (direction < 0)
         {
-            last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
+            last = -((int64_t)AT(work, region + layout__REGION_FIRST));
         }
-        for (k = INT64_C(0); k < last + INT64_C(1); k += INT64_C(1))
+        for (k = 0; k < last + 1; k += 1)
         {
-            tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x);
+            tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x);
             cosine = 1.0 / sqrt(1.0 + slope * slope);
-            weight = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + direction * k)));
+            weight = AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * (local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + direction * k));
             if (weight <= 0.0)
             {
                 break;
             }
-            if (k == INT64_C(0))
+            if (k == 0)
             {
                 weight *= 0.5;
             }
             total += weight;
             cosines += weight * cosine;
             sines += weight * slope * cosine;
-            x = tables__read_cubic(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC))), arc + step * (double)(k + INT64_C(1)));
+            x = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc + step * (double)(k + 1));
         }
     }
     if (total > 0.0)
     {
-        (*cspan_at(&work, region + layout__REGION_COS)) = cosines / total;
-        (*cspan_at(&work, region + layout__REGION_SIN)) = sines / total;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+        AT(work, region + layout__REGION_COS) = cosines / total;
+        AT(work, region + layout__REGION_SIN) = sines / total;
+        if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)));
+            AT(work, region + layout__REGION_SHARE) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN));
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Centres of load, normal forces and penetrations of the patches of a side whose regions are solved. */
 static inline int64_t patch_places__place_patches(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
 {
-    int64_t index_end;
-    int64_t index;
-    int64_t patch;
-    int64_t number;
-    int64_t region;
+    int64_t index, patch, number, region, index_end;
     double local;
-    index_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    index_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (index = 0; index < index_end; index += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        for (number = INT64_C(0); number < layout__REGION_LIMIT; number += INT64_C(1))
+        for (number = 0; number < layout__REGION_LIMIT; number += 1)
         {
-            if ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) != 0.0)
+            if (AT(work, patch + layout__PATCH_LOADS + number) != 0.0)
             {
                 region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
-                local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
-                (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = double_max(2, (*cspan_at(&work, patch + layout__PATCH_PENETRATION)), local);
+                local = AT(work, region + layout__REGION_ALIGNMENT) * AT(work, side + layout__SIDE_SEARCH_PENETRATION) - AT(work, region + layout__REGION_GAP);
+                AT(work, patch + layout__PATCH_PENETRATION) = double_max(AT(work, patch + layout__PATCH_PENETRATION), local);
                 patch_places__place_load(tables, work, pair, region, patch, number);
             }
         }
         patch_places__close_place(work, patch);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The load of a patch in a region, which is its ``number``: its force, its moment about the track's
@@ -2152,60 +1955,46 @@ static inline int64_t patch_places__place_patches(array_double_1d tables, array_
  */
 static inline int64_t patch_places__place_load(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t patch, int64_t number)
 {
-    double load;
-    double away;
-    double abscissa;
-    double height;
-    double slope;
-    double normal_cos;
-    double normal_sin;
-    double x;
-    double y;
-    double z;
-    double down;
-    double force_y;
-    double force_z;
-    double wheel_height;
-    double wheel_slope;
-    load = (*cspan_at(&work, patch + layout__PATCH_LOADS + number));
+    double load, away, abscissa, height, slope, normal_cos, normal_sin, x, y, z, down, force_y, force_z, wheel_height, wheel_slope;
+    load = AT(work, patch + layout__PATCH_LOADS + number);
     /* from the region's smallest gap to the part's centre of load; a part that carries less than nothing */
     /* (patch/filling.py) has no such centre */
     away = 0.0;
     if (load > 0.0)
     {
-        away = (*cspan_at(&work, patch + layout__PATCH_MOMENTS + number)) / load - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
+        away = AT(work, patch + layout__PATCH_MOMENTS + number) / load - AT(work, region + layout__REGION_OFFSET) - AT(work, region + layout__REGION_STATION);
     }
     abscissa = patch_places__abscissa_at(tables, work, pair, region, away);
-    tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
+    tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
     normal_cos = 1.0 / sqrt(1.0 + slope * slope);
     normal_sin = slope * normal_cos;
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 || (int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
-        normal_cos = (*cspan_at(&work, region + layout__REGION_COS));
-        normal_sin = (*cspan_at(&work, region + layout__REGION_SIN));
+        normal_cos = AT(work, region + layout__REGION_COS);
+        normal_sin = AT(work, region + layout__REGION_SIN);
     }
-    x = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
-    rails__on_track(&y, &z, work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, height);
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_LEANING)) == 1.0)
+    x = AT(work, region + layout__REGION_X_TRACK) + AT(work, region + layout__REGION_SLANT) * away;
+    rails__on_track(&y, &z, work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(tables, pair + layout__PAIR_RAIL_Y), AT(tables, pair + layout__PAIR_RAIL_Y) + abscissa, height);
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_LEANING) == 1.0)
     {
         down = normal_cos;
-        normal_cos = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_COS)) * down - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_SIN)) * normal_sin;
-        normal_sin = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_COS)) * normal_sin + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_SIN)) * down;
+        normal_cos = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_RAIL_COS) * down - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_RAIL_SIN) * normal_sin;
+        normal_sin = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_RAIL_COS) * normal_sin + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_RAIL_SIN) * down;
     }
     force_y = normal_sin * load;
-    force_z = (-normal_cos) * load;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) += force_y;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) += force_z;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) += y * force_z - z * force_y;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) -= x * force_z;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) += x * force_y;
-    tables__height_slope(&wheel_height, &wheel_slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-    tables__height_slope(&wheel_height, &wheel_slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + away / sqrt(1.0 + wheel_slope * wheel_slope));
-    (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) += load * x;
-    (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) += load * y;
-    (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) += load * z;
-    (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) += load * ((*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + wheel_height);
-    return INT64_C(0);
+    force_z = -normal_cos * load;
+    AT(work, patch + layout__PATCH_NORMAL_Y) += force_y;
+    AT(work, patch + layout__PATCH_NORMAL_Z) += force_z;
+    AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) += y * force_z - z * force_y;
+    AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) -= x * force_z;
+    AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) += x * force_y;
+    tables__height_slope(&wheel_height, &wheel_slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, region + layout__REGION_WHEEL));
+    tables__height_slope(&wheel_height, &wheel_slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, region + layout__REGION_WHEEL) + away / sqrt(1.0 + wheel_slope * wheel_slope));
+    AT(work, patch + layout__PATCH_X_TRACK) += load * x;
+    AT(work, patch + layout__PATCH_Y_TRACK) += load * y;
+    AT(work, patch + layout__PATCH_Z_TRACK) += load * z;
+    AT(work, patch + layout__PATCH_ROLLING_RADIUS) += load * (AT(tables, pair + layout__PAIR_RADIUS) + wheel_height);
+    return 0;
 }
 
 /* The rail's abscissa [m] at stations ``away`` from a region's smallest gap [m]: stations of a wheel that
@@ -2214,10 +2003,10 @@ static inline int64_t patch_places__place_load(array_double_1d tables, array_dou
 static inline double patch_places__abscissa_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double away)
 {
     double abscissa;
-    abscissa = (*cspan_at(&work, region + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    abscissa = AT(work, region + layout__REGION_RAIL) + away * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        abscissa = curves__rail_abscissa(tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), away);
+        abscissa = curves__rail_abscissa(tables, pair, AT(work, region + layout__REGION_RAIL), away);
     }
     return abscissa;
 }
@@ -2225,21 +2014,20 @@ static inline double patch_places__abscissa_at(array_double_1d tables, array_dou
 /* The centre of load of a patch [m], and the angle of its force [rad]. */
 static inline int64_t patch_places__close_place(array_double_1d work, int64_t patch)
 {
-    double load;
-    double slope;
-    load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    double load, slope;
+    load = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     if (load > 0.0)
     {
-        (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) /= load;
-        (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) /= load;
-        (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) /= load;
-        (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) /= load;
-        slope = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / (-(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)));
-        (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -circle__atan(slope);
-        (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) = 1.0 / sqrt(1.0 + slope * slope);
-        (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) = (-slope) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
+        AT(work, patch + layout__PATCH_X_TRACK) /= load;
+        AT(work, patch + layout__PATCH_Y_TRACK) /= load;
+        AT(work, patch + layout__PATCH_Z_TRACK) /= load;
+        AT(work, patch + layout__PATCH_ROLLING_RADIUS) /= load;
+        slope = AT(work, patch + layout__PATCH_NORMAL_Y) / -AT(work, patch + layout__PATCH_NORMAL_Z);
+        AT(work, patch + layout__PATCH_CONTACT_ANGLE) = -circle__atan(slope);
+        AT(work, patch + layout__PATCH_ANGLE_COS) = 1.0 / sqrt(1.0 + slope * slope);
+        AT(work, patch + layout__PATCH_ANGLE_SIN) = -slope * AT(work, patch + layout__PATCH_ANGLE_COS);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Where the strips of a patch are in the track, the rail's inclination, and the wheel's rolling radius
@@ -2248,48 +2036,39 @@ static inline int64_t patch_places__close_place(array_double_1d work, int64_t pa
  */
 static inline int64_t patch_places__place_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch)
 {
-    int64_t number;
-    int64_t region;
-    int64_t place;
-    int64_t index;
-    int64_t strip;
-    double abscissa;
-    double height;
-    double slope;
-    double y;
-    double z;
-    double down;
-    number = INT64_C(0);
-    while((number < layout__REGION_LIMIT - INT64_C(1)) && ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) == 0.0))
+    int64_t number, region, place, index, strip;
+    double abscissa, height, slope, y, z, down;
+    number = 0;
+    while (number < layout__REGION_LIMIT - 1 && AT(work, patch + layout__PATCH_LOADS + number) == 0.0)
     {
-        number += INT64_C(1);
+        number += 1;
     }
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
-    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
-    for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+    place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
+    for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        abscissa = patch_places__abscissa_at(tables, work, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
-        tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = 1.0 / sqrt(1.0 + slope * slope);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-        rails__on_track(&y, &z, work, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, height);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) = z;
-        tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + height;
+        abscissa = patch_places__abscissa_at(tables, work, pair, region, AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, region + layout__REGION_OFFSET) - AT(work, region + layout__REGION_STATION));
+        tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
+        AT(work, strip + layout__ROLLING_STRIP_COS) = 1.0 / sqrt(1.0 + slope * slope);
+        AT(work, strip + layout__ROLLING_STRIP_SIN) = slope * AT(work, strip + layout__ROLLING_STRIP_COS);
+        rails__on_track(&y, &z, work, place, AT(tables, pair + layout__PAIR_RAIL_Y), AT(tables, pair + layout__PAIR_RAIL_Y) + abscissa, height);
+        AT(work, strip + layout__ROLLING_STRIP_Y_TRACK) = y;
+        AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) = z;
+        tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, region + layout__REGION_WHEEL) + abscissa - AT(work, region + layout__REGION_RAIL));
+        AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS) = AT(tables, pair + layout__PAIR_RADIUS) + height;
     }
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
-        for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
+        for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
         {
             strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-            down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN));
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down;
+            down = AT(work, strip + layout__ROLLING_STRIP_COS);
+            AT(work, strip + layout__ROLLING_STRIP_COS) = AT(work, place + layout__PLACE_RAIL_COS) * down - AT(work, place + layout__PLACE_RAIL_SIN) * AT(work, strip + layout__ROLLING_STRIP_SIN);
+            AT(work, strip + layout__ROLLING_STRIP_SIN) = AT(work, place + layout__PLACE_RAIL_COS) * AT(work, strip + layout__ROLLING_STRIP_SIN) + AT(work, place + layout__PLACE_RAIL_SIN) * down;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -2300,7 +2079,7 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
  *
  * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
  * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once
- * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).
+ * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_levels).
  * One round of
  *
  * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = p / (pi E*) and the given force, eq. (S5)
@@ -2318,85 +2097,89 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
  *
  * A wheel that just touches is sunk to an estimated penetration first.
  */
-static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+static inline void strip_contact__strip_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
-    bool by_penetration;
-    double estimate;
-    bool known;
+    bool by_penetration, known, satisfied;
+    int64_t count;
+    double penetration, estimate;
     by_penetration = isfinite(prescribed);
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        (*count) = strip_contact__open_zones(tables, work, pair);
+        count = strip_contact__open_zones(tables, work, pair);
         strip_contact__start_runs(tables, work, pair);
-        (*penetration) = strip_contact__sweep_strips(tables, work, pair, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), force, by_penetration);
+        penetration = strip_contact__sweep_strips(tables, work, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, by_penetration);
     }
     else if (by_penetration)
     {
-        strip_contact__sink_strips(penetration, count, tables, work, pair, side, force, prescribed, 1);
+        strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, prescribed, true);
     }
     else
     {
         estimate = estimate__first_penetration(tables, work, pair, force);
-        strip_contact__sink_strips(penetration, count, tables, work, pair, side, force, estimate, 0);
-        if (((*count) > INT64_C(0)) && ((*penetration) < strip_contact__SUNK_LESS * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))))
+        strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
+        if (count > 0 && penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))
         {
-            analyn_contact__solve_analyn(&estimate, count, &known, tables, work, pair, side, force, prescribed);
+            analyn_contact__solve_analyn(&estimate, &count, &known, tables, work, pair, side, force, prescribed);
             if (known)
             {
-                strip_contact__sink_strips(penetration, count, tables, work, pair, side, force, estimate, 0);
+                strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
             }
         }
     }
-    if ((*count) == INT64_C(0))
+    if (count == 0)
     {
-        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-        (*count) = INT64_C(0);
-        (*satisfied) = 0;
-        return 0;
+        *penetration_out = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+        *count_out = 0;
+        *satisfied_out = false;
+        return;
     }
-    if (!((*penetration) > 0.0))
+    if (!(penetration > 0.0))
     {
         /* strips of picometres on a straight gap can ask for less than nothing */
-        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     }
-    (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
-    if ((*satisfied))
+    satisfied = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) > 0;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && satisfied)
     {
-        strip_patches__add_stiffness(work, tables, (*count));
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
+        satisfied = strip_contact__agrees_with_levels(work, tables);
+    }
+    if (satisfied)
+    {
+        strip_patches__add_stiffness(work, tables, count);
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
         {
-            frame__locate_along_track(tables, work, pair, (*count));
-            strip_patches__fill_from_strips(work, tables, side, (*count));
+            frame__locate_along_track(tables, work, pair, count);
+            strip_patches__fill_from_strips(work, tables, side, count);
         }
     }
-    return 0;
+    *penetration_out = penetration;
+    *count_out = count;
+    *satisfied_out = satisfied;
 }
 
 /* Penetration [m] and number of regions of a wheel that is sunk to an ``estimate`` [m] of it, and then to
  * the one that ANALYN's levels have there; no region where it overlaps most at the end of a profile.
  */
-static inline int64_t strip_contact__sink_strips(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration)
+static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration)
 {
-    double penetration;
-    int64_t count;
-    int64_t repeat;
-    double deeper;
+    double penetration, deeper;
+    int64_t count, repeat;
     penetration = estimate;
-    count = INT64_C(0);
-    for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
+    count = 0;
+    for (repeat = 0; repeat < strip_contact__SINKINGS; repeat += 1)
     {
-        if (pressed_regions__sink_wheel(tables, work, pair, side, penetration) == INT64_C(0))
+        if (pressed_regions__sink_wheel(tables, work, pair, side, penetration) == 0)
         {
-            (*result_0) = penetration;
-            (*result_1) = INT64_C(0);
-            return 0;
+            *out_0 = penetration;
+            *count_out = 0;
+            return;
         }
         count = strip_contact__open_zones(tables, work, pair);
         if (by_penetration)
         {
             break;
         }
-        deeper = penetration + strip_runs__deepen_levels(work, force);
+        deeper = penetration + strip_levels__deepen_levels(work, force);
         if (deeper < strip_contact__SUNK_DEEPER * penetration)
         {
             break;
@@ -2404,40 +2187,67 @@ static inline int64_t strip_contact__sink_strips(double* result_0, int64_t* resu
         penetration = deeper;
     }
     strip_contact__start_runs(tables, work, pair);
-    (*result_0) = strip_contact__sweep_strips(tables, work, pair, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), force, by_penetration);
-    (*result_1) = count;
-    return 0;
+    *out_0 = strip_contact__sweep_strips(tables, work, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, by_penetration);
+    *count_out = count;
+}
+
+/* Whether the load of the strips is about that of ANALYN's levels, which the sweeps leave as they are, and
+ * their largest pressure not far above theirs.
+ *
+ * Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.
+ */
+static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables)
+{
+    double load, pressure, carried, largest;
+    int64_t i, strip, i_end;
+    strip_levels__level_contact(&load, &pressure, work);
+    carried = 0.0;
+    largest = 0.0;
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < i_end; i += 1)
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        carried += AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_COUNTED) * AT(work, strip + layout__STRIP_Y);
+        largest = double_max(largest, AT(work, strip + layout__STRIP_Y));
+    }
+    carried *= 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    largest *= M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    return carried > load / strip_contact__PARTED && carried < load * strip_contact__PARTED && largest < pressure * strip_contact__PARTED;
 }
 
 /* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
  * and without patches: about a per cent off.
  */
-static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force)
+static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
-    (*count) = strip_contact__open_zones(tables, work, pair);
+    int64_t count;
+    double penetration;
+    bool satisfied;
+    count = strip_contact__open_zones(tables, work, pair);
     strip_contact__start_runs(tables, work, pair);
-    (*penetration) = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, force, 0);
-    if (!((*penetration) > 0.0))
+    penetration = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, force, false);
+    if (!(penetration > 0.0))
     {
-        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     }
-    (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
-    if ((*satisfied))
+    satisfied = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) > 0;
+    if (satisfied)
     {
-        strip_patches__add_stiffness(work, tables, (*count));
+        strip_patches__add_stiffness(work, tables, count);
     }
-    return 0;
+    *penetration_out = penetration;
+    *count_out = count;
+    *satisfied_out = satisfied;
 }
 
 /* Open the regions where the wheel overlaps its rail, and trace both there; how many regions. */
 static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    int64_t deepest;
-    int64_t count;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    int64_t count, deepest;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     count = pressed_regions__gather_overlaps(tables, work, pair);
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    strip_surfaces__find_zones(tables, work, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
+    strip_surfaces__find_zones(tables, work, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH));
     strip_surfaces__trace_zones(tables, work, pair, count);
     return count;
 }
@@ -2447,10 +2257,10 @@ static inline int64_t strip_contact__start_runs(array_double_1d tables, array_do
 {
     if (frame__is_yawed(work))
     {
-        strip_surfaces__measure_ridges(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))));
+        strip_surfaces__measure_ridges(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE));
     }
-    strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
-    return INT64_C(0);
+    strip_levels__begin_runs(tables, work, (int64_t)AT(tables, layout__TABLES_WAVES));
+    return 0;
 }
 
 /* Make so many sweeps; penetration [m], which may be less than nothing.
@@ -2461,38 +2271,34 @@ static inline int64_t strip_contact__start_runs(array_double_1d tables, array_do
  */
 static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t sweeps, double force, bool by_penetration)
 {
-    bool yawed;
-    double penetration;
+    bool yawed, last, given;
+    double penetration, found, share;
     int64_t sweep;
-    bool last;
-    bool given;
-    double share;
-    double found;
     yawed = frame__is_yawed(work);
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION);
     found = penetration;
-    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
+    for (sweep = 0; sweep < sweeps; sweep += 1)
     {
-        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) == INT64_C(0))
+        if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0)
         {
             break;
         }
-        last = sweep == sweeps - INT64_C(1);
+        last = sweep == sweeps - 1;
         given = by_penetration;
-        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (!last))
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0) && !last)
         {
-            given = 1;
+            given = true;
         }
-        strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
+        strip_runs__lay_strips(tables, work, (int64_t)AT(tables, layout__TABLES_WAVES), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
         found = strip_pressures__solve_pressures(work, tables, force, given, yawed);
         if (found > 0.0)
         {
             penetration = found;
         }
-        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
+        if (!last || AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
         {
             share = strip_lengths__RELAXED;
-            if (sweep == INT64_C(0))
+            if (sweep == 0)
             {
                 /* half-lengths do not swing yet */
                 share = 1.0;
@@ -2501,7 +2307,7 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
         }
         if (!last)
         {
-            strip_runs__renew_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+            strip_runs__renew_runs(tables, work, (int64_t)AT(tables, layout__TABLES_WAVES));
         }
     }
     return found;
@@ -2517,8 +2323,7 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
 /* ``ratio`` to a ``power`` near it, without ends: Pade's quotient, (1 + power) / (1 - power) at most. */
 static inline double strip_lengths__corrected(double ratio, double power)
 {
-    double more;
-    double less;
+    double more, less;
     more = 1.0 + power;
     less = 1.0 - power;
     return (less + more * ratio) / (more + less * ratio);
@@ -2530,86 +2335,70 @@ static inline double strip_lengths__corrected(double ratio, double power)
 static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t first, int64_t i, double penetration, bool yawed)
 {
     int64_t strip;
-    double half;
-    double away;
-    double own;
-    double front;
-    double back;
-    double front_gap;
-    double back_gap;
-    double move;
-    double local;
-    double rise;
-    double ratio;
+    double half, away, own, front, back, front_gap, back_gap, move, local, rise, ratio;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-    half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+    half = AT(work, strip + layout__STRIP_HALF_LENGTH);
     away = strip_pressures__TESTED * half;
-    own = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
+    own = strip_runs__gap_beside(work, strip, AT(work, strip + layout__STRIP_LEAD));
     strip_pressures__tested_displacements(&front, &back, work, tables, first + i, away, yawed);
-    front_gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away) - own;
+    front_gap = strip_runs__gap_beside(work, strip, AT(work, strip + layout__STRIP_LEAD) + away) - own;
     back_gap = front_gap;
-    (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
+    AT(work, strip + layout__STRIP_NEXT_LEAD) = AT(work, strip + layout__STRIP_LEAD);
     if (yawed)
     {
-        back_gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away) - own;
-        move = (-strip_lengths__MOVED) * (front + front_gap - back - back_gap) / (4.0 * (*cspan_at(&work, strip + layout__STRIP_A)) * away);
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) += pressed__limited(move, strip_lengths__FARTHEST_MOVE * half);
+        back_gap = strip_runs__gap_beside(work, strip, AT(work, strip + layout__STRIP_LEAD) - away) - own;
+        move = -strip_lengths__MOVED * (front + front_gap - back - back_gap) / (4.0 * AT(work, strip + layout__STRIP_A) * away);
+        AT(work, strip + layout__STRIP_NEXT_LEAD) += pressed__limited(move, strip_lengths__FARTHEST_MOVE * half);
     }
     local = strip_pressures__local_displacement(work, tables, first, i);
-    rise = double_max(2, 0.5 * (front_gap + back_gap), strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away);
-    ratio = double_max(2, 0.0, ((*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP)) - local - 0.5 * (front + back)) / rise);
-    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * strip_lengths__corrected(ratio, strip_lengths__POWER);
-    return INT64_C(0);
+    rise = double_max(0.5 * (front_gap + back_gap), strip_lengths__FLATTEST * AT(work, strip + layout__STRIP_A) * away * away);
+    ratio = double_max(0.0, (AT(work, strip + layout__STRIP_SHARE) * penetration - AT(work, strip + layout__STRIP_GAP) - local - 0.5 * (front + back)) / rise);
+    AT(work, strip + layout__STRIP_NEXT_AXIS) = AT(work, strip + layout__STRIP_AXIS) * strip_lengths__corrected(ratio, strip_lengths__POWER);
+    return 0;
 }
 
 /* Axes, leads and edges after this sweep, and the pressures that keep the loads. */
 static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double share)
 {
-    int64_t waves;
-    int64_t k_end;
-    int64_t k;
-    int64_t first;
-    int64_t last;
-    int64_t i_end;
-    int64_t i;
-    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    int64_t waves, k, first, last, i, k_end, i_end;
+    waves = (int64_t)AT(tables, layout__TABLES_WAVES);
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
     {
-        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-        last = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1);
-        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1);
-        for (i = INT64_C(1); i < i_end; i += INT64_C(1))
+        first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        last = first + (int64_t)AT(tables, waves + layout__WAVES_COUNT) - 1;
+        i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT) - 1;
+        for (i = 1; i < i_end; i += 1)
         {
             strip_lengths__correct_strip(work, tables, first, i, penetration, yawed);
         }
-        for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+        for (i = first + 1; i < last; i += 1)
         {
-            strip_lengths__limit_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)));
+            strip_lengths__limit_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - 1), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + 1));
         }
-        strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
-        strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
+        strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + 1), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + 2));
+        strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - 1), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - 2));
         strip_lengths__move_edges(tables, work, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, share);
         strip_lengths__finish_strips(work, tables, k);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* No longer an axis than those beside it let expect, as they were in this sweep. */
 static inline int64_t strip_lengths__limit_axis(array_double_1d work, int64_t before, int64_t strip, int64_t after)
 {
-    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = double_min(2, (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)), strip_lengths__STEEP * double_max(2, (*cspan_at(&work, before + layout__STRIP_AXIS)), (*cspan_at(&work, after + layout__STRIP_AXIS))));
-    return INT64_C(0);
+    AT(work, strip + layout__STRIP_NEXT_AXIS) = double_min(AT(work, strip + layout__STRIP_NEXT_AXIS), strip_lengths__STEEP * double_max(AT(work, before + layout__STRIP_AXIS), AT(work, after + layout__STRIP_AXIS)));
+    return 0;
 }
 
 /* Axis and lead of the outermost strip of a run from the next two. */
 static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second)
 {
     double axis;
-    axis = 1.5 * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS)) - 0.5 * (*cspan_at(&work, second + layout__STRIP_NEXT_AXIS));
-    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = double_min(2, double_max(2, axis, strip_lengths__LEAST_END * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS))), strip_lengths__MOST_END * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS)));
-    (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + (*cspan_at(&work, inner + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work, inner + layout__STRIP_LEAD));
-    return INT64_C(0);
+    axis = 1.5 * AT(work, inner + layout__STRIP_NEXT_AXIS) - 0.5 * AT(work, second + layout__STRIP_NEXT_AXIS);
+    AT(work, strip + layout__STRIP_NEXT_AXIS) = double_min(double_max(axis, strip_lengths__LEAST_END * AT(work, inner + layout__STRIP_NEXT_AXIS)), strip_lengths__MOST_END * AT(work, inner + layout__STRIP_NEXT_AXIS));
+    AT(work, strip + layout__STRIP_NEXT_LEAD) = AT(work, strip + layout__STRIP_LEAD) + AT(work, inner + layout__STRIP_NEXT_LEAD) - AT(work, inner + layout__STRIP_LEAD);
+    return 0;
 }
 
 /* Move both edges of a run towards where its pressure ends like a square root, eq. (S14); ``first`` is
@@ -2619,54 +2408,43 @@ static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t stri
  */
 static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double share)
 {
-    int64_t count;
-    double start;
-    double stop;
-    int64_t i;
-    double product;
-    double largest;
-    double low;
-    double high;
-    double sine;
-    double wrong;
-    double root;
-    double least;
-    double half;
-    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    int64_t count, i;
+    double start, stop, product, largest, low, high, sine, wrong, root, least, half;
+    count = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     start = 0.0;
     stop = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = 0; i < count; i += 1)
     {
-        product = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-        start += (*cspan_at(&tables, waves + layout__WAVES_START + i)) * product;
-        stop += (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) * product;
+        product = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y) * AT(tables, waves + layout__WAVES_SIN + i);
+        start += AT(tables, waves + layout__WAVES_START + i) * product;
+        stop += AT(tables, waves + layout__WAVES_STOP + i) * product;
     }
     largest = 0.0;
     low = 0.0;
     high = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = 0; i < count; i += 1)
     {
-        sine = (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-        wrong = 0.5 * (start + stop + (start - stop) * (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
-        root = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * sine - wrong) / (sine * sine);
-        largest = double_max(2, largest, double_max(2, root, -root));
-        if (i == INT64_C(1))
+        sine = AT(tables, waves + layout__WAVES_SIN + i);
+        wrong = 0.5 * (start + stop + (start - stop) * AT(tables, waves + layout__WAVES_COS + i));
+        root = (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y) * sine - wrong) / (sine * sine);
+        largest = double_max(largest, double_max(root, -root));
+        if (i == 1)
         {
             low = root;
         }
-        if (i == count - INT64_C(2))
+        if (i == count - 2)
         {
             high = root;
         }
     }
     least = strip_lengths__LEAST_ROOT * largest;
-    half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START)));
-    (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)) = strip_lengths__edge_move(half, share * start / double_max(2, low, least), (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)));
-    (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)) = strip_lengths__edge_move(half, share * stop / double_max(2, high, least), (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)));
+    half = 0.5 * (AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START));
+    AT(work, run + layout__STRIP_RUN_START_MOVE) = strip_lengths__edge_move(half, share * start / double_max(low, least), AT(work, run + layout__STRIP_RUN_START_MOVE));
+    AT(work, run + layout__STRIP_RUN_STOP_MOVE) = strip_lengths__edge_move(half, share * stop / double_max(high, least), AT(work, run + layout__STRIP_RUN_STOP_MOVE));
     /* no farther than wheel and rail are known */
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = double_max(2, (*cspan_at(&work, run + layout__STRIP_RUN_START)) - (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START)));
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = double_min(2, (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP)));
-    return INT64_C(0);
+    AT(work, run + layout__STRIP_RUN_NEXT_START) = double_max(AT(work, run + layout__STRIP_RUN_START) - AT(work, run + layout__STRIP_RUN_START_MOVE), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)AT(work, run + layout__STRIP_RUN_LOW) + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_START));
+    AT(work, run + layout__STRIP_RUN_NEXT_STOP) = double_min(AT(work, run + layout__STRIP_RUN_STOP) + AT(work, run + layout__STRIP_RUN_STOP_MOVE), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)AT(work, run + layout__STRIP_RUN_HIGH) + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_STOP));
+    return 0;
 }
 
 /* How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that; less
@@ -2674,9 +2452,7 @@ static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_do
  */
 static inline double strip_lengths__edge_move(double half, double away, double before)
 {
-    double far;
-    double known;
-    double move;
+    double far, move, known;
     far = away / strip_lengths__FARTHEST_EDGE;
     move = strip_lengths__FARTHEST_EDGE * half * far / sqrt(1.0 + far * far);
     if (move * before < 0.0)
@@ -2690,40 +2466,225 @@ static inline double strip_lengths__edge_move(double half, double away, double b
 /* Half-lengths, stations and pressures after this sweep of the strips of run ``k``. */
 static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_double_1d tables, int64_t k)
 {
-    int64_t waves;
-    int64_t run;
-    int64_t first;
-    double largest;
-    int64_t i_end;
-    int64_t i;
-    double grown;
-    double middle;
-    double half;
-    int64_t strip;
-    double raised;
-    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    int64_t waves, run, first, i, strip, i_end, i_end_2;
+    double largest, grown, middle, half, raised;
+    waves = (int64_t)AT(tables, layout__TABLES_WAVES);
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     largest = 0.0;
-    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    for (i = first; i < i_end; i += INT64_C(1))
+    i_end = first + (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    for (i = first; i < i_end; i += 1)
     {
-        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)));
+        largest = double_max(largest, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
     }
-    grown = ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) / ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
-    middle = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
-    half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
-    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    grown = (AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START)) / (AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START));
+    middle = 0.5 * (AT(work, run + layout__STRIP_RUN_NEXT_START) + AT(work, run + layout__STRIP_RUN_NEXT_STOP));
+    half = 0.5 * (AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START));
+    i_end_2 = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    for (i = 0; i < i_end_2; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = double_max(2, (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)), strip_lengths__FLAT * largest);
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
-        raised = double_min(2, (*cspan_at(&work, strip + layout__STRIP_AXIS)) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)), strip_lengths__MOST_RAISED);
-        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (*cspan_at(&work, strip + layout__STRIP_Y)) * raised * grown;
+        AT(work, strip + layout__STRIP_NEXT_AXIS) = double_max(AT(work, strip + layout__STRIP_NEXT_AXIS), strip_lengths__FLAT * largest);
+        AT(work, strip + layout__STRIP_NEXT_HALF) = AT(work, strip + layout__STRIP_NEXT_AXIS) * AT(tables, waves + layout__WAVES_SIN + i);
+        AT(work, strip + layout__STRIP_NEXT_STATION) = middle - half * AT(tables, waves + layout__WAVES_COS + i);
+        raised = double_min(AT(work, strip + layout__STRIP_AXIS) / AT(work, strip + layout__STRIP_NEXT_AXIS), strip_lengths__MOST_RAISED);
+        AT(work, strip + layout__STRIP_PRESSURE) = M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS) * AT(work, strip + layout__STRIP_Y) * raised * grown;
     }
-    return INT64_C(0);
+    return 0;
+}
+
+
+/* ---- From normal/strip_levels.py; change that one.
+ *
+ * The first runs of strips: where ANALYN's levels, eq. (S9), are above zero; and what these levels carry.
+ */
+
+/* The first runs, where ANALYN's level is above zero. */
+static inline int64_t strip_levels__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves)
+{
+    int64_t low, high, k, run, first, j, zone, i, strip, k_end, i_end;
+    double station;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
+    low = 0;
+    while (low < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))
+    {
+        high = low;
+        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && strip_levels__is_one_curve(work, high))
+        {
+            high += 1;
+        }
+        strip_levels__begin_curve(work, low, high);
+        low = high + 1;
+    }
+    strip_runs__adopt_runs(work);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) * (int64_t)AT(tables, waves + layout__WAVES_COUNT));
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        j = strip_surfaces__interval(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), strip_runs__run_station(work, run, 0.0));
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
+        j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
+        i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        for (i = 0; i < i_end; i += 1)
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+            station = strip_runs__run_station(work, run, AT(tables, waves + layout__WAVES_COS + i));
+            j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
+            AT(work, strip + layout__STRIP_AXIS) = strip_levels__level_length(work, j, station) / AT(tables, waves + layout__WAVES_SIN + i);
+            AT(work, strip + layout__STRIP_LEAD) = pressed__limited(AT(work, zone + layout__STRIP_ZONE_LEAN) * (station - AT(work, zone + layout__STRIP_ZONE_MIDDLE)), strip_levels__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS));
+        }
+        strip_runs__raise_axes(work, first, (int64_t)AT(tables, waves + layout__WAVES_COUNT));
+    }
+    return 0;
+}
+
+/* Whether a run may go on from traced station ``i`` to the next one: within a zone, and where two zones
+ * meet of which one is a shoulder of the other.
+ */
+static inline bool strip_levels__is_one_curve(array_double_1d work, int64_t i)
+{
+    int64_t at, following;
+    bool one;
+    double shallower;
+    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+    following = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + 1);
+    one = AT(work, at + layout__TRACED_STATION_JOINED) == 1.0;
+    if (one && (int64_t)AT(work, at + layout__TRACED_STATION_REGION) != (int64_t)AT(work, following + layout__TRACED_STATION_REGION))
+    {
+        shallower = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_DEPTH), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, following + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_DEPTH));
+        one = double_min(AT(work, at + layout__TRACED_STATION_OVERLAP), AT(work, following + layout__TRACED_STATION_OVERLAP)) > strip_levels__SHOULDER * shallower;
+    }
+    return one;
+}
+
+/* Raise the levels until they carry ``force`` [N] as ANALYN has it, and how far [m].
+ *
+ * The load is convex over the rise, so that Newton's method comes from one side.
+ */
+static inline double strip_levels__deepen_levels(array_double_1d work, double force)
+{
+    double rise, load, stiffness, line, level;
+    int64_t repeat, i, at, zone, i_end, i_end_2;
+    rise = 0.0;
+    for (repeat = 0; repeat < strip_levels__LEVEL_ITERATIONS; repeat += 1)
+    {
+        load = 0.0;
+        stiffness = 0.0;
+        i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+        for (i = 0; i < i_end; i += 1)
+        {
+            at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
+            line = AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_COUNTED) * AT(work, zone + layout__STRIP_ZONE_SPACING);
+            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
+            if (level > 0.0)
+            {
+                load += line * level;
+                stiffness += line * AT(work, at + layout__TRACED_STATION_SHARE);
+            }
+        }
+        if (stiffness > 0.0)
+        {
+            rise += (force - load) / stiffness;
+        }
+    }
+    i_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end_2; i += 1)
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        AT(work, at + layout__TRACED_STATION_LEVEL) += rise * AT(work, at + layout__TRACED_STATION_SHARE);
+    }
+    return rise;
+}
+
+/* Load [N], as far as it counts, and largest pressure [Pa] that the levels have. */
+static inline void strip_levels__level_contact(double* load_out, double* out_1, array_double_1d work)
+{
+    double load, square;
+    int64_t i, at, zone, i_end;
+    load = 0.0;
+    square = 0.0;
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end; i += 1)
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
+        if (AT(work, at + layout__TRACED_STATION_LEVEL) > 0.0)
+        {
+            load += AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_LEVEL) * AT(work, at + layout__TRACED_STATION_COUNTED) * AT(work, zone + layout__STRIP_ZONE_SPACING);
+            square = double_max(square, AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_LEVEL) * AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) * AT(work, at + layout__TRACED_STATION_A));
+        }
+    }
+    *load_out = load;
+    *out_1 = 2.0 / M_PI * sqrt(square);
+}
+
+/* The first runs of the curve of stations ``low`` ... ``high``. */
+static inline int64_t strip_levels__begin_curve(array_double_1d work, int64_t low, int64_t high)
+{
+    int64_t i, last, zone;
+    double highest, start, stop;
+    i = low;
+    while (i <= high)
+    {
+        last = i;
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL) > 0.0)
+        {
+            highest = 0.0;
+            while (last <= high && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > 0.0)
+            {
+                highest = double_max(highest, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
+                last += 1;
+            }
+            last -= 1;
+            start = strip_levels__level_end(work, i, i - 1, low, high);
+            stop = strip_levels__level_end(work, last, last + 1, low, high);
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION);
+            if (highest > strip_levels__RAISED * AT(work, zone + layout__STRIP_ZONE_DEPTH))
+            {
+                strip_runs__add_run(work, low, high, start, stop);
+            }
+        }
+        i = last + 1;
+    }
+    return 0;
+}
+
+/* Station [m] where the level falls to zero from a station to one beside it, or where the curve ends. */
+static inline double strip_levels__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high)
+{
+    int64_t at, beyond;
+    double station;
+    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
+    station = AT(work, at + layout__TRACED_STATION_STATION);
+    if (outside >= low && outside <= high)
+    {
+        beyond = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * outside;
+        station += (AT(work, beyond + layout__TRACED_STATION_STATION) - AT(work, at + layout__TRACED_STATION_STATION)) * AT(work, at + layout__TRACED_STATION_LEVEL) / (AT(work, at + layout__TRACED_STATION_LEVEL) - AT(work, beyond + layout__TRACED_STATION_LEVEL));
+    }
+    else if (outside < low)
+    {
+        station = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_START);
+    }
+    else
+    {
+        station = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_STOP);
+    }
+    return station;
+}
+
+/* Half-length [m] of a strip at ``station`` [m] behind station ``j``, as ANALYN has it. */
+static inline double strip_levels__level_length(array_double_1d work, int64_t j, double station)
+{
+    int64_t low, high;
+    double u, level;
+    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
+    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1);
+    u = strip_surfaces__way_through(work, j, station);
+    level = double_max(strip_surfaces__between(AT(work, low + layout__TRACED_STATION_LEVEL), AT(work, high + layout__TRACED_STATION_LEVEL), u), 0.0);
+    return sqrt(level / (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, low + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_ONE_ALPHA) * strip_surfaces__between(AT(work, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), u)));
 }
 
 
@@ -2738,167 +2699,131 @@ static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_d
 /* Fill the patches of a side from the runs of strips, which lie in ``count`` regions. */
 static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t side, int64_t count)
 {
-    int64_t index;
-    int64_t k_end;
-    int64_t k;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    int64_t index, k, k_end;
+    for (index = 0; index < count; index += 1)
     {
         strip_patches__load_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index, index);
     }
     filling__clear_patches(work, side);
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
     {
-        if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) < layout__SOLVED_PATCH_LIMIT)
+        if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) < layout__SOLVED_PATCH_LIMIT)
         {
             strip_patches__fill_run(work, tables, side, k);
         }
     }
     filling__finish_patches(work, side);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Fill the next patch from run ``k``. */
 static inline int64_t strip_patches__fill_run(array_double_1d work, array_double_1d tables, int64_t side, int64_t k)
 {
-    int64_t waves;
-    int64_t run;
-    int64_t first;
-    int64_t deepest;
-    int64_t i_end;
-    int64_t i;
-    int64_t region;
-    int64_t fine;
-    int64_t index;
+    int64_t waves, run, first, deepest, i, region, fine, index, patch, strip, i_end, i_end_2;
     bool meets;
-    int64_t patch;
-    double scale;
-    double spread;
-    int64_t strip;
-    double load;
-    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    double scale, spread, load;
+    waves = (int64_t)AT(tables, layout__TABLES_WAVES);
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     deepest = first;
-    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    for (i = first; i < i_end; i += INT64_C(1))
+    i_end = first + (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    for (i = first; i < i_end; i += 1)
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_Y)))
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y) > AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_Y))
         {
             deepest = i;
         }
     }
-    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_REGION)));
-    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1);
-    meets = 0;
-    if (k > INT64_C(0))
+    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_REGION);
+    fine = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    index = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) - 1;
+    meets = false;
+    if (k > 0)
     {
-        meets = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * (k - INT64_C(1)) + layout__STRIP_RUN_NEXT_STOP)) < strip_surfaces__TOUCHING * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
+        meets = AT(work, run + layout__STRIP_RUN_NEXT_START) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * (k - 1) + layout__STRIP_RUN_NEXT_STOP) < strip_surfaces__TOUCHING * (AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START));
     }
     if (!meets)
     {
-        index = filling__begin_patch(work, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
+        index = filling__begin_patch(work, side, region, AT(work, run + layout__STRIP_RUN_NEXT_START), k * fine, layout__RULE_STRAIGHT);
     }
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    spread = ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START))) * M_PI / (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    scale = 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    spread = (AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START)) * M_PI / (double)((int64_t)AT(tables, waves + layout__WAVES_COUNT));
+    i_end_2 = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    for (i = 0; i < i_end_2; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-        load = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
-        filling__add_load(work, patch, (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), load, load * (*cspan_at(&work, strip + layout__STRIP_STATION)));
-        (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) += spread * (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
+        load = scale * AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_Y);
+        filling__add_load(work, patch, (int64_t)AT(work, strip + layout__STRIP_REGION), load, load * AT(work, strip + layout__STRIP_STATION));
+        AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) += spread * AT(work, strip + layout__STRIP_NEXT_HALF) * AT(tables, waves + layout__WAVES_SIN + i) * AT(work, strip + layout__STRIP_STRETCH);
     }
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
-    (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)((k + INT64_C(1)) * fine - INT64_C(1));
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) = AT(work, run + layout__STRIP_RUN_NEXT_STOP);
+    AT(work, patch + layout__PATCH_LAST) = (double)((k + 1) * fine - 1);
     strip_patches__fill_fine_strips(work, tables, k);
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = double_max(2, (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)), strip_patches__largest_square(work, k * fine, (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 1));
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = double_max(2, (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)), strip_patches__largest_square(work, k * fine, (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 0));
+    AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = double_max(AT(work, patch + layout__PATCH_PRESSURE_SQUARE), strip_patches__largest_square(work, k * fine, (int64_t)AT(work, patch + layout__PATCH_LAST), true));
+    AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = double_max(AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE), strip_patches__largest_square(work, k * fine, (int64_t)AT(work, patch + layout__PATCH_LAST), false));
     filling__finish_patch(work, side);
-    return INT64_C(0);
+    return 0;
 }
 
 /* The fine strips of run ``k``. */
 static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, array_double_1d tables, int64_t k)
 {
-    int64_t waves;
-    int64_t run;
-    int64_t first;
-    int64_t fine;
-    double middle;
-    double half;
-    double least;
-    double stretch;
-    int64_t i_end;
-    int64_t i;
-    double rigid;
-    int64_t g;
-    double axis;
-    double raised;
-    int64_t strip;
-    double weight;
-    double sine;
-    double length;
-    double pressure;
-    int64_t to;
-    int64_t near;
-    int64_t low;
-    int64_t high;
-    double u;
-    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    int64_t waves, run, first, fine, i, g, strip, to, near, low, high, i_end, i_end_2;
+    double middle, half, least, stretch, rigid, axis, raised, weight, sine, length, pressure, u;
+    waves = (int64_t)AT(tables, layout__TABLES_WAVES);
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    middle = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
-    half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
-    least = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS));
+    first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    fine = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    middle = 0.5 * (AT(work, run + layout__STRIP_RUN_NEXT_START) + AT(work, run + layout__STRIP_RUN_NEXT_STOP));
+    half = 0.5 * (AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START));
+    least = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS);
     stretch = 0.0;
-    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    for (i = first; i < i_end; i += INT64_C(1))
+    i_end = first + (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    for (i = first; i < i_end; i += 1)
     {
-        least = double_min(2, least, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)));
-        stretch += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)), 0.0) / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
+        least = double_min(least, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
+        stretch += AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH) = double_max(AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE), 0.0) / AT(tables, waves + layout__WAVES_SIN + (i - first));
     }
-    strip_patches__limit_spike(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
-    strip_patches__limit_spike(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(2)));
-    rigid = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)))) / (((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * stretch);
-    for (g = INT64_C(0); g < fine; g += INT64_C(1))
+    strip_patches__limit_spike(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + 1));
+    strip_patches__limit_spike(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + (int64_t)AT(tables, waves + layout__WAVES_COUNT) - 1), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + (int64_t)AT(tables, waves + layout__WAVES_COUNT) - 2));
+    rigid = AT(tables, layout__TABLES_CONTACT_MODULUS) * (double)((int64_t)AT(tables, waves + layout__WAVES_COUNT)) / ((AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START)) * stretch);
+    for (g = 0; g < fine; g += 1)
     {
         axis = 0.0;
         raised = 0.0;
-        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        i_end_2 = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        for (i = 0; i < i_end_2; i += 1)
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-            weight = (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * g + i));
-            axis += weight * (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-            raised += weight * (*cspan_at(&work, strip + layout__STRIP_SMOOTH));
+            weight = AT(tables, waves + layout__WAVES_REFINING + 16 * g + i);
+            axis += weight * AT(work, strip + layout__STRIP_NEXT_AXIS);
+            raised += weight * AT(work, strip + layout__STRIP_SMOOTH);
         }
-        sine = (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + g));
-        length = double_max(2, axis, strip_patches__NARROWED * least) * sine;
+        sine = AT(tables, waves + layout__WAVES_FINE_SIN + g);
+        length = double_max(axis, strip_patches__NARROWED * least) * sine;
         pressure = raised * sine;
-        if ((g >= strip_patches__SMOOTH_ENDS) && (g < fine - strip_patches__SMOOTH_ENDS))
+        if (g >= strip_patches__SMOOTH_ENDS && g < fine - strip_patches__SMOOTH_ENDS)
         {
             pressure -= rigid * strip_patches__roughness(tables, work, waves, run, g) / sine;
         }
-        pressure = double_max(2, pressure, 0.0);
+        pressure = double_max(pressure, 0.0);
         to = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (k * fine + g);
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = half * sine * M_PI / (double)(fine);
-        near = int64_t_min(2, py_floor_div_int64_t(int64_t_max(2, g - INT64_C(1), INT64_C(0)), layout__FINE_WAVES), (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(2));
+        AT(work, to + layout__SOLVED_STRIP_STATION) = middle - half * AT(tables, waves + layout__WAVES_FINE_COS + g);
+        AT(work, to + layout__SOLVED_STRIP_WIDTH) = half * sine * M_PI / (double)fine;
+        near = int64_min(floor_div(int64_max(g - 1, 0), layout__FINE_WAVES), (int64_t)AT(tables, waves + layout__WAVES_COUNT) - 2);
         low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near);
-        high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near + INT64_C(1));
-        u = ((*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) - (*cspan_at(&work, low + layout__STRIP_NEXT_STATION))) / ((*cspan_at(&work, high + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work, low + layout__STRIP_NEXT_STATION)));
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = strip_surfaces__between((*cspan_at(&work, low + layout__STRIP_X)) + (*cspan_at(&work, low + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, high + layout__STRIP_X)) + (*cspan_at(&work, high + layout__STRIP_NEXT_LEAD)), u);
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * strip_surfaces__between((*cspan_at(&work, low + layout__STRIP_A)), (*cspan_at(&work, high + layout__STRIP_A)), u);
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = 0.5 * M_PI * length * pressure;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length * length;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure * pressure;
+        high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near + 1);
+        u = (AT(work, to + layout__SOLVED_STRIP_STATION) - AT(work, low + layout__STRIP_NEXT_STATION)) / (AT(work, high + layout__STRIP_NEXT_STATION) - AT(work, low + layout__STRIP_NEXT_STATION));
+        AT(work, to + layout__SOLVED_STRIP_X) = strip_surfaces__between(AT(work, low + layout__STRIP_X) + AT(work, low + layout__STRIP_NEXT_LEAD), AT(work, high + layout__STRIP_X) + AT(work, high + layout__STRIP_NEXT_LEAD), u);
+        AT(work, to + layout__SOLVED_STRIP_CURVATURE) = 2.0 * strip_surfaces__between(AT(work, low + layout__STRIP_A), AT(work, high + layout__STRIP_A), u);
+        AT(work, to + layout__SOLVED_STRIP_LINE_LOAD) = 0.5 * M_PI * length * pressure;
+        AT(work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) = length * length;
+        AT(work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE) = pressure * pressure;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* No spike of the outermost strip of a run beside the next one: an edge that is still on its way leaves
@@ -2906,21 +2831,20 @@ static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, arra
  */
 static inline int64_t strip_patches__limit_spike(array_double_1d work, int64_t strip, int64_t inner)
 {
-    (*cspan_at(&work, strip + layout__STRIP_SMOOTH)) = double_min(2, (*cspan_at(&work, strip + layout__STRIP_SMOOTH)), strip_patches__SPIKE * (*cspan_at(&work, inner + layout__STRIP_SMOOTH)));
-    return INT64_C(0);
+    AT(work, strip + layout__STRIP_SMOOTH) = double_min(AT(work, strip + layout__STRIP_SMOOTH), strip_patches__SPIKE * AT(work, inner + layout__STRIP_SMOOTH));
+    return 0;
 }
 
 /* sum of m g_m cos(m t) of the gap's cosines above those of the strips, at fine strip ``g`` [m]. */
 static inline double strip_patches__roughness(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t g)
 {
-    int64_t m_end;
-    int64_t m;
     double total;
+    int64_t m, m_end;
     total = 0.0;
-    m_end = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    for (m = INT64_C(0); m < m_end; m += INT64_C(1))
+    m_end = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    for (m = 0; m < m_end; m += 1)
     {
-        total += (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * g + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
+        total += AT(tables, waves + layout__WAVES_ROUGHNESS + 48 * g + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
     }
     return total;
 }
@@ -2930,37 +2854,31 @@ static inline double strip_patches__roughness(array_double_1d tables, array_doub
  */
 static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last, bool pressures)
 {
+    double largest, low, here, high, bend, value, at;
     int64_t i;
-    double low;
-    double here;
-    double high;
-    double bend;
-    double value;
-    double at;
-    double largest;
     largest = 0.0;
-    for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+    for (i = first + 1; i < last; i += 1)
     {
         if (pressures)
         {
-            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
-            here = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE));
-            high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            low = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - 1) + layout__SOLVED_STRIP_PRESSURE_SQUARE);
+            here = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE);
+            high = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + 1) + layout__SOLVED_STRIP_PRESSURE_SQUARE);
         }
         else
         {
-            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-            here = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-            high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            low = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - 1) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
+            here = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
+            high = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + 1) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
         }
         bend = low - 2.0 * here + high;
         value = here;
         if (bend < 0.0)
         {
-            at = double_min(2, double_max(2, 0.5 * (low - high) / bend, -0.5), 0.5);
+            at = double_min(double_max(0.5 * (low - high) / bend, -0.5), 0.5);
             value += at * (0.5 * (high - low) + 0.5 * at * bend);
         }
-        largest = double_max(2, largest, value);
+        largest = double_max(largest, value);
     }
     return largest;
 }
@@ -2970,50 +2888,42 @@ static inline double strip_patches__largest_square(array_double_1d work, int64_t
  */
 static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index)
 {
-    double load;
-    double moment;
-    double cosines;
-    double sines;
-    double x;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double own;
-    double scale;
+    double load, moment, cosines, sines, x, own, scale;
+    int64_t i, strip, i_end;
     load = 0.0;
     moment = 0.0;
     cosines = 0.0;
     sines = 0.0;
     x = 0.0;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+        if ((int64_t)AT(work, strip + layout__STRIP_REGION) == index)
         {
-            own = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
+            own = AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_Y);
             load += own;
-            moment += own * (*cspan_at(&work, strip + layout__STRIP_STATION));
-            cosines += own * (*cspan_at(&work, strip + layout__STRIP_COS));
-            sines += own * (*cspan_at(&work, strip + layout__STRIP_SIN));
-            x += own * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)));
+            moment += own * AT(work, strip + layout__STRIP_STATION);
+            cosines += own * AT(work, strip + layout__STRIP_COS);
+            sines += own * AT(work, strip + layout__STRIP_SIN);
+            x += own * (AT(work, strip + layout__STRIP_X) + AT(work, strip + layout__STRIP_NEXT_LEAD));
         }
     }
-    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    (*cspan_at(&work, region + layout__REGION_CARRIED)) = scale * load;
-    (*cspan_at(&work, region + layout__REGION_MOMENT)) = scale * moment;
-    (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
+    scale = 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    AT(work, region + layout__REGION_CARRIED) = scale * load;
+    AT(work, region + layout__REGION_MOMENT) = scale * moment;
+    AT(work, region + layout__REGION_SLANT) = 0.0;
     if (load > 0.0)
     {
-        (*cspan_at(&work, region + layout__REGION_COS)) = cosines / load;
-        (*cspan_at(&work, region + layout__REGION_SIN)) = sines / load;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+        AT(work, region + layout__REGION_COS) = cosines / load;
+        AT(work, region + layout__REGION_SIN) = sines / load;
+        if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)));
+            AT(work, region + layout__REGION_SHARE) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN));
         }
         strip_patches__slant_region(work, region, index, moment / load, x / load);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Slant of the line through the middles of a region's strips, whose load has its centre at ``station``
@@ -3021,35 +2931,29 @@ static inline int64_t strip_patches__load_region(array_double_1d work, array_dou
  */
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x)
 {
-    double along;
-    double spread;
-    double carried;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double own;
-    double away;
+    double along, spread, carried, own, away;
+    int64_t i, strip, i_end;
     along = 0.0;
     spread = 0.0;
     carried = 0.0;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
+        if ((int64_t)AT(work, strip + layout__STRIP_REGION) == index)
         {
-            own = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
-            away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - station;
+            own = AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_Y);
+            away = AT(work, strip + layout__STRIP_STATION) - station;
             carried += own;
-            along += own * away * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) - x);
+            along += own * away * (AT(work, strip + layout__STRIP_X) + AT(work, strip + layout__STRIP_NEXT_LEAD) - x);
             spread += own * away * away;
         }
     }
     if (spread > strip_patches__CLOSE * strip_patches__CLOSE * carried)
     {
-        (*cspan_at(&work, region + layout__REGION_SLANT)) = along / spread;
+        AT(work, region + layout__REGION_SLANT) = along / spread;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* How the load of each region follows the penetration [N/m], from the last equations that were
@@ -3057,27 +2961,22 @@ static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t 
  */
 static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_double_1d tables, int64_t count)
 {
-    int64_t index;
+    int64_t index, i, row, strip, region, i_end;
     double scale;
-    int64_t i_end;
-    int64_t i;
-    int64_t row;
-    int64_t strip;
-    int64_t region;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    for (index = 0; index < count; index += 1)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS) = 0.0;
     }
-    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    scale = 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) += scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, row + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))));
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)AT(work, strip + layout__STRIP_REGION);
+        AT(work, region + layout__REGION_STIFFNESS) += scale * AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, row + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -3098,69 +2997,55 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
  */
 static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size)
 {
-    int64_t width;
-    int64_t pair;
-    int64_t k;
-    int64_t first;
-    int64_t second;
-    double inverse;
-    double factor;
-    int64_t j;
-    double next_inverse;
-    int64_t i;
-    int64_t row;
-    double next_factor;
-    int64_t back;
-    int64_t pivot;
-    double one;
-    double other;
-    width = size + INT64_C(2);
-    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
+    int64_t width, pair, k, first, second, j, i, row, back, pivot;
+    double inverse, factor, next_inverse, next_factor, one, other;
+    width = size + 2;
+    for (pair = 0; pair < floor_div(size, 2); pair += 1)
     {
         /* two columns at a time, so that every row is read and written once for both */
-        k = INT64_C(2) * pair;
-        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
-        inverse = 1.0 / (*cspan_at(&work, first + k));
-        factor = (*cspan_at(&work, second + k)) * inverse;
-        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
+        k = 2 * pair;
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * (k + 1);
+        inverse = 1.0 / AT(work, first + k);
+        factor = AT(work, second + k) * inverse;
+        for (j = k + 1; j < width; j += 1)
         {
-            (*cspan_at(&work, second + j)) -= factor * (*cspan_at(&work, first + j));
+            AT(work, second + j) -= factor * AT(work, first + j);
         }
-        next_inverse = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
-        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
+        next_inverse = 1.0 / AT(work, second + (k + 1));
+        for (i = k + 2; i < size; i += 1)
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-            factor = (*cspan_at(&work, row + k)) * inverse;
-            next_factor = ((*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))))) * next_inverse;
-            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
+            factor = AT(work, row + k) * inverse;
+            next_factor = (AT(work, row + (k + 1)) - factor * AT(work, first + (k + 1))) * next_inverse;
+            for (j = k + 2; j < width; j += 1)
             {
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
+                AT(work, row + j) = AT(work, row + j) - factor * AT(work, first + j) - next_factor * AT(work, second + j);
             }
         }
     }
-    for (back = INT64_C(0); back < size; back += INT64_C(1))
+    for (back = 0; back < size; back += 1)
     {
-        k = size - INT64_C(1) - back;
-        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        one = (*cspan_at(&work, pivot + size));
-        other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
-        for (j = k + INT64_C(1); j < size; j += INT64_C(1))
+        k = size - 1 - back;
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * k;
+        one = AT(work, pivot + size);
+        other = AT(work, pivot + (size + 1));
+        for (j = k + 1; j < size; j += 1)
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j;
-            one -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
-            other -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * j;
+            one -= AT(work, pivot + j) * AT(work, row + size);
+            other -= AT(work, pivot + j) * AT(work, row + (size + 1));
         }
-        (*cspan_at(&work, pivot + size)) = one / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = other / (*cspan_at(&work, pivot + k));
+        AT(work, pivot + size) = one / AT(work, pivot + k);
+        AT(work, pivot + (size + 1)) = other / AT(work, pivot + k);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The place sqrt(t / (1 + t)) with t = ``distance`` / ``half_length`` in the cells of the table. */
 static inline double strip_pressures__nearness(double distance, double half_length)
 {
-    return double_min(2, sqrt(distance / (distance + half_length)) * (double)(layout__INFLUENCE_CELLS), strip_pressures__LAST_CELL);
+    return double_min(sqrt(distance / (distance + half_length)) * (double)layout__INFLUENCE_CELLS, strip_pressures__LAST_CELL);
 }
 
 /* Phi at the place ``near`` and e^2 = ``apart`` / ``square``.
@@ -3170,53 +3055,40 @@ static inline double strip_pressures__nearness(double distance, double half_leng
  */
 static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, double near, double apart, double square)
 {
-    int64_t cell;
-    double x;
-    double along;
-    int64_t column;
-    int64_t at;
-    int64_t to;
-    double low;
-    double high;
-    cell = (int64_t)(near);
-    x = near - (double)(cell);
-    along = apart / (apart + square) * (double)(layout__INFLUENCE_COLUMNS);
-    column = (int64_t)(along);
-    at = layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
+    int64_t cell, column, at, to;
+    double x, along, low, high;
+    cell = (int64_t)near;
+    x = near - (double)cell;
+    along = apart / (apart + square) * (double)layout__INFLUENCE_COLUMNS;
+    column = (int64_t)along;
+    at = layout__INFLUENCE_COLUMN * column + 3 * cell;
     to = at + layout__INFLUENCE_COLUMN;
-    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
-    return low + (along - (double)(column)) * (high - low);
+    low = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * (AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
+    high = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + to) + x * (AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + 2)));
+    return low + (along - (double)column) * (high - low);
 }
 
 /* The same at e = 0. */
 static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, double near)
 {
-    int64_t cell;
+    int64_t cell, at;
     double x;
-    int64_t at;
-    double result;
-    cell = (int64_t)(near);
-    x = near - (double)(cell);
-    at = INT64_C(3) * cell;
-    result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    return result;
+    cell = (int64_t)near;
+    x = near - (double)cell;
+    at = 3 * cell;
+    return AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * (AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
 }
 
 /* S of eq. (S12) at ln(width / half-length); the table begins at number ``first``. */
 static inline double strip_pressures__spacing_at(array_double_1d tables, int64_t table, int64_t first, double slender)
 {
-    double place;
-    int64_t cell;
-    double x;
-    int64_t at;
-    double result;
-    place = double_min(2, double_max(2, (slender - strip_pressures__FIRST_SPACING) * strip_pressures__SPACINGS_EACH, 0.0), (double)(layout__SPACING_CELLS));
-    cell = int64_t_min(2, (int64_t)(place), layout__SPACING_CELLS - INT64_C(1));
-    x = place - (double)(cell);
-    at = first + INT64_C(3) * cell;
-    result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    return result;
+    double place, x;
+    int64_t cell, at;
+    place = double_min(double_max((slender - strip_pressures__FIRST_SPACING) * strip_pressures__SPACINGS_EACH, 0.0), (double)layout__SPACING_CELLS);
+    cell = int64_min((int64_t)place, layout__SPACING_CELLS - 1);
+    x = place - (double)cell;
+    at = first + 3 * cell;
+    return AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * (AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
 }
 
 /* What strip ``i`` of its run displaces in its own middle, or beside it, per y and width: eqs. (S11),
@@ -3226,114 +3098,90 @@ static inline double strip_pressures__own_influence(array_double_1d tables, doub
 {
     int64_t waves;
     double rest;
-    double result;
-    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
-    rest = constant + strip_pressures__spacing_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), first, slender);
-    result = rest - height * (2.0 * (slender + (*cspan_at(&tables, waves + layout__WAVES_SPREAD + i))) + (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * i + i)));
-    return result;
+    waves = (int64_t)AT(tables, layout__TABLES_WAVES);
+    rest = constant + strip_pressures__spacing_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), first, slender);
+    return rest - height * (2.0 * (slender + AT(tables, waves + layout__WAVES_SPREAD + i)) + AT(tables, waves + layout__WAVES_SINGULAR + 16 * i + i));
 }
 
 /* How near all strips lie to each other, and how they face each other. */
 static inline int64_t strip_pressures__see_pairs(array_double_1d work)
 {
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    int64_t near;
-    int64_t facing;
-    int64_t j;
-    int64_t other;
-    double distance;
-    double cosine;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t i, strip, near, facing, j, other, i_end;
+    double distance, cosine;
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
-        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-        (*cspan_at(&work, near + i)) = 0.0;
-        (*cspan_at(&work, facing + i)) = 0.0;
-        for (j = INT64_C(0); j < i; j += INT64_C(1))
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
+        AT(work, near + i) = 0.0;
+        AT(work, facing + i) = 0.0;
+        for (j = 0; j < i; j += 1)
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            distance = fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE)));
-            cosine = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*cspan_at(&work, near + j)) = strip_pressures__nearness(distance, (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
-            (*cspan_at(&work, facing + j)) = cosine * (*cspan_at(&work, other + layout__STRIP_WIDTH));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * j + i)) = strip_pressures__nearness(distance, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * j + i)) = cosine * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            distance = fabs(AT(work, strip + layout__STRIP_PLACE) - AT(work, other + layout__STRIP_PLACE));
+            cosine = AT(work, strip + layout__STRIP_COS) * AT(work, other + layout__STRIP_COS) + AT(work, strip + layout__STRIP_SIN) * AT(work, other + layout__STRIP_SIN);
+            AT(work, near + j) = strip_pressures__nearness(distance, AT(work, other + layout__STRIP_HALF_LENGTH));
+            AT(work, facing + j) = cosine * AT(work, other + layout__STRIP_WIDTH);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * j + i) = strip_pressures__nearness(distance, AT(work, strip + layout__STRIP_HALF_LENGTH));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * j + i) = cosine * AT(work, strip + layout__STRIP_WIDTH);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* sum_j F_ij y_j = right-hand side: once the displacement for a penetration of 1, once the gap. */
 static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed)
 {
-    int64_t waves;
-    int64_t size;
-    int64_t i;
-    int64_t row;
-    int64_t near;
-    int64_t facing;
-    double middle;
-    int64_t j;
-    double away;
-    int64_t k_end;
-    int64_t k;
-    int64_t first;
-    int64_t own_end;
-    int64_t own;
-    int64_t singular;
-    int64_t strip;
-    int64_t j_end;
-    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
-    size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    int64_t waves, size, i, row, near, facing, j, k, first, own, singular, strip, k_end, own_end, j_end;
+    double middle, away;
+    waves = (int64_t)AT(tables, layout__TABLES_WAVES);
+    size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < size; i += 1)
     {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
-        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
         if (yawed)
         {
-            middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
-            for (j = INT64_C(0); j < size; j += INT64_C(1))
+            middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE);
+            for (j = 0; j < size; j += 1)
             {
-                away = middle - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
+                away = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE);
+                AT(work, row + j) = AT(work, facing + j) * strip_pressures__influence_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), away * away, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE));
             }
         }
         else
         {
             /* all middles lie on one line */
-            for (j = INT64_C(0); j < size; j += INT64_C(1))
+            for (j = 0; j < size; j += 1)
             {
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * strip_pressures__middle_influence(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)));
+                AT(work, row + j) = AT(work, facing + j) * strip_pressures__middle_influence(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j));
             }
         }
-        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
-        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        AT(work, row + size) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE);
+        AT(work, row + (size + 1)) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP);
     }
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
     {
-        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-        own_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-        for (own = INT64_C(0); own < own_end; own += INT64_C(1))
+        first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        own_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        for (own = 0; own < own_end; own += 1)
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (first + own);
-            facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * (first + own);
-            singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * own;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * (first + own);
+            facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * (first + own);
+            singular = waves + layout__WAVES_SINGULAR + 16 * own;
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + own);
-            j_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-            for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+            j_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+            for (j = 0; j < j_end; j += 1)
             {
-                (*cspan_at(&work, row + (first + j))) -= (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
+                AT(work, row + (first + j)) -= AT(tables, singular + j) * AT(work, facing + (first + j));
             }
-            (*cspan_at(&work, row + (first + own))) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * strip_pressures__own_influence(tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), own, 1.0, strip_pressures__MIDDLE_CONSTANT, layout__INFLUENCE_MAP);
+            AT(work, row + (first + own)) = AT(work, strip + layout__STRIP_WIDTH) * strip_pressures__own_influence(tables, AT(work, strip + layout__STRIP_SLENDER), own, 1.0, strip_pressures__MIDDLE_CONSTANT, layout__INFLUENCE_MAP);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* What strip ``own`` of the run that begins with strip ``first`` displaces beside itself, and the
@@ -3341,71 +3189,59 @@ static inline int64_t strip_pressures__write_equations(array_double_1d work, arr
  */
 static inline double strip_pressures__local_displacement(array_double_1d work, array_double_1d tables, int64_t first, int64_t own)
 {
-    int64_t strip;
-    int64_t facing;
-    int64_t singular;
-    double left;
-    int64_t j_end;
-    int64_t j;
-    double influence;
-    double result;
+    int64_t strip, facing, singular, j, j_end;
+    double left, influence;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + own);
-    facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * (first + own);
-    singular = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_SINGULAR + INT64_C(16) * own;
+    facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * (first + own);
+    singular = (int64_t)AT(tables, layout__TABLES_WAVES) + layout__WAVES_SINGULAR + 16 * own;
     left = 0.0;
-    j_end = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    j_end = (int64_t)AT(tables, (int64_t)AT(tables, layout__TABLES_WAVES) + layout__WAVES_COUNT);
+    for (j = 0; j < j_end; j += 1)
     {
-        left += (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y));
+        left += AT(tables, singular + j) * AT(work, facing + (first + j)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y);
     }
-    influence = strip_pressures__own_influence(tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), own, strip_pressures__TESTED_HEIGHT, strip_pressures__TESTED_CONSTANT, layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS);
-    result = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) * influence - strip_pressures__TESTED_HEIGHT * left;
-    return result;
+    influence = strip_pressures__own_influence(tables, AT(work, strip + layout__STRIP_SLENDER), own, strip_pressures__TESTED_HEIGHT, strip_pressures__TESTED_CONSTANT, layout__INFLUENCE_MAP + 3 * layout__SPACING_CELLS);
+    return AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_Y) * influence - strip_pressures__TESTED_HEIGHT * left;
 }
 
 /* What the other strips displace at a distance ``away`` along x before the middle of strip ``i``, and
  * behind it [m], along its normal.
  */
-static inline int64_t strip_pressures__tested_displacements(double* front, double* back, array_double_1d work, array_double_1d tables, int64_t i, double away, bool yawed)
+static inline void strip_pressures__tested_displacements(double* front_out, double* back_out, array_double_1d work, array_double_1d tables, int64_t i, double away, bool yawed)
 {
-    int64_t near;
-    int64_t facing;
-    double middle;
-    int64_t j_end;
-    int64_t j;
-    int64_t other;
-    double pushed;
-    double x;
-    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
-    facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-    (*front) = 0.0;
-    (*back) = 0.0;
+    int64_t near, facing, j, other, j_end, j_end_2;
+    double front, back, middle, pushed, x;
+    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
+    facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
+    front = 0.0;
+    back = 0.0;
     if (yawed)
     {
-        middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
-        j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+        middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE);
+        j_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+        for (j = 0; j < j_end; j += 1)
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
-            x = middle - (*cspan_at(&work, other + layout__STRIP_MIDDLE)) + away;
-            (*front) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), x * x, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * pushed;
+            pushed = AT(work, facing + j) * AT(work, other + layout__STRIP_Y);
+            x = middle - AT(work, other + layout__STRIP_MIDDLE) + away;
+            front += strip_pressures__influence_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), x * x, AT(work, other + layout__STRIP_SQUARE)) * pushed;
             x -= 2.0 * away;
-            (*back) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), x * x, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * pushed;
+            back += strip_pressures__influence_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), x * x, AT(work, other + layout__STRIP_SQUARE)) * pushed;
         }
     }
     else
     {
-        j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+        j_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+        for (j = 0; j < j_end_2; j += 1)
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
-            (*front) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * pushed;
+            pushed = AT(work, facing + j) * AT(work, other + layout__STRIP_Y);
+            front += strip_pressures__influence_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), away * away, AT(work, other + layout__STRIP_SQUARE)) * pushed;
         }
-        (*back) = (*front);
+        back = front;
     }
-    return 0;
+    *front_out = front;
+    *back_out = back;
 }
 
 /* y of all strips under ``force`` [N], or at the problem's penetration where ``by_penetration``; the
@@ -3413,13 +3249,11 @@ static inline int64_t strip_pressures__tested_displacements(double* front, doubl
  */
 static inline double strip_pressures__solve_pressures(array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed)
 {
-    int64_t size;
-    int64_t i;
-    int64_t row;
     double penetration;
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) += 1.0;
+    int64_t size, i, row;
+    penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION);
+    size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT) += 1.0;
     strip_pressures__see_pairs(work);
     strip_pressures__write_equations(work, tables, yawed);
     strip_pressures__eliminate(work, size);
@@ -3427,10 +3261,10 @@ static inline double strip_pressures__solve_pressures(array_double_1d work, arra
     {
         penetration = strip_pressures__equilibrium_penetration(work, tables, force);
     }
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    for (i = 0; i < size; i += 1)
     {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y) = penetration * AT(work, row + size) - AT(work, row + (size + 1));
     }
     return penetration;
 }
@@ -3440,33 +3274,26 @@ static inline double strip_pressures__solve_pressures(array_double_1d work, arra
  */
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, double force)
 {
-    double unit_load;
-    double rest_load;
-    int64_t i_end;
-    int64_t i;
-    int64_t row;
-    int64_t strip;
-    double half;
-    double result;
+    double unit_load, rest_load, half;
+    int64_t i, row, strip, i_end;
     unit_load = 0.0;
     rest_load = 0.0;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
-        unit_load += half * (*cspan_at(&work, row + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))));
-        rest_load += half * (*cspan_at(&work, row + ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) + INT64_C(1))));
+        half = AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_COUNTED);
+        unit_load += half * AT(work, row + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT));
+        rest_load += half * AT(work, row + ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) + 1));
     }
-    result = (force / (0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS))) + rest_load) / unit_load;
-    return result;
+    return (force / (0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS)) + rest_load) / unit_load;
 }
 
 
 /* ---- From normal/strip_runs.py; change that one.
  *
- * Runs of loaded strips: where they begin, which strips they have, and how they part and join.
+ * Runs of loaded strips: which strips they have, and how they part and join.
  *
  * A run lies between two edges on one curve of traced stations.  Its n strips lie at
  *
@@ -3475,277 +3302,138 @@ static inline double strip_pressures__equilibrium_penetration(array_double_1d wo
  * closer together towards the edges, where half-length and pressure fall to zero like sin t.
  */
 
-/* The first runs, where ANALYN's level is above zero. */
-static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves)
-{
-    int64_t low;
-    int64_t high;
-    int64_t region;
-    int64_t k_end;
-    int64_t k;
-    int64_t run;
-    int64_t first;
-    int64_t j;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double station;
-    int64_t zone;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
-    low = INT64_C(0);
-    while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
-    {
-        high = low;
-        region = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)));
-        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == region))
-        {
-            high += INT64_C(1);
-        }
-        strip_runs__begin_curve(work, low, high);
-        low = high + INT64_C(1);
-    }
-    strip_runs__adopt_runs(work);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT))) * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
-    {
-        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
-        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-            station = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
-            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
-            (*cspan_at(&work, strip + layout__STRIP_AXIS)) = strip_runs__level_length(work, j, station) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION)));
-            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = pressed__limited((*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (station - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE))), strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS)));
-        }
-        strip_runs__raise_axes(work, first, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-    }
-    return INT64_C(0);
-}
-
-/* Raise the levels until they carry ``force`` [N] as ANALYN has it, and how far [m].
- *
- * The load is convex over the rise, so that Newton's method comes from one side.
- */
-static inline double strip_runs__deepen_levels(array_double_1d work, double force)
-{
-    int64_t repeat;
-    double load;
-    double stiffness;
-    int64_t i_end;
-    int64_t i;
-    int64_t at;
-    int64_t zone;
-    double line;
-    double level;
-    double rise;
-    rise = 0.0;
-    for (repeat = INT64_C(0); repeat < strip_runs__LEVEL_ITERATIONS; repeat += INT64_C(1))
-    {
-        load = 0.0;
-        stiffness = 0.0;
-        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-        {
-            at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION)));
-            line = (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) * (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
-            level = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + rise;
-            if (level > 0.0)
-            {
-                load += line * level;
-                stiffness += line;
-            }
-        }
-        if (stiffness > 0.0)
-        {
-            rise += (force - load) / stiffness;
-        }
-    }
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) += rise;
-    }
-    return rise;
-}
-
-/* The first runs of the curve of stations ``low`` ... ``high``. */
-static inline int64_t strip_runs__begin_curve(array_double_1d work, int64_t low, int64_t high)
-{
-    int64_t i;
-    int64_t last;
-    double highest;
-    double start;
-    double stop;
-    int64_t zone;
-    i = low;
-    while(i <= high)
-    {
-        last = i;
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL)) > 0.0)
-        {
-            highest = 0.0;
-            while((last <= high) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)) > 0.0))
-            {
-                highest = double_max(2, highest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)));
-                last += INT64_C(1);
-            }
-            last -= INT64_C(1);
-            start = strip_runs__level_end(work, i, i - INT64_C(1), low, high);
-            stop = strip_runs__level_end(work, last, last + INT64_C(1), low, high);
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION)));
-            if (highest > strip_runs__RAISED * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)))
-            {
-                strip_runs__add_run(work, low, high, start, stop);
-            }
-        }
-        i = last + INT64_C(1);
-    }
-    return INT64_C(0);
-}
-
-/* Station [m] where the level falls to zero from a station to one beside it, or where the curve ends. */
-static inline double strip_runs__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high)
-{
-    int64_t at;
-    int64_t beyond;
-    double station;
-    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
-    station = (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
-    if ((outside >= low) && (outside <= high))
-    {
-        beyond = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * outside;
-        station += ((*cspan_at(&work, beyond + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, at + layout__TRACED_STATION_STATION))) * (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) / ((*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) - (*cspan_at(&work, beyond + layout__TRACED_STATION_LEVEL)));
-    }
-    else if (outside < low)
-    {
-        station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START));
-    }
-    else
-    {
-        station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP));
-    }
-    return station;
-}
-
-/* Half-length [m] of a strip at ``station`` [m] behind station ``j``, as ANALYN has it. */
-static inline double strip_runs__level_length(array_double_1d work, int64_t j, double station)
-{
-    int64_t low;
-    int64_t high;
-    double u;
-    double level;
-    double result;
-    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
-    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
-    u = strip_surfaces__way_through(work, j, station);
-    level = double_max(2, strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work, high + layout__TRACED_STATION_LEVEL)), u), 0.0);
-    result = sqrt(level / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_ONE_ALPHA)) * strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), u)));
-    return result;
-}
-
 /* Raise the axes of a run that begins with strip ``first`` to their smallest. */
 static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count)
 {
     double largest;
-    int64_t i;
-    int64_t strip;
+    int64_t i, strip;
     largest = 0.0;
-    for (i = first; i < first + count; i += INT64_C(1))
+    for (i = first; i < first + count; i += 1)
     {
-        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS)));
+        largest = double_max(largest, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS));
     }
-    for (i = first; i < first + count; i += INT64_C(1))
+    for (i = first; i < first + count; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__STRIP_AXIS)) = double_max(2, (*cspan_at(&work, strip + layout__STRIP_AXIS)), strip_runs__FLAT_START * largest);
+        AT(work, strip + layout__STRIP_AXIS) = double_max(AT(work, strip + layout__STRIP_AXIS), strip_runs__FLAT_START * largest);
     }
-    return INT64_C(0);
+    return 0;
 }
 
-/* Add a run between two stations [m] of a curve to the next ones, if it is wide enough and there is room;
- * joined to the last one where they overlap.
+/* Add a run between two stations [m] of a curve to the next ones, if it is wide enough; joined to the
+ * last one where they meet.  Where there is no room, the narrowest one goes.
  */
 static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int64_t high, double start, double stop)
 {
-    int64_t at;
-    bool joins;
-    int64_t before;
-    int64_t zone;
-    bool wide;
-    int64_t run;
-    at = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
-    joins = 0;
-    if (at > INT64_C(0))
+    int64_t zone, before, run;
+    double least;
+    bool joins, room;
+    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
+    least = strip_runs__NARROW * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START));
+    joins = false;
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) > 0)
     {
-        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (at - INT64_C(1));
-        if (((int64_t)((*cspan_at(&work, before + layout__STRIP_RUN_LOW))) == low) && ((*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)) >= start))
+        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
+        if ((int64_t)AT(work, before + layout__STRIP_RUN_LOW) == low && start - AT(work, before + layout__STRIP_RUN_NEXT_STOP) < least)
         {
-            joins = 1;
-            (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_START)) = double_min(2, (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_START)), start);
-            (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)) = double_max(2, (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)), stop);
-            (*cspan_at(&work, before + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
+            joins = true;
+            AT(work, before + layout__STRIP_RUN_NEXT_START) = double_min(AT(work, before + layout__STRIP_RUN_NEXT_START), start);
+            AT(work, before + layout__STRIP_RUN_NEXT_STOP) = double_max(AT(work, before + layout__STRIP_RUN_NEXT_STOP), stop);
+            AT(work, before + layout__STRIP_RUN_ORIGIN) = (double)(-1);
         }
     }
-    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)));
-    wide = stop - start > strip_runs__NARROW * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)));
-    if ((!joins) && wide && (at < layout__STRIP_RUN_LIMIT))
+    room = false;
+    if (stop - start > least && !joins)
     {
-        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * at;
-        (*cspan_at(&work, run + layout__STRIP_RUN_LOW)) = (double)(low);
-        (*cspan_at(&work, run + layout__STRIP_RUN_HIGH)) = (double)(high);
-        (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = start;
-        (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = stop;
-        (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)) = 0.0;
-        (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)) = 0.0;
-        (*cspan_at(&work, run + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = (double)(at + INT64_C(1));
+        room = strip_runs__has_room(work, stop - start);
     }
-    return INT64_C(0);
+    if (room)
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
+        AT(work, run + layout__STRIP_RUN_LOW) = (double)low;
+        AT(work, run + layout__STRIP_RUN_HIGH) = (double)high;
+        AT(work, run + layout__STRIP_RUN_NEXT_START) = start;
+        AT(work, run + layout__STRIP_RUN_NEXT_STOP) = stop;
+        AT(work, run + layout__STRIP_RUN_START_MOVE) = 0.0;
+        AT(work, run + layout__STRIP_RUN_STOP_MOVE) = 0.0;
+        AT(work, run + layout__STRIP_RUN_ORIGIN) = (double)(-1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) + 1);
+    }
+    return 0;
+}
+
+/* Whether there is room for another run of this ``width`` [m], if need be in place of the narrowest. */
+static inline bool strip_runs__has_room(array_double_1d work, double width)
+{
+    int64_t narrowest, k, i_1, k_end, k_end_2;
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) < layout__STRIP_RUN_LIMIT)
+    {
+        return true;
+    }
+    narrowest = 0;
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
+    for (k = 1; k < k_end; k += 1)
+    {
+        if (strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k) < strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * narrowest))
+        {
+            narrowest = k;
+        }
+    }
+    if (!(strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * narrowest) < width))
+    {
+        return false;
+    }
+    k_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1;
+    for (k = narrowest; k < k_end_2; k += 1)
+    {
+        for (i_1 = 0; i_1 < layout__STRIP_RUN_SIZE; i_1 += 1)
+        {
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (k + 1) + i_1);
+        }
+    }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
+    return true;
+}
+
+/* Width of a run of the next sweep [m]. */
+static inline double strip_runs__run_width(array_double_1d work, int64_t run)
+{
+    return AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START);
 }
 
 /* Let the next runs be those of this sweep. */
 static inline int64_t strip_runs__adopt_runs(array_double_1d work)
 {
-    int64_t k_end;
-    int64_t k;
-    int64_t i_1;
-    int64_t run;
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    int64_t k, i_1, run, k_end;
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
+    for (k = 0; k < k_end; k += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__STRIP_RUN_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__STRIP_RUN_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1);
         }
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        (*cspan_at(&work, run + layout__STRIP_RUN_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
-        (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+        AT(work, run + layout__STRIP_RUN_START) = AT(work, run + layout__STRIP_RUN_NEXT_START);
+        AT(work, run + layout__STRIP_RUN_STOP) = AT(work, run + layout__STRIP_RUN_NEXT_STOP);
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))));
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT));
+    return 0;
 }
 
 /* Station [m] of a run at the angle with this cosine, eq. (S10). */
 static inline double strip_runs__run_station(array_double_1d work, int64_t run, double cosine)
 {
-    double result;
-    result = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_STOP))) - 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * cosine;
-    return result;
+    return 0.5 * (AT(work, run + layout__STRIP_RUN_START) + AT(work, run + layout__STRIP_RUN_STOP)) - 0.5 * (AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START)) * cosine;
 }
 
-/* Rise of the gap [m] at a distance ``x`` from the ridge. */
+/* Rise of the gap [m] at a distance ``x`` from the ridge.
+ *
+ * Its sides differ no more than where they were measured: beyond, a cubic would turn over, and each side
+ * keeps its own curvature.
+ */
 static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x)
 {
-    double result;
-    result = x * x * ((*cspan_at(&work, strip + layout__STRIP_A)) + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x);
-    return result;
+    return x * x * (AT(work, strip + layout__STRIP_A) + pressed__limited(AT(work, strip + layout__STRIP_SKEW) * x, AT(work, strip + layout__STRIP_ODD)));
 }
 
 /* Wheel and rail under all strips, their half-lengths, widths and gaps; these as the smooth part of the
@@ -3753,48 +3441,42 @@ static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip,
  */
 static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves, bool smooth)
 {
-    int64_t count;
-    int64_t k_end;
-    int64_t k;
-    int64_t run;
-    int64_t j;
+    int64_t count, k, run, j, i, strip, k_end;
     double spread;
-    int64_t i;
-    int64_t strip;
-    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    count = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
     {
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
-        spread = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * M_PI / (double)(count);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
+        spread = 0.5 * (AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START)) * M_PI / (double)count;
+        for (i = 0; i < count; i += 1)
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
-            (*cspan_at(&work, strip + layout__STRIP_STATION)) = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
-            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, strip + layout__STRIP_STATION)));
-            strip_runs__lay_strip(work, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)), strip_surfaces__way_through(work, j, (*cspan_at(&work, strip + layout__STRIP_STATION))));
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            (*cspan_at(&work, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-            (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
-            (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
-            (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = powers__log((*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+            AT(work, strip + layout__STRIP_STATION) = strip_runs__run_station(work, run, AT(tables, waves + layout__WAVES_COS + i));
+            j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), AT(work, strip + layout__STRIP_STATION));
+            strip_runs__lay_strip(work, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1), strip_surfaces__way_through(work, j, AT(work, strip + layout__STRIP_STATION)));
+            AT(work, strip + layout__STRIP_HALF_LENGTH) = AT(work, strip + layout__STRIP_AXIS) * AT(tables, waves + layout__WAVES_SIN + i);
+            AT(work, strip + layout__STRIP_SQUARE) = AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_HALF_LENGTH);
+            AT(work, strip + layout__STRIP_MIDDLE) = AT(work, strip + layout__STRIP_X) + AT(work, strip + layout__STRIP_LEAD);
+            AT(work, strip + layout__STRIP_WIDTH) = spread * AT(tables, waves + layout__WAVES_SIN + i) * AT(work, strip + layout__STRIP_STRETCH);
+            AT(work, strip + layout__STRIP_SLENDER) = powers__log(AT(work, strip + layout__STRIP_WIDTH) / AT(work, strip + layout__STRIP_HALF_LENGTH));
             if (!smooth)
             {
-                (*cspan_at(&work, strip + layout__STRIP_GAP)) = strip_surfaces__rest_gap(work, j, (*cspan_at(&work, strip + layout__STRIP_STATION)));
+                AT(work, strip + layout__STRIP_GAP) = strip_surfaces__rest_gap(work, j, AT(work, strip + layout__STRIP_STATION));
             }
         }
         if (smooth)
         {
             strip_runs__smooth_gaps(tables, work, waves, run, k * count);
         }
-        for (i = k * count; i < (k + INT64_C(1)) * count; i += INT64_C(1))
+        for (i = k * count; i < (k + 1) * count; i += 1)
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            (*cspan_at(&work, strip + layout__STRIP_GAP)) += strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
+            AT(work, strip + layout__STRIP_GAP) += strip_runs__gap_beside(work, strip, AT(work, strip + layout__STRIP_LEAD));
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the
@@ -3802,213 +3484,189 @@ static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_doubl
  */
 static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first)
 {
-    int64_t fine;
-    int64_t j;
-    int64_t i;
-    double station;
-    int64_t i_end;
-    double gap;
-    int64_t m;
-    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
-    for (i = INT64_C(0); i < fine; i += INT64_C(1))
+    int64_t fine, j, i, m, i_end;
+    double station, gap;
+    fine = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
+    for (i = 0; i < fine; i += 1)
     {
-        station = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)));
-        j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
-        (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + i)) = strip_surfaces__rest_gap(work, j, station);
+        station = strip_runs__run_station(work, run, AT(tables, waves + layout__WAVES_FINE_COS + i));
+        j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
+        AT(work, run + layout__STRIP_RUN_GAPS + i) = strip_surfaces__rest_gap(work, j, station);
     }
-    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         gap = 0.0;
-        for (m = INT64_C(0); m < fine; m += INT64_C(1))
+        for (m = 0; m < fine; m += 1)
         {
-            gap += (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
+            gap += AT(tables, waves + layout__WAVES_SMOOTHING + 48 * i + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
         }
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = gap;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP) = gap;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Wheel and rail under a strip that lies ``u`` of the way between two traced stations. */
 static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip, int64_t low, int64_t high, double u)
 {
-    (*cspan_at(&work, strip + layout__STRIP_REGION)) = (double)((int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))));
+    AT(work, strip + layout__STRIP_REGION) = (double)((int64_t)AT(work, low + layout__TRACED_STATION_REGION));
     if (u > 0.5)
     {
-        (*cspan_at(&work, strip + layout__STRIP_REGION)) = (double)((int64_t)((*cspan_at(&work, high + layout__TRACED_STATION_REGION))));
+        AT(work, strip + layout__STRIP_REGION) = (double)((int64_t)AT(work, high + layout__TRACED_STATION_REGION));
     }
-    (*cspan_at(&work, strip + layout__STRIP_PLACE)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_PLACE)), (*cspan_at(&work, high + layout__TRACED_STATION_PLACE)), u);
-    (*cspan_at(&work, strip + layout__STRIP_STRETCH)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work, high + layout__TRACED_STATION_STRETCH)), u);
-    (*cspan_at(&work, strip + layout__STRIP_COS)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_COS)), (*cspan_at(&work, high + layout__TRACED_STATION_COS)), u);
-    (*cspan_at(&work, strip + layout__STRIP_SIN)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_SIN)), (*cspan_at(&work, high + layout__TRACED_STATION_SIN)), u);
-    (*cspan_at(&work, strip + layout__STRIP_X)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_X)), (*cspan_at(&work, high + layout__TRACED_STATION_X)), u);
-    (*cspan_at(&work, strip + layout__STRIP_A)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), u);
-    (*cspan_at(&work, strip + layout__STRIP_SKEW)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_SKEW)), (*cspan_at(&work, high + layout__TRACED_STATION_SKEW)), u);
-    (*cspan_at(&work, strip + layout__STRIP_SHARE)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), u);
-    (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work, high + layout__TRACED_STATION_COUNTED)), u);
-    return INT64_C(0);
+    AT(work, strip + layout__STRIP_PLACE) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_PLACE), AT(work, high + layout__TRACED_STATION_PLACE), u);
+    AT(work, strip + layout__STRIP_STRETCH) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_STRETCH), AT(work, high + layout__TRACED_STATION_STRETCH), u);
+    AT(work, strip + layout__STRIP_COS) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_COS), AT(work, high + layout__TRACED_STATION_COS), u);
+    AT(work, strip + layout__STRIP_SIN) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_SIN), AT(work, high + layout__TRACED_STATION_SIN), u);
+    AT(work, strip + layout__STRIP_X) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_X), AT(work, high + layout__TRACED_STATION_X), u);
+    AT(work, strip + layout__STRIP_A) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), u);
+    AT(work, strip + layout__STRIP_SKEW) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_SKEW), AT(work, high + layout__TRACED_STATION_SKEW), u);
+    AT(work, strip + layout__STRIP_ODD) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_ODD), AT(work, high + layout__TRACED_STATION_ODD), u);
+    AT(work, strip + layout__STRIP_SHARE) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_SHARE), AT(work, high + layout__TRACED_STATION_SHARE), u);
+    AT(work, strip + layout__STRIP_COUNTED) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_COUNTED), AT(work, high + layout__TRACED_STATION_COUNTED), u);
+    return 0;
 }
 
 /* The runs of the next sweep: those that pull are cut or dropped, and those that have met are joined. */
 static inline int64_t strip_runs__renew_runs(array_double_1d tables, array_double_1d work, int64_t waves)
 {
-    int64_t count;
-    double largest;
-    int64_t i_end;
-    int64_t i;
-    int64_t k_end;
-    int64_t k;
-    int64_t after;
-    int64_t strip;
-    double middle;
-    double station;
-    double half;
-    double lead;
-    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    int64_t count, i, k, after, strip, i_end, k_end, k_end_2, k_end_3;
+    double largest, middle, station, half, lead;
+    count = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     largest = 0.0;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
-        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)));
+        largest = double_max(largest, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y));
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
     {
         strip_runs__part_run(tables, work, waves, k, largest);
     }
-    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) == INT64_C(0))
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) == 0)
     {
         /* nothing presses any more: the strips stay, and the force will press them */
-        k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-        for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+        k_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+        for (k = 0; k < k_end_2; k += 1)
         {
             strip_runs__keep_run(work, k);
         }
     }
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    k_end_3 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
+    for (k = 0; k < k_end_3; k += 1)
     {
         after = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k;
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        for (i = 0; i < count; i += 1)
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
-            if ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) >= INT64_C(0))
+            if ((int64_t)AT(work, after + layout__STRIP_RUN_ORIGIN) >= 0)
             {
-                (*cspan_at(&work, strip + layout__STRIP_AXIS)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) * count + i) + layout__STRIP_NEXT_AXIS));
-                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) * count + i) + layout__STRIP_NEXT_LEAD));
+                AT(work, strip + layout__STRIP_AXIS) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)AT(work, after + layout__STRIP_RUN_ORIGIN) * count + i) + layout__STRIP_NEXT_AXIS);
+                AT(work, strip + layout__STRIP_LEAD) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)AT(work, after + layout__STRIP_RUN_ORIGIN) * count + i) + layout__STRIP_NEXT_LEAD);
             }
             else
             {
-                middle = 0.5 * ((*cspan_at(&work, after + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_STOP)));
-                station = middle - 0.5 * ((*cspan_at(&work, after + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_START))) * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
-                strip_runs__sample_strips(&half, &lead, tables, work, waves, (int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_LOW))), station);
-                (*cspan_at(&work, strip + layout__STRIP_AXIS)) = half / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = lead;
+                middle = 0.5 * (AT(work, after + layout__STRIP_RUN_NEXT_START) + AT(work, after + layout__STRIP_RUN_NEXT_STOP));
+                station = middle - 0.5 * (AT(work, after + layout__STRIP_RUN_NEXT_STOP) - AT(work, after + layout__STRIP_RUN_NEXT_START)) * AT(tables, waves + layout__WAVES_COS + i);
+                strip_runs__sample_strips(&half, &lead, tables, work, waves, (int64_t)AT(work, after + layout__STRIP_RUN_LOW), station);
+                AT(work, strip + layout__STRIP_AXIS) = half / AT(tables, waves + layout__WAVES_SIN + i);
+                AT(work, strip + layout__STRIP_LEAD) = lead;
             }
         }
-        if ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) < INT64_C(0))
+        if ((int64_t)AT(work, after + layout__STRIP_RUN_ORIGIN) < 0)
         {
             strip_runs__raise_axes(work, k * count, count);
         }
     }
     strip_runs__adopt_runs(work);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT))) * count);
-    return INT64_C(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) * count);
+    return 0;
 }
 
 /* Add run ``k`` to the next runs, with its strips. */
 static inline int64_t strip_runs__keep_run(array_double_1d work, int64_t k)
 {
-    int64_t run;
-    int64_t before;
-    int64_t kept;
+    int64_t run, last, kept;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-    before = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
-    strip_runs__add_run(work, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
-    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
+    strip_runs__add_run(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), AT(work, run + layout__STRIP_RUN_NEXT_START), AT(work, run + layout__STRIP_RUN_NEXT_STOP));
+    last = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1;
+    if (last >= 0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * last + layout__STRIP_RUN_NEXT_START) == AT(work, run + layout__STRIP_RUN_NEXT_START))
     {
-        kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
-        (*cspan_at(&work, kept + layout__STRIP_RUN_ORIGIN)) = (double)(k);
-        (*cspan_at(&work, kept + layout__STRIP_RUN_START_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE));
-        (*cspan_at(&work, kept + layout__STRIP_RUN_STOP_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE));
+        /* neither joined nor left out */
+        kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * last;
+        AT(work, kept + layout__STRIP_RUN_ORIGIN) = (double)k;
+        AT(work, kept + layout__STRIP_RUN_START_MOVE) = AT(work, run + layout__STRIP_RUN_START_MOVE);
+        AT(work, kept + layout__STRIP_RUN_STOP_MOVE) = AT(work, run + layout__STRIP_RUN_STOP_MOVE);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Add what is pressed of run ``k`` to the next runs; the largest y of all strips is given. */
 static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, double largest)
 {
-    int64_t run;
-    int64_t count;
-    int64_t first;
+    int64_t run, count, first, pulling, i, last;
     double limit;
-    int64_t pulling;
-    int64_t i;
-    int64_t last;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    count = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     first = k * count;
-    limit = (-strip_runs__PULLING) * largest;
-    pulling = INT64_C(0);
-    for (i = INT64_C(1); i < count - INT64_C(1); i += INT64_C(1))
+    limit = -strip_runs__PULLING * largest;
+    pulling = 0;
+    for (i = 1; i < count - 1; i += 1)
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) < limit)
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y) < limit)
         {
-            pulling += INT64_C(1);
+            pulling += 1;
         }
     }
-    if (pulling == INT64_C(0))
+    if (pulling == 0)
     {
         strip_runs__keep_run(work, k);
     }
     else
     {
-        i = INT64_C(0);
-        while(i < count)
+        i = 0;
+        while (i < count)
         {
             last = i;
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) >= limit)
+            if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y) >= limit)
             {
-                while((last < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + last + INT64_C(1)) + layout__STRIP_Y)) >= limit))
+                while (last < count - 1 && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + last + 1) + layout__STRIP_Y) >= limit)
                 {
-                    last += INT64_C(1);
+                    last += 1;
                 }
-                if ((last > i) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) > strip_runs__SINGLE * largest))
+                if (last > i || AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y) > strip_runs__SINGLE * largest)
                 {
-                    strip_runs__add_run(work, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), strip_runs__pressed_end(tables, work, waves, k, i, -INT64_C(1)), strip_runs__pressed_end(tables, work, waves, k, last, INT64_C(1)));
+                    strip_runs__add_run(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), strip_runs__pressed_end(tables, work, waves, k, i, -1), strip_runs__pressed_end(tables, work, waves, k, last, 1));
                 }
             }
-            i = last + INT64_C(1);
+            i = last + 1;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Station [m] where the pressure of run ``k`` falls to zero beyond its strip ``i``, or its edge. */
 static inline double strip_runs__pressed_end(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, int64_t i, int64_t outward)
 {
-    int64_t run;
-    int64_t beyond;
-    double inner;
-    double outer;
-    double way;
-    double station;
+    int64_t run, beyond;
+    double station, inner, outer, way;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     beyond = i + outward;
-    station = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
-    if (beyond >= (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))))
+    station = AT(work, run + layout__STRIP_RUN_NEXT_START);
+    if (beyond >= (int64_t)AT(tables, waves + layout__WAVES_COUNT))
     {
-        station = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+        station = AT(work, run + layout__STRIP_RUN_NEXT_STOP);
     }
-    else if (beyond >= INT64_C(0))
+    else if (beyond >= 0)
     {
-        inner = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + i) + layout__STRIP_Y));
-        outer = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + beyond) + layout__STRIP_Y));
-        station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + i) + layout__STRIP_NEXT_STATION));
-        way = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + beyond) + layout__STRIP_NEXT_STATION)) - station;
-        station += way * double_max(2, inner, 0.0) / (double_max(2, inner, 0.0) - outer);
+        inner = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)AT(tables, waves + layout__WAVES_COUNT) + i) + layout__STRIP_Y);
+        outer = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)AT(tables, waves + layout__WAVES_COUNT) + beyond) + layout__STRIP_Y);
+        station = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)AT(tables, waves + layout__WAVES_COUNT) + i) + layout__STRIP_NEXT_STATION);
+        way = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)AT(tables, waves + layout__WAVES_COUNT) + beyond) + layout__STRIP_NEXT_STATION) - station;
+        station += way * double_max(inner, 0.0) / (double_max(inner, 0.0) - outer);
     }
     return station;
 }
@@ -4016,61 +3674,52 @@ static inline double strip_runs__pressed_end(array_double_1d tables, array_doubl
 /* Half-length and lead [m] at ``station`` [m] on the straight line between the strips to either side on
  * the curve that begins with traced station ``low``.
  */
-static inline int64_t strip_runs__sample_strips(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t waves, int64_t low, double station)
+static inline void strip_runs__sample_strips(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t waves, int64_t low, double station)
 {
-    int64_t before;
-    int64_t after;
-    int64_t k_end;
-    int64_t k;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    int64_t lower;
-    int64_t upper;
+    int64_t before, after, k, i, strip, lower, upper, k_end, i_end;
     double u;
-    before = -INT64_C(1);
-    after = -INT64_C(1);
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    before = -1;
+    after = -1;
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
     {
-        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + layout__STRIP_RUN_LOW))) == low)
+        if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + layout__STRIP_RUN_LOW) == low)
         {
-            i_end = (k + INT64_C(1)) * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-            for (i = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))); i < i_end; i += INT64_C(1))
+            i_end = (k + 1) * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+            for (i = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT); i < i_end; i += 1)
             {
                 strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-                if ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) <= station)
+                if (AT(work, strip + layout__STRIP_NEXT_STATION) <= station)
                 {
-                    if ((before < INT64_C(0)) || ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_NEXT_STATION))))
+                    if (before < 0 || AT(work, strip + layout__STRIP_NEXT_STATION) > AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_NEXT_STATION))
                     {
                         before = i;
                     }
                 }
-                else if ((after < INT64_C(0)) || ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_NEXT_STATION))))
+                else if (after < 0 || AT(work, strip + layout__STRIP_NEXT_STATION) < AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_NEXT_STATION))
                 {
                     after = i;
                 }
             }
         }
     }
-    if (before < INT64_C(0))
+    if (before < 0)
     {
         before = after;
     }
-    if (after < INT64_C(0))
+    if (after < 0)
     {
         after = before;
     }
     lower = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before;
     upper = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after;
     u = 0.0;
-    if ((*cspan_at(&work, upper + layout__STRIP_NEXT_STATION)) > (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION)))
+    if (AT(work, upper + layout__STRIP_NEXT_STATION) > AT(work, lower + layout__STRIP_NEXT_STATION))
     {
-        u = (station - (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION))) / ((*cspan_at(&work, upper + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION)));
+        u = (station - AT(work, lower + layout__STRIP_NEXT_STATION)) / (AT(work, upper + layout__STRIP_NEXT_STATION) - AT(work, lower + layout__STRIP_NEXT_STATION));
     }
-    (*result_0) = strip_surfaces__between((*cspan_at(&work, lower + layout__STRIP_NEXT_HALF)), (*cspan_at(&work, upper + layout__STRIP_NEXT_HALF)), u);
-    (*result_1) = strip_surfaces__between((*cspan_at(&work, lower + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, upper + layout__STRIP_NEXT_LEAD)), u);
-    return 0;
+    *out_0 = strip_surfaces__between(AT(work, lower + layout__STRIP_NEXT_HALF), AT(work, upper + layout__STRIP_NEXT_HALF), u);
+    *out_1 = strip_surfaces__between(AT(work, lower + layout__STRIP_NEXT_LEAD), AT(work, upper + layout__STRIP_NEXT_LEAD), u);
 }
 
 
@@ -4085,42 +3734,37 @@ static inline int64_t strip_runs__sample_strips(double* result_0, double* result
 /* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
 static inline int64_t strip_surfaces__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest)
 {
-    int64_t index;
-    int64_t region;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    int64_t index, region;
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         frame__enter_plane(work, region, index);
         strip_surfaces__measure_zone(tables, work, pair, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
         frame__leave_plane(work, region);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The zone of a region whose frame is open; without width where nothing overlaps. */
 static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest)
 {
-    double level;
-    double bend;
-    double estimate;
-    double high;
-    double low;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    level = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - double_min(2, strip_surfaces__SHALLOW * deepest, strip_surfaces__OWN_SHALLOW * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)));
+    double level, bend, estimate, high, low;
+    AT(work, zone + layout__STRIP_ZONE_MIDDLE) = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
+    AT(work, zone + layout__STRIP_ZONE_START) = AT(work, zone + layout__STRIP_ZONE_MIDDLE);
+    AT(work, zone + layout__STRIP_ZONE_STOP) = AT(work, zone + layout__STRIP_ZONE_MIDDLE);
+    AT(work, zone + layout__STRIP_ZONE_DEPTH) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+    level = AT(work, zone + layout__STRIP_ZONE_DEPTH) - double_min(strip_surfaces__SHALLOW * deepest, strip_surfaces__OWN_SHALLOW * AT(work, zone + layout__STRIP_ZONE_DEPTH));
     if (level > 0.0)
     {
-        bend = double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+        bend = double_max(AT(work, region + layout__REGION_BEND), AT(work, region + layout__REGION_CURVATURE));
         estimate = sqrt(2.0 * level / bend);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
         high = widths__zone_width(tables, work, pair, region, 1.0, level, estimate);
         low = widths__zone_width(tables, work, pair, region, -1.0, level, high);
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) += high;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
+        AT(work, zone + layout__STRIP_ZONE_STOP) += high;
+        AT(work, zone + layout__STRIP_ZONE_START) -= low;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* ANALYN's coefficients of a zone, by how wide it is to either side: Hertz's for gap and curvature.  Of a
@@ -4129,50 +3773,38 @@ static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array
  */
 static inline int64_t strip_surfaces__weigh_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t zone, double A, int64_t first, bool yawed)
 {
-    double low;
-    double high;
-    double B;
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double low_beta;
-    double high_beta;
-    int64_t start;
-    int64_t stop;
-    double slant;
-    double beta;
-    int64_t i;
-    int64_t at;
-    low = strip_surfaces__zone_curvature((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), A);
-    high = strip_surfaces__zone_curvature((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)), A);
+    double low, high, B, one_alpha, one_beta, nr, low_beta, high_beta, slant, beta;
+    int64_t start, stop, i, at;
+    low = strip_surfaces__zone_curvature(AT(work, zone + layout__STRIP_ZONE_DEPTH), AT(work, zone + layout__STRIP_ZONE_MIDDLE) - AT(work, zone + layout__STRIP_ZONE_START), A);
+    high = strip_surfaces__zone_curvature(AT(work, zone + layout__STRIP_ZONE_DEPTH), AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_MIDDLE), A);
     B = sqrt(low * high);
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
-    low_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / low);
-    high_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / high);
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) = 0.0;
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, B);
+    low_beta = coefficients__table_value(tables, (int64_t)AT(tables, layout__TABLES_HERTZ), 0, A / low);
+    high_beta = coefficients__table_value(tables, (int64_t)AT(tables, layout__TABLES_HERTZ), 0, A / high);
+    AT(work, zone + layout__STRIP_ZONE_LEAN) = 0.0;
     if (yawed)
     {
         start = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * first;
-        stop = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + strip_surfaces__ZONE_STATIONS - INT64_C(1));
-        slant = ((*cspan_at(&work, stop + layout__TRACED_STATION_X)) - (*cspan_at(&work, start + layout__TRACED_STATION_X))) / ((*cspan_at(&work, stop + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, start + layout__TRACED_STATION_STATION)));
-        coefficients__skewed_coefficients(&one_alpha, &beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant);
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) = coefficients__middle_slant(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant) - slant;
+        stop = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + strip_surfaces__ZONE_STATIONS - 1);
+        slant = (AT(work, stop + layout__TRACED_STATION_X) - AT(work, start + layout__TRACED_STATION_X)) / (AT(work, stop + layout__TRACED_STATION_STATION) - AT(work, start + layout__TRACED_STATION_STATION));
+        coefficients__skewed_coefficients(&one_alpha, &beta, &nr, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, B, slant);
+        AT(work, zone + layout__STRIP_ZONE_LEAN) = coefficients__middle_slant(tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, B, slant) - slant;
         low_beta *= beta / one_beta;
         high_beta *= beta / one_beta;
     }
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-    for (i = first; i < first + strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
+    AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) = one_alpha;
+    AT(work, zone + layout__STRIP_ZONE_LINE) = AT(tables, layout__TABLES_CONTACT_MODULUS) / nr;
+    for (i = first; i < first + strip_surfaces__ZONE_STATIONS; i += 1)
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
         beta = low_beta;
-        if ((*cspan_at(&work, at + layout__TRACED_STATION_STATION)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)))
+        if (AT(work, at + layout__TRACED_STATION_STATION) > AT(work, zone + layout__STRIP_ZONE_MIDDLE))
         {
             beta = high_beta;
         }
-        (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - beta * ((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)));
+        AT(work, at + layout__TRACED_STATION_LEVEL) = AT(work, zone + layout__STRIP_ZONE_DEPTH) - beta * (AT(work, zone + layout__STRIP_ZONE_DEPTH) - AT(work, at + layout__TRACED_STATION_OVERLAP));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Lateral curvature [1/m] with which the gap rises by the ``depth`` [m] over the ``width`` of a zone to
@@ -4186,119 +3818,105 @@ static inline double strip_surfaces__zone_curvature(double depth, double width, 
     {
         B = depth / (width * width);
     }
-    B = double_max(2, B, strip_surfaces__FLATTEST_ZONE * A);
+    B = double_max(B, strip_surfaces__FLATTEST_ZONE * A);
     return B;
 }
 
 /* Wheel and rail at the stations of the zones of ``count`` regions. */
 static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count)
 {
-    int64_t index;
-    int64_t zone;
-    int64_t region;
-    int64_t first;
+    int64_t index, zone, region, first, i, at, i_end;
     double apart;
-    int64_t i;
-    int64_t at;
-    int64_t i_end;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) = (double)0;
+    for (index = 0; index < count; index += 1)
     {
         zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
-        if ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_START)))
+        if (AT(work, zone + layout__STRIP_ZONE_STOP) > AT(work, zone + layout__STRIP_ZONE_START))
         {
             region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-            first = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
-            if ((index > INT64_C(0)) && (first > INT64_C(0)))
+            first = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+            if (index > 0 && first > 0)
             {
-                apart = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP));
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = (double)(apart < strip_surfaces__TOUCHING * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))));
+                apart = AT(work, zone + layout__STRIP_ZONE_START) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - 1) + layout__STRIP_ZONE_STOP);
+                AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - 1) + layout__TRACED_STATION_JOINED) = (double)(apart < strip_surfaces__TOUCHING * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)));
             }
             frame__enter_plane(work, region, index);
-            traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+            traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
             curves__open_origin(tables, work, pair, region, 0.0);
-            (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING)) = ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))) / ((double)(strip_surfaces__ZONE_STATIONS - INT64_C(1)) + 2.0 * strip_surfaces__INSET);
-            for (i = INT64_C(0); i < strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
+            AT(work, zone + layout__STRIP_ZONE_SPACING) = (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)) / ((double)(strip_surfaces__ZONE_STATIONS - 1) + 2.0 * strip_surfaces__INSET);
+            for (i = 0; i < strip_surfaces__ZONE_STATIONS; i += 1)
             {
                 at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + i);
-                (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + ((double)(i) + strip_surfaces__INSET) * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
-                (*cspan_at(&work, at + layout__TRACED_STATION_REGION)) = (double)(index);
-                (*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) = (double)(i < strip_surfaces__ZONE_STATIONS - INT64_C(1));
+                AT(work, at + layout__TRACED_STATION_STATION) = AT(work, zone + layout__STRIP_ZONE_START) + ((double)i + strip_surfaces__INSET) * AT(work, zone + layout__STRIP_ZONE_SPACING);
+                AT(work, at + layout__TRACED_STATION_REGION) = (double)index;
+                AT(work, at + layout__TRACED_STATION_JOINED) = (double)(i < strip_surfaces__ZONE_STATIONS - 1);
                 strip_surfaces__trace_station(tables, work, pair, region, at);
             }
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = (double)(first + strip_surfaces__ZONE_STATIONS);
-            strip_surfaces__weigh_zone(tables, work, pair, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)), first, frame__is_yawed(work));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) = (double)(first + strip_surfaces__ZONE_STATIONS);
+            strip_surfaces__weigh_zone(tables, work, pair, zone, 0.5 * AT(work, region + layout__REGION_CURVATURE), first, frame__is_yawed(work));
             frame__leave_plane(work, region);
         }
     }
     strip_surfaces__place_on_middle(work);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         strip_surfaces__incline_station(work, tables, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i);
     }
     strip_surfaces__bend_gaps(work);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Wheel and rail at a station of ``region``, whose frame is open. */
 static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t at)
 {
-    double gap;
-    double rate;
-    double bend;
-    double curvature;
-    double height;
-    double slope;
-    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
-    (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = 0.0;
-    (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = 0.0;
+    double gap, rate, bend, curvature, height, slope;
+    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, AT(work, at + layout__TRACED_STATION_STATION) - AT(work, region + layout__REGION_OFFSET), strip_surfaces__STRIP_TRACE);
+    AT(work, at + layout__TRACED_STATION_RISE) = 0.0;
+    AT(work, at + layout__TRACED_STATION_OVERLAP) = 0.0;
     if (gap < frame__NO_GAP)
     {
-        (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
-        (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = -rate;
+        AT(work, at + layout__TRACED_STATION_OVERLAP) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) - gap;
+        AT(work, at + layout__TRACED_STATION_RISE) = -rate;
     }
-    tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = 1.0 / sqrt(1.0 + slope * slope);
-    (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = slope * (*cspan_at(&work, at + layout__TRACED_STATION_COS));
-    (*cspan_at(&work, at + layout__TRACED_STATION_X)) = 0.0;
-    (*cspan_at(&work, at + layout__TRACED_STATION_A)) = 0.5 * curvature;
-    (*cspan_at(&work, at + layout__TRACED_STATION_SKEW)) = 0.0;
-    (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    AT(work, at + layout__TRACED_STATION_COS) = 1.0 / sqrt(1.0 + slope * slope);
+    AT(work, at + layout__TRACED_STATION_SIN) = slope * AT(work, at + layout__TRACED_STATION_COS);
+    AT(work, at + layout__TRACED_STATION_X) = 0.0;
+    AT(work, at + layout__TRACED_STATION_A) = 0.5 * curvature;
+    AT(work, at + layout__TRACED_STATION_SKEW) = 0.0;
+    AT(work, at + layout__TRACED_STATION_ODD) = 0.0;
+    AT(work, at + layout__TRACED_STATION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
     if (frame__is_yawed(work))
     {
-        (*cspan_at(&work, at + layout__TRACED_STATION_X)) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)));
+        AT(work, at + layout__TRACED_STATION_X) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, at + layout__TRACED_STATION_WHEEL));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The gap beside a yawed wheel's ridge at all stations, as far away as their levels say. */
 static inline int64_t strip_surfaces__measure_ridges(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
 {
-    int64_t i_end;
-    int64_t i;
-    int64_t at;
-    int64_t zone;
+    int64_t i, at, zone, i_end;
     double level;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION)));
-        level = double_max(2, (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)), strip_surfaces__LEAST_LEVEL * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)));
-        strip_surfaces__measure_ridge(tables, work, pair, place, at, strip_pressures__TESTED * sqrt(level / ((*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A)))));
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
+        level = double_max(AT(work, at + layout__TRACED_STATION_LEVEL), strip_surfaces__LEAST_LEVEL * AT(work, zone + layout__STRIP_ZONE_DEPTH));
+        strip_surfaces__measure_ridge(tables, work, pair, place, at, strip_pressures__TESTED * sqrt(level / (AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) * AT(work, at + layout__TRACED_STATION_A))));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Height [m] of the wheel's profile at ``y`` [m], or at the end that it lies beyond. */
 static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y)
 {
     int64_t wheel;
-    double slope;
-    double z;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    y = double_min(2, double_max(2, y, (*cspan_at(&tables, wheel + layout__PROFILE_START))), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
+    double z, slope;
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    y = double_min(double_max(y, AT(tables, wheel + layout__PROFILE_START)), AT(tables, wheel + layout__PROFILE_STOP));
     tables__height_slope(&z, &slope, tables, wheel, y);
     return z;
 }
@@ -4310,32 +3928,25 @@ static inline double strip_surfaces__profile_within(array_double_1d tables, int6
  */
 static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t at, double away)
 {
-    double across;
-    double z;
-    double slope;
-    double bend;
-    double before;
-    double after;
-    double mean;
-    double square;
-    double odd;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
+    double across, z, slope, bend, before, after, mean, square, odd;
+    if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) != layout__LONGITUDINAL_BASIC)
     {
-        across = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)));
-        before = strip_surfaces__profile_within(tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) - across);
-        after = strip_surfaces__profile_within(tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) + across);
+        across = away * AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_COS_ROLL);
+        tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, at + layout__TRACED_STATION_WHEEL));
+        before = strip_surfaces__profile_within(tables, pair, AT(work, at + layout__TRACED_STATION_WHEEL) - across);
+        after = strip_surfaces__profile_within(tables, pair, AT(work, at + layout__TRACED_STATION_WHEEL) + across);
         mean = bend;
         square = across * across;
         if (square > 0.0)
         {
             mean = (before + after - 2.0 * z) / square;
         }
-        (*cspan_at(&work, at + layout__TRACED_STATION_A)) = 0.5 * curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
+        AT(work, at + layout__TRACED_STATION_A) = 0.5 * curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
         odd = 0.5 * (after - before) - slope * across;
-        (*cspan_at(&work, at + layout__TRACED_STATION_SKEW)) = odd / (sqrt(1.0 + slope * slope) * away * away * away);
+        AT(work, at + layout__TRACED_STATION_SKEW) = odd / (sqrt(1.0 + slope * slope) * away * away * away);
+        AT(work, at + layout__TRACED_STATION_ODD) = fabs(AT(work, at + layout__TRACED_STATION_SKEW)) * away;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Stations on the curve between wheel and rail, in the middle of the overlap.
@@ -4345,41 +3956,36 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, arra
  */
 static inline int64_t strip_surfaces__place_on_middle(array_double_1d work)
 {
-    int64_t i_end;
-    int64_t i;
-    int64_t at;
-    int64_t before;
-    int64_t after;
-    double turned;
-    double way;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t i, at, before, after, i_end;
+    double turned, way;
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
         before = i;
         after = i;
-        if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_JOINED)) == 1.0))
+        if (i > 0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_JOINED) == 1.0)
         {
-            before = i - INT64_C(1);
+            before = i - 1;
         }
-        if (((*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) == 1.0) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)))
+        if (AT(work, at + layout__TRACED_STATION_JOINED) == 1.0 && i < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1)
         {
-            after = i + INT64_C(1);
+            after = i + 1;
         }
-        turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN));
-        (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) = 1.0;
-        if ((*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) > 0.0)
+        turned = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN);
+        AT(work, at + layout__TRACED_STATION_STRETCH) = 1.0;
+        if (AT(work, at + layout__TRACED_STATION_OVERLAP) > 0.0)
         {
-            (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) -= 0.5 * (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) * turned / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION)));
+            AT(work, at + layout__TRACED_STATION_STRETCH) -= 0.5 * AT(work, at + layout__TRACED_STATION_OVERLAP) * turned / (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION));
         }
-        (*cspan_at(&work, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
-        if (i > INT64_C(0))
+        AT(work, at + layout__TRACED_STATION_PLACE) = AT(work, at + layout__TRACED_STATION_STATION);
+        if (i > 0)
         {
-            way = (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STATION));
-            (*cspan_at(&work, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_PLACE)) + 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STRETCH)) + (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH))) * way;
+            way = AT(work, at + layout__TRACED_STATION_STATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_STATION);
+            AT(work, at + layout__TRACED_STATION_PLACE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_PLACE) + 0.5 * (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_STRETCH) + AT(work, at + layout__TRACED_STATION_STRETCH)) * way;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Turn a station to the mean of the normals of wheel and rail; what of penetration and load counts
@@ -4387,21 +3993,19 @@ static inline int64_t strip_surfaces__place_on_middle(array_double_1d work)
  */
 static inline int64_t strip_surfaces__incline_station(array_double_1d work, array_double_1d tables, int64_t at)
 {
-    double half;
-    double scale;
-    double cosine;
-    half = 0.5 * (*cspan_at(&work, at + layout__TRACED_STATION_RISE));
+    double half, scale, cosine;
+    half = 0.5 * AT(work, at + layout__TRACED_STATION_RISE);
     scale = 1.0 / sqrt(1.0 + half * half);
-    (*cspan_at(&work, at + layout__TRACED_STATION_SHARE)) = (*cspan_at(&work, at + layout__TRACED_STATION_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    cosine = ((*cspan_at(&work, at + layout__TRACED_STATION_COS)) - half * (*cspan_at(&work, at + layout__TRACED_STATION_SIN))) * scale;
-    (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = ((*cspan_at(&work, at + layout__TRACED_STATION_SIN)) + half * (*cspan_at(&work, at + layout__TRACED_STATION_COS))) * scale;
-    (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = cosine;
-    (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) = 1.0;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+    AT(work, at + layout__TRACED_STATION_SHARE) = AT(work, at + layout__TRACED_STATION_COS) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    cosine = (AT(work, at + layout__TRACED_STATION_COS) - half * AT(work, at + layout__TRACED_STATION_SIN)) * scale;
+    AT(work, at + layout__TRACED_STATION_SIN) = (AT(work, at + layout__TRACED_STATION_SIN) + half * AT(work, at + layout__TRACED_STATION_COS)) * scale;
+    AT(work, at + layout__TRACED_STATION_COS) = cosine;
+    AT(work, at + layout__TRACED_STATION_COUNTED) = 1.0;
+    if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
-        (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, at + layout__TRACED_STATION_SIN)));
+        AT(work, at + layout__TRACED_STATION_COUNTED) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), cosine, AT(work, at + layout__TRACED_STATION_SIN));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The station of a curve after which ``station`` [m] lies, from number ``first`` on, no later than the
@@ -4409,9 +4013,9 @@ static inline int64_t strip_surfaces__incline_station(array_double_1d work, arra
  */
 static inline int64_t strip_surfaces__interval(array_double_1d work, int64_t first, int64_t high, double station)
 {
-    while((first < high - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + INT64_C(1)) + layout__TRACED_STATION_STATION)) < station))
+    while (first < high - 1 && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + 1) + layout__TRACED_STATION_STATION) < station)
     {
-        first += INT64_C(1);
+        first += 1;
     }
     return first;
 }
@@ -4420,10 +4024,8 @@ static inline int64_t strip_surfaces__interval(array_double_1d work, int64_t fir
 static inline double strip_surfaces__way_through(array_double_1d work, int64_t j, double station)
 {
     double start;
-    double result;
-    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION));
-    result = (station - start) / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)) + layout__TRACED_STATION_STATION)) - start);
-    return result;
+    start = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION);
+    return (station - start) / (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1) + layout__TRACED_STATION_STATION) - start);
 }
 
 /* A value on the straight line between two others, at 0 <= ``u`` <= 1. */
@@ -4437,11 +4039,9 @@ static inline double strip_surfaces__rest_gap(array_double_1d work, int64_t j, d
 {
     int64_t gaps;
     double u;
-    double result;
     gaps = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_GAPS;
     u = strip_surfaces__way_through(work, j, station);
-    result = (*cspan_at(&work, gaps + INT64_C(0))) + u * ((*cspan_at(&work, gaps + INT64_C(1))) + u * ((*cspan_at(&work, gaps + INT64_C(2))) + u * (*cspan_at(&work, gaps + INT64_C(3)))));
-    return result;
+    return AT(work, gaps + 0) + u * (AT(work, gaps + 1) + u * (AT(work, gaps + 2) + u * AT(work, gaps + 3)));
 }
 
 /* The gap between every two stations of a curve: what comes of the penetration less the overlap, a cubic
@@ -4449,32 +4049,26 @@ static inline double strip_surfaces__rest_gap(array_double_1d work, int64_t j, d
  */
 static inline int64_t strip_surfaces__bend_gaps(array_double_1d work)
 {
-    int64_t i_end;
-    int64_t i;
-    int64_t low;
-    int64_t high;
-    double way;
-    double start;
-    double stop;
-    double grown;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1);
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t i, low, high, i_end;
+    double way, start, stop, grown;
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1;
+    for (i = 0; i < i_end; i += 1)
     {
         low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + INT64_C(1));
-        if ((int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, high + layout__TRACED_STATION_REGION))))
+        high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + 1);
+        if (AT(work, low + layout__TRACED_STATION_JOINED) == 1.0)
         {
-            way = (*cspan_at(&work, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
-            start = way * (*cspan_at(&work, low + layout__TRACED_STATION_RISE));
-            stop = way * (*cspan_at(&work, high + layout__TRACED_STATION_RISE));
-            grown = (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) - (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP));
-            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(0))) = (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP));
-            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(1))) = ((*cspan_at(&work, high + layout__TRACED_STATION_SHARE)) - (*cspan_at(&work, low + layout__TRACED_STATION_SHARE))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - start;
-            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(2))) = 2.0 * start + stop - 3.0 * grown;
-            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(3))) = 2.0 * grown - start - stop;
+            way = AT(work, high + layout__TRACED_STATION_STATION) - AT(work, low + layout__TRACED_STATION_STATION);
+            start = way * AT(work, low + layout__TRACED_STATION_RISE);
+            stop = way * AT(work, high + layout__TRACED_STATION_RISE);
+            grown = AT(work, high + layout__TRACED_STATION_OVERLAP) - AT(work, low + layout__TRACED_STATION_OVERLAP);
+            AT(work, low + layout__TRACED_STATION_GAPS + 0) = AT(work, low + layout__TRACED_STATION_SHARE) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) - AT(work, low + layout__TRACED_STATION_OVERLAP);
+            AT(work, low + layout__TRACED_STATION_GAPS + 1) = (AT(work, high + layout__TRACED_STATION_SHARE) - AT(work, low + layout__TRACED_STATION_SHARE)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) - start;
+            AT(work, low + layout__TRACED_STATION_GAPS + 2) = 2.0 * start + stop - 3.0 * grown;
+            AT(work, low + layout__TRACED_STATION_GAPS + 3) = 2.0 * grown - start - stop;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -4490,72 +4084,65 @@ static inline int64_t strip_surfaces__bend_gaps(array_double_1d work)
 /* The places of the stations of a side, the patch that each belongs to, and the places of all strips. */
 static OUT_OF_LINE int64_t wear_places__place_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
 {
-    int64_t stations;
-    int64_t index;
-    int64_t j;
-    double station;
-    int64_t patch;
-    double rail;
-    double wheel;
-    int64_t number_end;
-    int64_t number;
-    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
-    index = INT64_C(0);
-    for (j = INT64_C(0); j < stations; j += INT64_C(1))
+    int64_t stations, index, j, patch, number, number_end;
+    double station, rail, wheel;
+    stations = (int64_t)AT(tables, layout__TABLES_STATIONS);
+    index = 0;
+    for (j = 0; j < stations; j += 1)
     {
-        station = (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + j));
+        station = AT(work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + j);
         index = wear_places__nearest_patch(work, side, index, station);
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
         wear_places__profile_places(&rail, &wheel, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch), station);
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = wheel;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j))) = rail;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + j))) = (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))));
+        AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = wheel;
+        AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j)) = rail;
+        AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (3 * stations + j)) = (double)((int64_t)AT(work, patch + layout__PATCH_RANK));
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         wear_places__place_strips_of_wear(tables, work, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The places of the strips of a patch. */
 static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch, int64_t worn)
 {
-    int64_t region;
-    int64_t i;
-    double rail;
-    double wheel;
+    int64_t region, i;
+    double rail, wheel;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch);
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        wear_places__profile_places(&rail, &wheel, tables, work, pair, region, (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION)));
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = rail;
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = wheel;
+        wear_places__profile_places(&rail, &wheel, tables, work, pair, region, AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION));
+        AT(work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i) = rail;
+        AT(work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i) = wheel;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Rail and wheel abscissa [m] at a ``station`` [m] of the outputs, sought from a ``region``. */
-static OUT_OF_LINE int64_t wear_places__profile_places(double* rail, double* wheel, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double station)
+static OUT_OF_LINE void wear_places__profile_places(double* rail_out, double* wheel_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double station)
 {
-    (*rail) = patch_places__abscissa_at(tables, work, pair, region, station - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
-    (*wheel) = (*cspan_at(&work, region + layout__REGION_WHEEL)) + (*rail) - (*cspan_at(&work, region + layout__REGION_RAIL));
-    if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*rail), (*wheel), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP))
+    double rail, wheel;
+    rail = patch_places__abscissa_at(tables, work, pair, region, station - AT(work, region + layout__REGION_OFFSET) - AT(work, region + layout__REGION_STATION));
+    wheel = AT(work, region + layout__REGION_WHEEL) + rail - AT(work, region + layout__REGION_RAIL);
+    if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), rail, wheel, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP))
     {
-        (*wheel) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        wheel = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_WHEEL);
     }
-    return 0;
+    *rail_out = rail;
+    *wheel_out = wheel;
 }
 
 /* The first region that carries some of a patch's load. */
 static OUT_OF_LINE int64_t wear_places__first_region(array_double_1d work, int64_t patch)
 {
     int64_t number;
-    number = INT64_C(0);
-    while((number < layout__REGION_LIMIT - INT64_C(1)) && ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) == 0.0))
+    number = 0;
+    while (number < layout__REGION_LIMIT - 1 && AT(work, patch + layout__PATCH_LOADS + number) == 0.0)
     {
-        number += INT64_C(1);
+        number += 1;
     }
     return number;
 }
@@ -4563,9 +4150,9 @@ static OUT_OF_LINE int64_t wear_places__first_region(array_double_1d work, int64
 /* The patch, from ``index`` on, that a ``station`` [m] lies in or is nearest to. */
 static OUT_OF_LINE int64_t wear_places__nearest_patch(array_double_1d work, int64_t side, int64_t index, double station)
 {
-    while((index < (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1)) && (station - (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) > (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (index + INT64_C(1)) + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) - station))
+    while (index < (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) - 1 && station - AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) > AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (index + 1) + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START) - station)
     {
-        index += INT64_C(1);
+        index += 1;
     }
     return index;
 }

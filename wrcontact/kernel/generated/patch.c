@@ -3,38 +3,39 @@
 
 /* patch/filling.py */
 static inline int64_t filling__clear_patches(array_double_1d work, int64_t side);
-static inline int64_t filling__forget(array_double_1d work, int64_t patch);
 static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule);
+static inline int64_t filling__forget(array_double_1d work, int64_t patch);
 static inline int64_t filling__add_load(array_double_1d work, int64_t patch, int64_t region, double load, double moment);
-static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
 static inline int64_t filling__finish_patch(array_double_1d work, int64_t side);
-static inline int64_t filling__remove_patch(array_double_1d work, int64_t side, int64_t index);
+static OUT_OF_LINE int64_t filling__fill_sliver(array_double_1d work, int64_t patch);
+static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
 static inline int64_t filling__remove_unloaded(array_double_1d work, int64_t side);
+static inline int64_t filling__remove_patch(array_double_1d work, int64_t side, int64_t index);
+static inline int64_t filling__finish_patches(array_double_1d work, int64_t side);
 static inline int64_t filling__total_patches(array_double_1d work, int64_t side);
 static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side);
-static inline int64_t filling__finish_patches(array_double_1d work, int64_t side);
 
 /* patch/outline.py */
-static inline int64_t outline__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
-static inline int64_t outline__curved_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
-static inline int64_t outline__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
-static inline int64_t outline__wear_place(array_double_1d tables);
+static inline void outline__curved_at(double* half_length_out, double* pressure_out, array_double_1d work, int64_t count, double station);
+static inline void outline__between_strips(double* half_length_out, double* pressure_out, array_double_1d work, int64_t region, double own);
+static inline void outline__straight_at(double* half_length_out, double* pressure_out, array_double_1d work, int64_t patch, int64_t after, double station);
 static inline int64_t outline__row_size(array_double_1d tables);
+static inline int64_t outline__wear_place(array_double_1d tables);
+static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t side, int64_t count);
 static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals);
 static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t totals, int64_t count);
-static inline int64_t outline__patch_beside(array_double_1d work, int64_t side, int64_t index, double station);
 static inline int64_t outline__write_straight(array_double_1d work, int64_t outline, int64_t stations, int64_t side);
-static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t side, int64_t count);
+static inline int64_t outline__patch_beside(array_double_1d work, int64_t side, int64_t index, double station);
 
 /* patch/quadrature.py */
 static inline double quadrature__bend_of(double before, double low, double high);
 static inline double quadrature__quadratic_value(double before, double low, double high, double x);
-static inline int64_t quadrature__cell_part(double* start, double* stop, double d_before, double d_low, double d_high);
+static inline void quadrature__cell_part(double* start_out, double* stop_out, double d_before, double d_low, double d_high);
 static inline double quadrature__quadratic_integral(double before, double low, double high, double stop);
 static inline double quadrature__quadratic_moment(double before, double low, double high, double stop);
+static inline double quadrature__root_integral(double before, double low, double high, double start, double stop);
 static inline double quadrature__quadratic_at(double low, double slope, double bend, double x);
 static inline double quadrature__bent_integral(double low, double slope, double bend, double start, double stop);
-static inline double quadrature__root_integral(double before, double low, double high, double start, double stop);
 
 
 /* ---- From patch/filling.py; change that one.
@@ -47,12 +48,12 @@ static inline double quadrature__root_integral(double before, double low, double
 static inline int64_t filling__clear_patches(array_double_1d work, int64_t side)
 {
     int64_t i_1;
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
-    for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
+    AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)0;
+    for (i_1 = 0; i_1 < layout__PATCH_TOTALS_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_1)) = 0.0;
+        AT(work, side + layout__SIDE_SEARCH_TOTALS + i_1) = 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Begin the next patch at station ``start`` [m] and strip ``first``, at the point of ``region``; its
@@ -62,26 +63,25 @@ static inline int64_t filling__clear_patches(array_double_1d work, int64_t side)
  */
 static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, int64_t region, double start, int64_t first, int64_t rule)
 {
-    int64_t patch;
-    int64_t index;
-    index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    int64_t index, patch;
+    index = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     if (index == layout__SOLVED_PATCH_LIMIT)
     {
-        return index - INT64_C(1);
+        return index - 1;
     }
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)(index + INT64_C(1));
+    AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)(index + 1);
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     filling__forget(work, patch);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start;
-    (*cspan_at(&work, patch + layout__PATCH_RAIL)) = (*cspan_at(&work, region + layout__REGION_RAIL));
-    (*cspan_at(&work, patch + layout__PATCH_WHEEL)) = (*cspan_at(&work, region + layout__REGION_WHEEL));
-    (*cspan_at(&work, patch + layout__PATCH_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work, patch + layout__PATCH_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK));
-    (*cspan_at(&work, patch + layout__PATCH_SLANT)) = (*cspan_at(&work, region + layout__REGION_SLANT));
-    (*cspan_at(&work, patch + layout__PATCH_RULE)) = (double)(rule);
-    (*cspan_at(&work, patch + layout__PATCH_FIRST)) = (double)(first);
-    (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(first - INT64_C(1));
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START) = start;
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) = start;
+    AT(work, patch + layout__PATCH_RAIL) = AT(work, region + layout__REGION_RAIL);
+    AT(work, patch + layout__PATCH_WHEEL) = AT(work, region + layout__REGION_WHEEL);
+    AT(work, patch + layout__PATCH_STATION) = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
+    AT(work, patch + layout__PATCH_X) = AT(work, region + layout__REGION_X_TRACK);
+    AT(work, patch + layout__PATCH_SLANT) = AT(work, region + layout__REGION_SLANT);
+    AT(work, patch + layout__PATCH_RULE) = (double)rule;
+    AT(work, patch + layout__PATCH_FIRST) = (double)first;
+    AT(work, patch + layout__PATCH_LAST) = (double)(first - 1);
     return index;
 }
 
@@ -92,83 +92,101 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, i
  */
 static inline int64_t filling__forget(array_double_1d work, int64_t patch)
 {
-    int64_t i_1;
-    int64_t i_2;
-    int64_t i_3;
-    int64_t i_4;
-    for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
+    int64_t i_1, i_2, i_3, i_4;
+    for (i_1 = 0; i_1 < layout__PATCH_TOTALS_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, patch + layout__PATCH_TOTALS + i_1)) = 0.0;
+        AT(work, patch + layout__PATCH_TOTALS + i_1) = 0.0;
     }
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
-    for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
+    AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = 0.0;
+    AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = 0.0;
+    for (i_2 = 0; i_2 < 4; i_2 += 1)
     {
-        (*cspan_at(&work, patch + layout__PATCH_LOADS + i_2)) = 0.0;
+        AT(work, patch + layout__PATCH_LOADS + i_2) = 0.0;
     }
-    for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
+    for (i_3 = 0; i_3 < 4; i_3 += 1)
     {
-        (*cspan_at(&work, patch + layout__PATCH_MOMENTS + i_3)) = 0.0;
+        AT(work, patch + layout__PATCH_MOMENTS + i_3) = 0.0;
     }
-    (*cspan_at(&work, patch + layout__PATCH_RANK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = 0.0;
-    for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
+    AT(work, patch + layout__PATCH_RANK) = (double)0;
+    AT(work, patch + layout__PATCH_PENETRATION) = 0.0;
+    AT(work, patch + layout__PATCH_X_TRACK) = 0.0;
+    AT(work, patch + layout__PATCH_Y_TRACK) = 0.0;
+    AT(work, patch + layout__PATCH_Z_TRACK) = 0.0;
+    AT(work, patch + layout__PATCH_ROLLING_RADIUS) = 0.0;
+    AT(work, patch + layout__PATCH_NORMAL_Y) = 0.0;
+    AT(work, patch + layout__PATCH_NORMAL_Z) = 0.0;
+    for (i_4 = 0; i_4 < 3; i_4 += 1)
     {
-        (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = 0.0;
+        AT(work, patch + layout__PATCH_NORMAL_MOMENT + i_4) = 0.0;
     }
-    (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SPEED)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = 0.0;
-    return INT64_C(0);
+    AT(work, patch + layout__PATCH_DAMPING_POWER) = 0.0;
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = 0.0;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = 0.0;
+    AT(work, patch + layout__PATCH_SPIN) = 0.0;
+    AT(work, patch + layout__PATCH_SPEED) = 0.0;
+    AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
+    AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
+    AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
+    AT(work, patch + layout__PATCH_SATURATION) = 0.0;
+    return 0;
 }
 
 /* Add load [N] and moment [N m] in a region to a patch. */
 static inline int64_t filling__add_load(array_double_1d work, int64_t patch, int64_t region, double load, double moment)
 {
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) += load;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) += moment;
-    (*cspan_at(&work, patch + layout__PATCH_LOADS + region)) += load;
-    (*cspan_at(&work, patch + layout__PATCH_MOMENTS + region)) += moment;
-    return INT64_C(0);
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) += load;
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) += moment;
+    AT(work, patch + layout__PATCH_LOADS + region) += load;
+    AT(work, patch + layout__PATCH_MOMENTS + region) += moment;
+    return 0;
 }
 
 /* Give the last patch, if there is one, what follows from its load, its edges and its largest squares. */
 static inline int64_t filling__finish_patch(array_double_1d work, int64_t side)
 {
     int64_t patch;
-    if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
+    if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1));
-        (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = sqrt((*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)));
-        (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = sqrt((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)));
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) - 1);
+        AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) = sqrt(AT(work, patch + layout__PATCH_PRESSURE_SQUARE));
+        AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = sqrt(AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE));
         filling__complete_totals(work, patch + layout__PATCH_TOTALS);
+        if (AT(work, patch + layout__PATCH_PRESSURE_SQUARE) == 0.0 && AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0)
+        {
+            filling__fill_sliver(work, patch);
+        }
     }
-    return INT64_C(0);
+    return 0;
+}
+
+/* Largest pressure and half-length of a loaded patch that lies between two strips: those of an ellipse
+ * with its load, area and width.
+ */
+static OUT_OF_LINE int64_t filling__fill_sliver(array_double_1d work, int64_t patch)
+{
+    int64_t totals;
+    totals = patch + layout__PATCH_TOTALS;
+    if (AT(work, totals + layout__PATCH_TOTALS_AREA) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
+    {
+        AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) = 1.5 * AT(work, totals + layout__PATCH_TOTALS_LOAD) / AT(work, totals + layout__PATCH_TOTALS_AREA);
+        AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = 2.0 * AT(work, totals + layout__PATCH_TOTALS_AREA) / (M_PI * AT(work, totals + layout__PATCH_TOTALS_WIDTH));
+        AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+        AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    }
+    return 0;
 }
 
 /* Centroid and width from load, moment and edges. */
 static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals)
 {
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) - (*cspan_at(&work, totals + layout__PATCH_TOTALS_START));
-    if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) > 0.0)
+    AT(work, totals + layout__PATCH_TOTALS_WIDTH) = AT(work, totals + layout__PATCH_TOTALS_STOP) - AT(work, totals + layout__PATCH_TOTALS_START);
+    if (AT(work, totals + layout__PATCH_TOTALS_LOAD) > 0.0)
     {
-        (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
+        AT(work, totals + layout__PATCH_TOTALS_CENTROID) = AT(work, totals + layout__PATCH_TOTALS_MOMENT) / AT(work, totals + layout__PATCH_TOTALS_LOAD);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Take away patches that carry nothing in sum: between jumps of the curvatures the quadratic of the line
@@ -178,110 +196,98 @@ static inline int64_t filling__complete_totals(array_double_1d work, int64_t tot
 static inline int64_t filling__remove_unloaded(array_double_1d work, int64_t side)
 {
     int64_t index;
-    index = INT64_C(0);
-    while(((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(1)) && (index < (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)))))
+    index = 0;
+    while ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 1 && index < (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT))
     {
-        if ((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > 0.0)
+        if (AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0)
         {
-            index += INT64_C(1);
+            index += 1;
         }
         else
         {
             filling__remove_patch(work, side, index);
-            index = INT64_C(0);
+            index = 0;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Take a finished patch away; the one before, or else the one behind it gets its load and its area. */
 static inline int64_t filling__remove_patch(array_double_1d work, int64_t side, int64_t index)
 {
-    int64_t beside;
-    int64_t heir;
-    int64_t removed;
-    int64_t region;
-    int64_t following_end;
-    int64_t following;
-    int64_t i_1;
-    beside = index - INT64_C(1);
-    if (beside < INT64_C(0))
+    int64_t beside, heir, removed, region, following, i_1, following_end;
+    beside = index - 1;
+    if (beside < 0)
     {
-        beside = INT64_C(1);
+        beside = 1;
     }
     heir = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * beside;
     removed = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) += (*cspan_at(&work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) += (*cspan_at(&work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
-    (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) += (*cspan_at(&work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) += AT(work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) += AT(work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT);
+    AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) += AT(work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA);
     filling__complete_totals(work, heir + layout__PATCH_TOTALS);
-    for (region = INT64_C(0); region < layout__REGION_LIMIT; region += INT64_C(1))
+    for (region = 0; region < layout__REGION_LIMIT; region += 1)
     {
-        (*cspan_at(&work, heir + layout__PATCH_LOADS + region)) += (*cspan_at(&work, removed + layout__PATCH_LOADS + region));
-        (*cspan_at(&work, heir + layout__PATCH_MOMENTS + region)) += (*cspan_at(&work, removed + layout__PATCH_MOMENTS + region));
+        AT(work, heir + layout__PATCH_LOADS + region) += AT(work, removed + layout__PATCH_LOADS + region);
+        AT(work, heir + layout__PATCH_MOMENTS + region) += AT(work, removed + layout__PATCH_MOMENTS + region);
     }
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1));
-    following_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (following = index; following < following_end; following += INT64_C(1))
+    AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) - 1);
+    following_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (following = index; following < following_end; following += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__PATCH_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__PATCH_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1)) + i_1));
+            AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1) = AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + 1) + i_1);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The totals of all patches that carry load, and their ranks, when the last patch is finished. */
 static inline int64_t filling__finish_patches(array_double_1d work, int64_t side)
 {
-    int64_t rank_end;
-    int64_t rank;
-    int64_t heaviest;
-    int64_t ranked;
+    int64_t rank, heaviest, ranked, rank_end;
     filling__remove_unloaded(work, side);
     filling__total_patches(work, side);
-    rank_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) + INT64_C(1);
-    for (rank = INT64_C(1); rank < rank_end; rank += INT64_C(1))
+    rank_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) + 1;
+    for (rank = 1; rank < rank_end; rank += 1)
     {
         heaviest = filling__heaviest_patch(work, side);
-        if (heaviest >= INT64_C(0))
+        if (heaviest >= 0)
         {
             ranked = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * heaviest;
-            (*cspan_at(&work, ranked + layout__PATCH_RANK)) = (double)(rank);
+            AT(work, ranked + layout__PATCH_RANK) = (double)rank;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The totals of all patches together. */
 static inline int64_t filling__total_patches(array_double_1d work, int64_t side)
 {
-    int64_t totals;
-    int64_t index_end;
-    int64_t index;
-    int64_t one;
+    int64_t totals, index, one, index_end;
     totals = side + layout__SIDE_SEARCH_TOTALS;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
-    (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
-    index_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    AT(work, totals + layout__PATCH_TOTALS_LOAD) = 0.0;
+    AT(work, totals + layout__PATCH_TOTALS_AREA) = 0.0;
+    AT(work, totals + layout__PATCH_TOTALS_MOMENT) = 0.0;
+    index_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (index = 0; index < index_end; index += 1)
     {
         one = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS;
-        (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_LOAD));
-        (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_AREA));
-        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) += (*cspan_at(&work, one + layout__PATCH_TOTALS_MOMENT));
-        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = double_max(2, (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)), (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)));
-        (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = double_max(2, (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)), (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
-        if (index == INT64_C(0))
+        AT(work, totals + layout__PATCH_TOTALS_LOAD) += AT(work, one + layout__PATCH_TOTALS_LOAD);
+        AT(work, totals + layout__PATCH_TOTALS_AREA) += AT(work, one + layout__PATCH_TOTALS_AREA);
+        AT(work, totals + layout__PATCH_TOTALS_MOMENT) += AT(work, one + layout__PATCH_TOTALS_MOMENT);
+        AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) = double_max(AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE), AT(work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+        AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = double_max(AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH), AT(work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        if (index == 0)
         {
-            (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_START));
+            AT(work, totals + layout__PATCH_TOTALS_START) = AT(work, one + layout__PATCH_TOTALS_START);
         }
-        (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_STOP));
+        AT(work, totals + layout__PATCH_TOTALS_STOP) = AT(work, one + layout__PATCH_TOTALS_STOP);
     }
     filling__complete_totals(work, totals);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Index of the heaviest patch that carries load and has no rank, of equal ones the first; -1 if there is
@@ -289,21 +295,18 @@ static inline int64_t filling__total_patches(array_double_1d work, int64_t side)
  */
 static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side)
 {
+    int64_t heaviest, index, patch, index_end;
     double load;
-    int64_t index_end;
-    int64_t index;
-    int64_t patch;
-    int64_t heaviest;
-    heaviest = -INT64_C(1);
+    heaviest = -1;
     load = 0.0;
-    index_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
+    index_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (index = 0; index < index_end; index += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) == INT64_C(0)) && ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > load))
+        if ((int64_t)AT(work, patch + layout__PATCH_RANK) == 0 && AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > load)
         {
             heaviest = index;
-            load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+            load = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
         }
     }
     return heaviest;
@@ -328,108 +331,95 @@ static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side
  * The quadratics of half-length and pressure do not end exactly where the load does: just outside a patch
  * they can be positive.
  */
-static inline int64_t outline__curved_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station)
+static inline void outline__curved_at(double* half_length_out, double* pressure_out, array_double_1d work, int64_t count, double station)
 {
-    int64_t index;
-    int64_t region;
-    double own;
-    (*half_length) = 0.0;
-    (*pressure) = 0.0;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    double half_length, pressure, own;
+    int64_t index, region;
+    half_length = 0.0;
+    pressure = 0.0;
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        own = station - (*cspan_at(&work, region + layout__REGION_OFFSET));
-        if ((own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
+        own = station - AT(work, region + layout__REGION_OFFSET);
+        if (own >= AT(work, region + layout__REGION_LOW) && own <= AT(work, region + layout__REGION_HIGH) && half_length == 0.0)
         {
-            outline__between_strips(half_length, pressure, work, region, own);
+            outline__between_strips(&half_length, &pressure, work, region, own);
         }
     }
-    return 0;
+    *half_length_out = half_length;
+    *pressure_out = pressure;
 }
 
 /* Half-length [m] and pressure [Pa] at station ``own`` [m] of the region's own ones, from the three
  * strips that the cell's quadratic goes through; zeros where the region is not loaded.
  */
-static inline int64_t outline__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own)
+static inline void outline__between_strips(double* half_length_out, double* pressure_out, array_double_1d work, int64_t region, double own)
 {
-    double u;
+    double half_length, pressure, u, x, length, square;
     bool inside;
-    int64_t outward;
-    int64_t low;
-    double x;
-    int64_t inner;
-    int64_t before;
-    int64_t here;
-    int64_t after;
-    double length;
-    double square;
-    (*half_length) = 0.0;
-    (*pressure) = 0.0;
-    u = (own - (*cspan_at(&work, region + layout__REGION_STATION))) / (*cspan_at(&work, region + layout__REGION_SPACING));
-    inside = (u > (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))));
-    if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0) && inside)
+    int64_t outward, low, inner, before, here, after;
+    half_length = 0.0;
+    pressure = 0.0;
+    u = (own - AT(work, region + layout__REGION_STATION)) / AT(work, region + layout__REGION_SPACING);
+    inside = u > (int64_t)AT(work, region + layout__REGION_FIRST) && u < (int64_t)AT(work, region + layout__REGION_LAST);
+    if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > 0.0 && inside)
     {
-        outward = INT64_C(1);
+        outward = 1;
         if (u < 0.0)
         {
-            outward = -INT64_C(1);
+            outward = -1;
             u = -u;
         }
-        low = (int64_t)(u);
-        x = u - (double)(low);
-        inner = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP))) + outward * low;
+        low = (int64_t)u;
+        x = u - (double)low;
+        inner = (int64_t)AT(work, region + layout__REGION_STRIP) + outward * low;
         before = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (inner - outward);
         here = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * inner;
         after = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (inner + outward);
-        length = quadrature__quadratic_value((*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), x);
-        square = quadrature__quadratic_value((*cspan_at(&work, before + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_PRESSURE_SQUARE)), x);
-        if ((length > 0.0) && (square > 0.0))
+        length = quadrature__quadratic_value(AT(work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), x);
+        square = quadrature__quadratic_value(AT(work, before + layout__SOLVED_STRIP_PRESSURE_SQUARE), AT(work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE), AT(work, after + layout__SOLVED_STRIP_PRESSURE_SQUARE), x);
+        if (length > 0.0 && square > 0.0)
         {
-            (*half_length) = sqrt(length);
-            (*pressure) = sqrt(square);
+            half_length = sqrt(length);
+            pressure = sqrt(square);
         }
     }
-    return 0;
+    *half_length_out = half_length;
+    *pressure_out = pressure;
 }
 
 /* Half-length [m] and pressure [Pa] of a patch at ``station`` [m] between its edges, by RULE_STRAIGHT;
  * ``after`` is its first strip beyond the station, or the one after its last.
  */
-static inline int64_t outline__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station)
+static inline void outline__straight_at(double* half_length_out, double* pressure_out, array_double_1d work, int64_t patch, int64_t after, double station)
 {
-    double low;
-    double low_length;
-    double low_pressure;
-    int64_t inner;
-    double high;
-    double high_length;
-    double high_pressure;
-    int64_t outer;
-    double share;
-    low = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    double low, low_length, low_pressure, high, high_length, high_pressure, share, half_length, pressure;
+    int64_t inner, outer;
+    low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
     low_length = 0.0;
     low_pressure = 0.0;
-    if (after > (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))))
+    if (after > (int64_t)AT(work, patch + layout__PATCH_FIRST))
     {
-        inner = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (after - INT64_C(1));
-        low = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION));
-        low_length = (*cspan_at(&work, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-        low_pressure = (*cspan_at(&work, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+        inner = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (after - 1);
+        low = AT(work, inner + layout__SOLVED_STRIP_STATION);
+        low_length = AT(work, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
+        low_pressure = AT(work, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE);
     }
-    high = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    high = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP);
     high_length = 0.0;
     high_pressure = 0.0;
-    if (after <= (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))))
+    if (after <= (int64_t)AT(work, patch + layout__PATCH_LAST))
     {
         outer = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * after;
-        high = (*cspan_at(&work, outer + layout__SOLVED_STRIP_STATION));
-        high_length = (*cspan_at(&work, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-        high_pressure = (*cspan_at(&work, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+        high = AT(work, outer + layout__SOLVED_STRIP_STATION);
+        high_length = AT(work, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
+        high_pressure = AT(work, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE);
     }
     share = (station - low) / (high - low);
-    (*half_length) = sqrt(low_length + share * (high_length - low_length));
-    (*pressure) = sqrt(low_pressure + share * (high_pressure - low_pressure));
-    return 0;
+    half_length = sqrt(low_length + share * (high_length - low_length));
+    pressure = sqrt(low_pressure + share * (high_pressure - low_pressure));
+    *half_length_out = half_length;
+    *pressure_out = pressure;
 }
 
 /* How many numbers an evaluation gives: the outputs, and the outlines where they follow behind them. */
@@ -437,9 +427,9 @@ static inline int64_t outline__row_size(array_double_1d tables)
 {
     int64_t size;
     size = outline__wear_place(tables);
-    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
+    if (AT(tables, layout__TABLES_WEAR) == 1.0)
     {
-        size += INT64_C(2) * layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))) + layout__WEAR_END;
+        size += 2 * layout__WEAR_RUN_COUNT * (int64_t)AT(tables, layout__TABLES_STATIONS) + layout__WEAR_END;
     }
     return size;
 }
@@ -447,13 +437,12 @@ static inline int64_t outline__row_size(array_double_1d tables)
 /* How many numbers come before the outputs of wear. */
 static inline int64_t outline__wear_place(array_double_1d tables)
 {
-    int64_t stations;
-    int64_t size;
-    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    int64_t stations, size;
+    stations = (int64_t)AT(tables, layout__TABLES_STATIONS);
     size = layout__OUTPUT_COUNT;
     if (stations != layout__STATION_COUNT)
     {
-        size += INT64_C(2) * layout__RUN_COUNT * stations;
+        size += 2 * layout__RUN_COUNT * stations;
     }
     return size;
 }
@@ -464,9 +453,9 @@ static inline int64_t outline__wear_place(array_double_1d tables)
 static inline int64_t outline__write_outline(array_double_1d work, int64_t outline, int64_t stations, int64_t side, int64_t count)
 {
     int64_t rule;
-    if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
+    if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
-        rule = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_RULE)));
+        rule = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_RULE);
         if (rule == layout__RULE_ELLIPSE)
         {
             outline__write_ellipse(work, outline, stations, side + layout__SIDE_SEARCH_TOTALS);
@@ -480,35 +469,30 @@ static inline int64_t outline__write_outline(array_double_1d work, int64_t outli
             outline__write_straight(work, outline, stations, side);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The outline of a single elliptic patch around station zero. */
 static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals)
 {
-    double half_length;
-    double half_width;
-    double pressure;
-    int64_t last;
-    int64_t j;
-    double share;
-    double height;
-    half_length = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    half_width = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
-    pressure = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    last = stations - INT64_C(1);
-    for (j = INT64_C(0); j < py_floor_div_int64_t((stations + INT64_C(1)), INT64_C(2)); j += INT64_C(1))
+    double half_length, half_width, pressure, share, height;
+    int64_t last, j;
+    half_length = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    half_width = AT(work, totals + layout__PATCH_TOTALS_STOP);
+    pressure = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+    last = stations - 1;
+    for (j = 0; j < floor_div(stations + 1, 2); j += 1)
     {
-        share = 1.0 - 2.0 * (double)(j) / (double)(last);
+        share = 1.0 - 2.0 * (double)j / (double)last;
         height = sqrt(1.0 - share * share);
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = 0.0 - share * half_width;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (last - j))) = share * half_width;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length * height;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + last - j))) = half_length * height;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure * height;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + last - j))) = pressure * height;
+        AT(work, outline + layout__OUTLINE_NUMBERS + j) = 0.0 - share * half_width;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (last - j)) = share * half_width;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (stations + j)) = half_length * height;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (stations + last - j)) = half_length * height;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (2 * stations + j)) = pressure * height;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (2 * stations + last - j)) = pressure * height;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the
@@ -516,81 +500,68 @@ static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outli
  */
 static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t totals, int64_t count)
 {
-    double start;
-    double stop;
-    double largest;
-    double peak;
+    double start, stop, largest, peak, station, half_length, pressure;
     int64_t j;
-    double station;
-    double half_length;
-    double pressure;
-    start = (*cspan_at(&work, totals + layout__PATCH_TOTALS_START));
-    stop = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
-    largest = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    peak = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    for (j = INT64_C(0); j < stations; j += INT64_C(1))
+    start = AT(work, totals + layout__PATCH_TOTALS_START);
+    stop = AT(work, totals + layout__PATCH_TOTALS_STOP);
+    largest = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    peak = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+    for (j = 0; j < stations; j += 1)
     {
-        station = start + (stop - start) * (double)(j) / (double)(stations - INT64_C(1));
+        station = start + (stop - start) * (double)j / (double)(stations - 1);
         half_length = 0.0;
         pressure = 0.0;
-        if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
+        if (j > 0 && j < stations - 1)
         {
             outline__curved_at(&half_length, &pressure, work, count, station);
         }
-        half_length = double_min(2, half_length, largest);
-        pressure = double_min(2, pressure, peak);
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
+        half_length = double_min(half_length, largest);
+        pressure = double_min(pressure, peak);
+        AT(work, outline + layout__OUTLINE_NUMBERS + j) = station;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (stations + j)) = half_length;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (2 * stations + j)) = pressure;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The outline of patches with RULE_STRAIGHT. */
 static inline int64_t outline__write_straight(array_double_1d work, int64_t outline, int64_t stations, int64_t side)
 {
-    double start;
-    double stop;
-    int64_t index;
-    int64_t strip;
-    int64_t j;
-    double station;
-    double half_length;
-    double pressure;
-    int64_t patch;
-    start = (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_START));
-    stop = (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_STOP));
-    index = INT64_C(0);
-    strip = INT64_C(0);
-    for (j = INT64_C(0); j < stations; j += INT64_C(1))
+    double start, stop, station, half_length, pressure;
+    int64_t index, strip, j, patch;
+    start = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_START);
+    stop = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_STOP);
+    index = 0;
+    strip = 0;
+    for (j = 0; j < stations; j += 1)
     {
-        station = start + (stop - start) * (double)(j) / (double)(stations - INT64_C(1));
+        station = start + (stop - start) * (double)j / (double)(stations - 1);
         half_length = 0.0;
         pressure = 0.0;
         index = outline__patch_beside(work, side, index, station);
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        if ((j > INT64_C(0)) && (j < stations - INT64_C(1)) && (station > (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START))) && (station < (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
+        if (j > 0 && j < stations - 1 && station > AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START) && station < AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))
         {
-            strip = int64_t_max(2, strip, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))));
-            while((strip <= (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST)))) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * strip + layout__SOLVED_STRIP_STATION)) < station))
+            strip = int64_max(strip, (int64_t)AT(work, patch + layout__PATCH_FIRST));
+            while (strip <= (int64_t)AT(work, patch + layout__PATCH_LAST) && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * strip + layout__SOLVED_STRIP_STATION) < station)
             {
-                strip += INT64_C(1);
+                strip += 1;
             }
             outline__straight_at(&half_length, &pressure, work, patch, strip, station);
         }
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
+        AT(work, outline + layout__OUTLINE_NUMBERS + j) = station;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (stations + j)) = half_length;
+        AT(work, outline + layout__OUTLINE_NUMBERS + (2 * stations + j)) = pressure;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The first patch from ``index`` on that does not end before ``station`` [m]; the last one if all do. */
 static inline int64_t outline__patch_beside(array_double_1d work, int64_t side, int64_t index, double station)
 {
-    while((index < (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1)) && (station > (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))))
+    while (index < (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) - 1 && station > AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))
     {
-        index += INT64_C(1);
+        index += 1;
     }
     return index;
 }
@@ -613,11 +584,10 @@ static inline int64_t outline__patch_beside(array_double_1d work, int64_t side, 
  */
 static inline double quadrature__bend_of(double before, double low, double high)
 {
-    double limit;
-    double bend;
+    double bend, limit;
     bend = 0.5 * (before - 2.0 * low + high);
     limit = 0.5 * (fabs(low) + fabs(high));
-    bend = double_max(2, double_min(2, bend, limit), -limit);
+    bend = double_max(double_min(bend, limit), -limit);
     return bend;
 }
 
@@ -630,45 +600,42 @@ static inline double quadrature__quadratic_value(double before, double low, doub
 }
 
 /* The loaded part [from, to] of a cell, as shares of it counted from its inner node. */
-static inline int64_t quadrature__cell_part(double* start, double* stop, double d_before, double d_low, double d_high)
+static inline void quadrature__cell_part(double* start_out, double* stop_out, double d_before, double d_low, double d_high)
 {
-    double bend;
-    double slope;
-    double spread;
-    double root;
-    (*start) = 0.0;
-    (*stop) = 1.0;
-    if ((d_low <= 0.0) && (d_high <= 0.0))
+    double start, stop, bend, slope, spread, root;
+    start = 0.0;
+    stop = 1.0;
+    if (d_low <= 0.0 && d_high <= 0.0)
     {
-        (*stop) = 0.0;
+        stop = 0.0;
     }
-    else if ((d_low <= 0.0) || (d_high <= 0.0))
+    else if (d_low <= 0.0 || d_high <= 0.0)
     {
         bend = quadrature__bend_of(d_before, d_low, d_high);
         slope = d_high - d_low - bend;
         /* the root between two values of opposite sign, in the form that does not cancel */
-        spread = double_max(2, slope * slope - 4.0 * bend * d_low, 0.0);
+        spread = double_max(slope * slope - 4.0 * bend * d_low, 0.0);
         spread = sqrt(spread);
         root = 0.0;
         if (d_low > 0.0)
         {
             root = 2.0 * d_low / (spread - slope);
-            (*stop) = root;
+            stop = root;
         }
         else
         {
-            root = (-2.0) * d_low / (spread + slope);
-            (*start) = root;
+            root = -2.0 * d_low / (spread + slope);
+            start = root;
         }
     }
-    return 0;
+    *start_out = start;
+    *stop_out = stop;
 }
 
 /* Integral over [0, stop] of the quadratic of ``bend_of``. */
 static inline double quadrature__quadratic_integral(double before, double low, double high, double stop)
 {
-    double bend;
-    double slope;
+    double bend, slope;
     bend = quadrature__bend_of(before, low, high);
     slope = high - low - bend;
     return stop * (low + stop * (slope / 2.0 + stop * bend / 3.0));
@@ -677,8 +644,7 @@ static inline double quadrature__quadratic_integral(double before, double low, d
 /* Integral over [0, stop] of x times the quadratic of ``bend_of``. */
 static inline double quadrature__quadratic_moment(double before, double low, double high, double stop)
 {
-    double bend;
-    double slope;
+    double bend, slope;
     bend = quadrature__bend_of(before, low, high);
     slope = high - low - bend;
     return stop * stop * (low / 2.0 + stop * (slope / 3.0 + stop * bend / 4.0));
@@ -693,19 +659,10 @@ static inline double quadrature__quadratic_moment(double before, double low, dou
  */
 static inline double quadrature__root_integral(double before, double low, double high, double start, double stop)
 {
-    double bend;
-    double slope;
-    double first;
-    double last;
-    double p;
-    double q;
-    double total;
-    double width;
-    double chord;
-    double cube;
+    double bend, slope, first, last, p, q, total, width, chord, cube;
     bend = quadrature__bend_of(before, low, high);
     slope = high - low - bend;
-    if (bend < (-quadrature__STRAIGHT) * (fabs(low) + fabs(high)))
+    if (bend < -quadrature__STRAIGHT * (fabs(low) + fabs(high)))
     {
         return quadrature__bent_integral(low, slope, bend, start, stop);
     }
@@ -728,7 +685,7 @@ static inline double quadrature__root_integral(double before, double low, double
 static inline double quadrature__quadratic_at(double low, double slope, double bend, double x)
 {
     double value;
-    value = double_max(2, low + x * (slope + x * bend), 0.0);
+    value = double_max(low + x * (slope + x * bend), 0.0);
     return value;
 }
 
@@ -739,19 +696,7 @@ static inline double quadrature__quadratic_at(double low, double slope, double b
  */
 static inline double quadrature__bent_integral(double low, double slope, double bend, double start, double stop)
 {
-    double first;
-    double last;
-    double spread;
-    double first_root;
-    double last_root;
-    double first_rate;
-    double last_rate;
-    double across;
-    double height;
-    double height_before;
-    double up;
-    double along;
-    double angle;
+    double first, last, spread, first_root, last_root, first_rate, last_rate, across, height, height_before, up, along, angle;
     first = quadrature__quadratic_at(low, slope, bend, start);
     last = quadrature__quadratic_at(low, slope, bend, stop);
     spread = slope * slope - 4.0 * bend * low;
@@ -777,5 +722,5 @@ static inline double quadrature__bent_integral(double low, double slope, double 
     {
         angle = circle__atan2(up, along);
     }
-    return (last_rate * last_root - first_rate * first_root) / (4.0 * bend) + spread / (8.0 * (-bend) * across) * angle;
+    return (last_rate * last_root - first_rate * first_root) / (4.0 * bend) + spread / (8.0 * -bend * across) * angle;
 }

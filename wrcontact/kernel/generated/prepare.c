@@ -11,7 +11,7 @@ static inline double prepare_curvatures__length_at(array_double_1d tables, int64
 static inline double prepare_curvatures__place_at_length(array_double_1d tables, int64_t profile, double length, array_double_1d work, int64_t scratch);
 static inline double prepare_curvatures__turned_curvature(array_double_1d tables, int64_t profile, double y, double step, double total, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_curvatures__write_curvatures(array_double_1d tables, int64_t base, int64_t profile, double sign, array_double_1d work, int64_t scratch);
-static inline int64_t prepare_curvatures__open_table(int64_t* cells, int64_t* result_1, array_double_1d tables, int64_t base, double start, double length);
+static inline void prepare_curvatures__open_table(int64_t* cells_out, int64_t* end_out, array_double_1d tables, int64_t base, double start, double length);
 static inline int64_t prepare_curvatures__write_cubic(array_double_1d tables, int64_t base, int64_t cell, double low, double high, double low_rise, double high_rise);
 static inline double prepare_curvatures__rail_speed(array_double_1d tables, int64_t rail, double abscissa);
 static inline int64_t prepare_curvatures__write_arcs(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch);
@@ -21,20 +21,28 @@ static inline int64_t prepare_curvatures__write_abscissae(array_double_1d tables
 static inline int64_t prepare_pieces__write_quintic(array_double_1d tables, int64_t at, double low, double high, double z_low, double slope_low, double bend_low, double z_high, double slope_high, double bend_high);
 static inline bool prepare_pieces__follows_zone(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double low, double high);
 static inline int64_t prepare_pieces__write_refined(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double start, double stop, array_double_1d work, int64_t scratch);
+static inline double prepare_pieces__height_step(array_double_1d zones, int64_t before, int64_t after);
 static inline bool prepare_pieces__steps(array_double_1d zones, int64_t before, int64_t after);
+static inline double prepare_pieces__corner_width(array_double_1d zones, int64_t before, int64_t after);
+static inline int64_t prepare_pieces__write_corner(array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t after, double width);
+static inline int64_t prepare_pieces__write_moved(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double low, double high, double first, double last);
 static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t after, double low, double high);
+static inline double prepare_pieces__repair_end(array_double_1d zones, int64_t row, double width);
+static inline void prepare_pieces__write_start(int64_t* at_out, double* inner_out, array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t row);
+static inline int64_t prepare_pieces__write_stop(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, int64_t after, double last);
+static inline double prepare_pieces__followed_end(array_double_1d zones, int64_t row, int64_t after);
 static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t at, array_double_1d zones, int64_t base, int64_t index, array_double_1d work, int64_t scratch);
-static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t first, int64_t end);
 static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int64_t base, array_double_1d zones, int64_t definition, double nowhere, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t first, int64_t end);
 
 /* prepare/scan.py */
 static inline int64_t prepare_scan__first_piece(array_double_1d tables, int64_t base);
 static inline int64_t prepare_scan__piece_count(array_double_1d tables, int64_t base);
 static inline double prepare_scan__piece_width(array_double_1d tables, int64_t base, int64_t at);
-static inline int64_t prepare_scan__slope_bend(double* slope, double* bend, array_double_1d tables, int64_t at, double u);
-static inline int64_t prepare_scan__piece_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t at, double width, double low, double high);
+static inline void prepare_scan__slope_bend(double* slope_out, double* bend_out, array_double_1d tables, int64_t at, double u);
+static inline void prepare_scan__piece_range(double* least_out, double* most_out, double* steepest_out, array_double_1d tables, int64_t at, double width, double low, double high);
 static inline int64_t prepare_scan__sample_pieces(array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch);
-static inline int64_t prepare_scan__bend_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high);
+static inline void prepare_scan__bend_range(double* least_out, double* most_out, double* steepest_out, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high);
 static inline int64_t prepare_scan__coarse_count(double start, double stop);
 static inline double prepare_scan__raster_place(double start, double stop, int64_t count, int64_t i);
 static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t pair, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts);
@@ -44,11 +52,11 @@ static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, in
 static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_double_1d tables, int64_t pair, int64_t at, array_double_1d work);
 
 /* prepare/scan_bends.py */
-static inline int64_t prepare_scan_bends__third_fourth(double* result_0, double* result_1, array_double_1d tables, int64_t at, double u);
+static inline void prepare_scan_bends__third_fourth(double* out_0, double* out_1, array_double_1d tables, int64_t at, double u);
 static inline double prepare_scan_bends__largest_fourth(array_double_1d tables, int64_t at, double low, double high);
 static inline double prepare_scan_bends__piece_departure(array_double_1d tables, int64_t at, double low, double high, double value, double rise);
 static inline int64_t prepare_scan_bends__write_departures(array_double_1d tables, int64_t pair, int64_t scan);
-static inline int64_t prepare_scan_bends__jumps_after(double* result_0, double* result_1, array_double_1d tables, int64_t base, int64_t at);
+static inline void prepare_scan_bends__jumps_after(double* out_0, double* out_1, array_double_1d tables, int64_t base, int64_t at);
 static inline int64_t prepare_scan_bends__write_joints(array_double_1d tables, int64_t pair, int64_t scan, int64_t at);
 static inline int64_t prepare_scan_bends__write_waves(array_double_1d tables, int64_t pair, int64_t scan);
 static inline int64_t prepare_scan_bends__write_scan_bends(array_double_1d tables, int64_t pair, int64_t at);
@@ -57,11 +65,11 @@ static inline int64_t prepare_scan_bends__write_scan_bends(array_double_1d table
 static inline int64_t prepare_tables__fixed_table(array_double_1d fixed, int64_t index);
 static inline int64_t prepare_tables__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index);
 static inline int64_t prepare_tables__append_waves(array_double_1d tables, int64_t at, int64_t count);
-static inline int64_t prepare_tables__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x);
+static inline void prepare_tables__parabola_weights(double* out_0, double* out_1, double* out_2, double low, double middle, double high, double x);
+static inline int64_t prepare_tables__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio);
 static inline int64_t prepare_tables__write_shapes(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
 static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
 static inline int64_t prepare_tables__write_corrections(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
-static inline int64_t prepare_tables__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio);
 static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at);
 static inline int64_t prepare_tables__write_springs(array_double_1d setup, array_double_1d tables);
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables);
@@ -72,37 +80,38 @@ static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_do
 static inline int64_t prepare_tables__write_common(array_double_1d setup, array_double_1d tables, array_double_1d fixed);
 static inline int64_t prepare_tables__write_right(array_double_1d setup, array_double_1d tables, int64_t at, array_double_1d wheel, array_double_1d rail, array_double_1d work);
 static inline int64_t prepare_tables__write_left(array_double_1d setup, array_double_1d tables, int64_t at, array_double_1d wheel, array_double_1d rail, array_double_1d work, bool equal_wheels, bool equal_rails);
-static inline bool prepare_tables__same_numbers(array_double_1d one, array_double_1d other);
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel, array_double_1d rail, array_double_1d left_wheel, array_double_1d left_rail, array_double_1d fixed, array_double_1d tables, array_double_1d work);
+static inline bool prepare_tables__same_numbers(array_double_1d one, array_double_1d other);
 static inline bool prepare_tables__equal_sides(array_double_1d tables);
 static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row);
 static inline int64_t prepare_tables__note_start(array_double_1d work, array_double_1d tables, int64_t row, int64_t status);
-static inline int64_t prepare_tables__mirror_starts(array_double_1d tables);
 static inline int64_t prepare_tables__open_starts(array_double_1d tables);
+static inline int64_t prepare_tables__mirror_starts(array_double_1d tables);
 
 /* prepare/waves.py */
 static inline double prepare_waves__wave(int64_t m, int64_t i, int64_t count);
-static inline int64_t prepare_waves__write_strip(array_double_1d tables, int64_t waves, int64_t i, int64_t count);
 static inline int64_t prepare_waves__write_waves(array_double_1d tables, int64_t waves, int64_t count);
+static inline int64_t prepare_waves__write_strip(array_double_1d tables, int64_t waves, int64_t i, int64_t count);
 
 /* prepare/zones.py */
-static inline int64_t prepare_zones__polynomial_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t);
-static inline int64_t prepare_zones__arc_jet(double* z, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
-static inline int64_t prepare_zones__upright_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t);
-static inline int64_t prepare_zones__turned_point(double* result_0, double* result_1, array_double_1d zones, int64_t row, double t, double cosine, double sine);
+static inline void prepare_zones__polynomial_jet(double* z_out, double* slope_out, double* bend_out, array_double_1d zones, int64_t row, double t);
+static inline void prepare_zones__arc_jet(double* z_out, double* out_1, double* out_2, array_double_1d zones, int64_t row, double y);
+static inline void prepare_zones__upright_jet(double* z_out, double* slope_out, double* bend_out, array_double_1d zones, int64_t row, double t);
+static inline void prepare_zones__turned_point(double* out_0, double* out_1, array_double_1d zones, int64_t row, double t, double cosine, double sine);
 static inline double prepare_zones__clamped(double x, double low, double high);
-static inline int64_t prepare_zones__turned_jet(double* result_0, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y);
-static inline int64_t prepare_zones__zone_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double y);
+static inline void prepare_zones__turned_jet(double* out_0, double* out_1, double* out_2, array_double_1d zones, int64_t row, double y);
+static inline void prepare_zones__zone_jet(double* z_out, double* slope_out, double* bend_out, array_double_1d zones, int64_t row, double y);
 static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double cosine, double sine);
 static inline double prepare_zones__level_place(array_double_1d zones, int64_t row, double cosine, double sine);
-static inline int64_t prepare_zones__highest_point(double* y_top, double* z_top, array_double_1d zones, int64_t base, double angle);
+static inline void prepare_zones__highest_point(double* y_top_out, double* z_top_out, array_double_1d zones, int64_t base, double angle);
 static inline double prepare_zones__place_at_depth(array_double_1d zones, int64_t row, double cosine, double sine, double depth);
-static inline int64_t prepare_zones__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth);
+static inline void prepare_zones__inner_face(double* out_0, double* deepest_out, array_double_1d zones, int64_t base, double angle, double depth);
 static inline int64_t prepare_zones__turn_arc(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift);
 static inline int64_t prepare_zones__turn_polynomial(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift);
 static inline int64_t prepare_zones__turn_zones(array_double_1d zones, int64_t base, double angle, double y_shift, double z_shift);
-static inline bool prepare_zones__meets_next(array_double_1d zones, int64_t row, int64_t size);
 static inline int64_t prepare_zones__keep_around_top(array_double_1d zones, int64_t base);
+static inline int64_t prepare_zones__close_joints(array_double_1d zones, int64_t base);
+static inline bool prepare_zones__meets_next(array_double_1d zones, int64_t row, int64_t size);
 
 
 /* ---- From prepare/curvatures.py; change that one.
@@ -124,15 +133,7 @@ static inline int64_t prepare_zones__keep_around_top(array_double_1d zones, int6
  */
 static inline double prepare_curvatures__circle_curvature(double n00, double n01, double n02, double n11, double n12, double n22, double r0, double r1, double r2)
 {
-    double l01;
-    double l02;
-    double m11;
-    double m12;
-    double s1;
-    double l12;
-    double c;
-    double b;
-    double a;
+    double l01, l02, m11, m12, s1, l12, c, b, a;
     l01 = n01 / n00;
     l02 = n02 / n00;
     m11 = n11 - l01 * n01;
@@ -148,31 +149,10 @@ static inline double prepare_curvatures__circle_curvature(double n00, double n01
 /* Curvature [1/m] of the circle fitted to the profile over y - reach ... y + reach, at ``y`` [m]. */
 static inline double prepare_curvatures__fitted_curvature(array_double_1d tables, int64_t profile, double y, double reach)
 {
-    double low;
-    double high;
-    double z_0;
-    double slope;
-    double cosine;
-    double sine;
-    double n00;
-    double n01;
-    double n02;
-    double n11;
-    double n12;
-    double n22;
-    double r0;
-    double r1;
-    double r2;
+    double low, high, z_0, slope, cosine, sine, n00, n01, n02, n11, n12, n22, r0, r1, r2, at, z, across, down, u, v, w;
     int64_t k;
-    double at;
-    double z;
-    double across;
-    double down;
-    double u;
-    double v;
-    double w;
-    low = double_max(2, y - reach, (*cspan_at(&tables, profile + layout__PROFILE_START)));
-    high = double_min(2, y + reach, (*cspan_at(&tables, profile + layout__PROFILE_STOP)));
+    low = double_max(y - reach, AT(tables, profile + layout__PROFILE_START));
+    high = double_min(y + reach, AT(tables, profile + layout__PROFILE_STOP));
     tables__height_slope(&z_0, &slope, tables, profile, y);
     cosine = 1.0 / sqrt(1.0 + slope * slope);
     sine = slope * cosine;
@@ -185,9 +165,9 @@ static inline double prepare_curvatures__fitted_curvature(array_double_1d tables
     r0 = 0.0;
     r1 = 0.0;
     r2 = 0.0;
-    for (k = INT64_C(0); k < prepare_curvatures__SAMPLES; k += INT64_C(1))
+    for (k = 0; k < prepare_curvatures__SAMPLES; k += 1)
     {
-        at = low + (high - low) * ((double)(k) / (double)(prepare_curvatures__SAMPLES - INT64_C(1)));
+        at = low + (high - low) * ((double)k / (double)(prepare_curvatures__SAMPLES - 1));
         tables__height_slope(&z, &slope, tables, profile, at);
         across = at - y;
         down = z - z_0;
@@ -210,43 +190,40 @@ static inline double prepare_curvatures__fitted_curvature(array_double_1d tables
 /* Nodes and weights of Gauss's formula into scratch. */
 static inline int64_t prepare_curvatures__write_gauss(array_double_1d work, int64_t scratch)
 {
-    (*cspan_at(&work, scratch + INT64_C(0))) = -0.9739065285171717;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(0))) = 0.06667134430868814;
-    (*cspan_at(&work, scratch + INT64_C(1))) = -0.8650633666889845;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(1))) = 0.1494513491505804;
-    (*cspan_at(&work, scratch + INT64_C(2))) = -0.6794095682990244;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(2))) = 0.219086362515982;
-    (*cspan_at(&work, scratch + INT64_C(3))) = -0.4333953941292472;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(3))) = 0.2692667193099965;
-    (*cspan_at(&work, scratch + INT64_C(4))) = -0.14887433898163122;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(4))) = 0.2955242247147528;
-    (*cspan_at(&work, scratch + INT64_C(5))) = 0.14887433898163122;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(5))) = 0.2955242247147528;
-    (*cspan_at(&work, scratch + INT64_C(6))) = 0.4333953941292472;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(6))) = 0.2692667193099965;
-    (*cspan_at(&work, scratch + INT64_C(7))) = 0.6794095682990244;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(7))) = 0.219086362515982;
-    (*cspan_at(&work, scratch + INT64_C(8))) = 0.8650633666889845;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(8))) = 0.1494513491505804;
-    (*cspan_at(&work, scratch + INT64_C(9))) = 0.9739065285171717;
-    (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + INT64_C(9))) = 0.06667134430868814;
-    return INT64_C(0);
+    AT(work, scratch + 0) = -0.9739065285171717;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 0) = 0.06667134430868814;
+    AT(work, scratch + 1) = -0.8650633666889845;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 1) = 0.1494513491505804;
+    AT(work, scratch + 2) = -0.6794095682990244;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 2) = 0.219086362515982;
+    AT(work, scratch + 3) = -0.4333953941292472;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 3) = 0.2692667193099965;
+    AT(work, scratch + 4) = -0.14887433898163122;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 4) = 0.2955242247147528;
+    AT(work, scratch + 5) = 0.14887433898163122;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 5) = 0.2955242247147528;
+    AT(work, scratch + 6) = 0.4333953941292472;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 6) = 0.2692667193099965;
+    AT(work, scratch + 7) = 0.6794095682990244;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 7) = 0.219086362515982;
+    AT(work, scratch + 8) = 0.8650633666889845;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 8) = 0.1494513491505804;
+    AT(work, scratch + 9) = 0.9739065285171717;
+    AT(work, scratch + prepare_curvatures__GAUSS_POINTS + 9) = 0.06667134430868814;
+    return 0;
 }
 
 /* Arc length [m] from ``low`` to ``high`` [m], which lie in one piece. */
 static inline double prepare_curvatures__arc_panel(array_double_1d tables, int64_t profile, double low, double high, array_double_1d work, int64_t scratch)
 {
-    double half;
-    double total;
+    double half, total, z, slope;
     int64_t k;
-    double z;
-    double slope;
     half = 0.5 * (high - low);
     total = 0.0;
-    for (k = INT64_C(0); k < prepare_curvatures__GAUSS_POINTS; k += INT64_C(1))
+    for (k = 0; k < prepare_curvatures__GAUSS_POINTS; k += 1)
     {
-        tables__height_slope(&z, &slope, tables, profile, 0.5 * (low + high) + half * (*cspan_at(&work, scratch + k)));
-        total += sqrt(1.0 + slope * slope) * (*cspan_at(&work, scratch + prepare_curvatures__GAUSS_POINTS + k));
+        tables__height_slope(&z, &slope, tables, profile, 0.5 * (low + high) + half * AT(work, scratch + k));
+        total += sqrt(1.0 + slope * slope) * AT(work, scratch + prepare_curvatures__GAUSS_POINTS + k);
     }
     return half * total;
 }
@@ -256,21 +233,19 @@ static inline double prepare_curvatures__arc_panel(array_double_1d tables, int64
  */
 static inline double prepare_curvatures__write_lengths(array_double_1d tables, int64_t profile, array_double_1d work, int64_t scratch)
 {
-    int64_t first;
-    int64_t lengths;
-    int64_t i;
-    int64_t at;
     double total;
+    int64_t first, lengths, i, at, i_end;
     prepare_curvatures__write_gauss(work, scratch);
     total = 0.0;
     first = prepare_scan__first_piece(tables, profile);
-    lengths = scratch + INT64_C(2) * prepare_curvatures__GAUSS_POINTS;
-    (*cspan_at(&work, lengths)) = 0.0;
-    for (i = INT64_C(0); i < prepare_scan__piece_count(tables, profile); i += INT64_C(1))
+    lengths = scratch + 2 * prepare_curvatures__GAUSS_POINTS;
+    AT(work, lengths) = 0.0;
+    i_end = prepare_scan__piece_count(tables, profile);
+    for (i = 0; i < i_end; i += 1)
     {
         at = first + layout__PIECE_SIZE * i;
-        total += prepare_curvatures__arc_panel(tables, profile, (*cspan_at(&tables, at)), (*cspan_at(&tables, at)) + prepare_scan__piece_width(tables, profile, at), work, scratch);
-        (*cspan_at(&work, lengths + i + INT64_C(1))) = total;
+        total += prepare_curvatures__arc_panel(tables, profile, AT(tables, at), AT(tables, at) + prepare_scan__piece_width(tables, profile, at), work, scratch);
+        AT(work, lengths + i + 1) = total;
     }
     return total;
 }
@@ -278,18 +253,14 @@ static inline double prepare_curvatures__write_lengths(array_double_1d tables, i
 /* Arc length [m] at ``y`` [m]. */
 static inline double prepare_curvatures__length_at(array_double_1d tables, int64_t profile, double y, array_double_1d work, int64_t scratch)
 {
-    int64_t first;
-    int64_t low;
-    int64_t high;
-    int64_t middle;
-    double result;
+    int64_t first, low, high, middle;
     first = prepare_scan__first_piece(tables, profile);
-    low = INT64_C(0);
+    low = 0;
     high = prepare_scan__piece_count(tables, profile);
-    while(high - low > INT64_C(1))
+    while (high - low > 1)
     {
-        middle = py_floor_div_int64_t((low + high), INT64_C(2));
-        if ((*cspan_at(&tables, first + layout__PIECE_SIZE * middle)) <= y)
+        middle = floor_div(low + high, 2);
+        if (AT(tables, first + layout__PIECE_SIZE * middle) <= y)
         {
             low = middle;
         }
@@ -298,34 +269,21 @@ static inline double prepare_curvatures__length_at(array_double_1d tables, int64
             high = middle;
         }
     }
-    result = (*cspan_at(&work, scratch + INT64_C(2) * prepare_curvatures__GAUSS_POINTS + low)) + prepare_curvatures__arc_panel(tables, profile, (*cspan_at(&tables, first + layout__PIECE_SIZE * low)), y, work, scratch);
-    return result;
+    return AT(work, scratch + 2 * prepare_curvatures__GAUSS_POINTS + low) + prepare_curvatures__arc_panel(tables, profile, AT(tables, first + layout__PIECE_SIZE * low), y, work, scratch);
 }
 
 /* Abscissa [m] at arc length ``length`` [m]: Newton's method within the piece that holds it. */
 static inline double prepare_curvatures__place_at_length(array_double_1d tables, int64_t profile, double length, array_double_1d work, int64_t scratch)
 {
-    int64_t lengths;
-    int64_t piece;
-    int64_t end;
-    int64_t middle;
-    int64_t at;
-    double low;
-    double high;
-    double share;
-    int64_t i;
-    double before;
-    double missing;
-    double z;
-    double slope;
-    double y;
-    lengths = scratch + INT64_C(2) * prepare_curvatures__GAUSS_POINTS;
-    piece = INT64_C(0);
+    int64_t lengths, piece, end, middle, at, i;
+    double low, high, share, y, before, missing, z, slope;
+    lengths = scratch + 2 * prepare_curvatures__GAUSS_POINTS;
+    piece = 0;
     end = prepare_scan__piece_count(tables, profile);
-    while(end - piece > INT64_C(1))
+    while (end - piece > 1)
     {
-        middle = py_floor_div_int64_t((piece + end), INT64_C(2));
-        if ((*cspan_at(&work, lengths + middle)) <= length)
+        middle = floor_div(piece + end, 2);
+        if (AT(work, lengths + middle) <= length)
         {
             piece = middle;
         }
@@ -335,18 +293,18 @@ static inline double prepare_curvatures__place_at_length(array_double_1d tables,
         }
     }
     at = prepare_scan__first_piece(tables, profile) + layout__PIECE_SIZE * piece;
-    low = (*cspan_at(&tables, at));
+    low = AT(tables, at);
     high = low + prepare_scan__piece_width(tables, profile, at);
-    share = (length - (*cspan_at(&work, lengths + piece))) / ((*cspan_at(&work, lengths + piece + INT64_C(1))) - (*cspan_at(&work, lengths + piece)));
+    share = (length - AT(work, lengths + piece)) / (AT(work, lengths + piece + 1) - AT(work, lengths + piece));
     y = low + share * (high - low);
-    i = INT64_C(0);
-    while(i < prepare_curvatures__ARC_ITERATIONS)
+    i = 0;
+    while (i < prepare_curvatures__ARC_ITERATIONS)
     {
         before = y;
-        missing = length - (*cspan_at(&work, lengths + piece)) - prepare_curvatures__arc_panel(tables, profile, low, y, work, scratch);
+        missing = length - AT(work, lengths + piece) - prepare_curvatures__arc_panel(tables, profile, low, y, work, scratch);
         tables__height_slope(&z, &slope, tables, profile, y);
-        y = double_min(2, double_max(2, y + missing / sqrt(1.0 + slope * slope), low), high);
-        i += INT64_C(1);
+        y = double_min(double_max(y + missing / sqrt(1.0 + slope * slope), low), high);
+        i += 1;
         if (fabs(y - before) <= prepare_curvatures__ARC_SHARP)
         {
             i = prepare_curvatures__ARC_ITERATIONS;
@@ -360,16 +318,9 @@ static inline double prepare_curvatures__place_at_length(array_double_1d tables,
  */
 static inline double prepare_curvatures__turned_curvature(array_double_1d tables, int64_t profile, double y, double step, double total, array_double_1d work, int64_t scratch)
 {
-    double middle;
-    double y_0;
-    double y_1;
-    double y_2;
-    double z_0;
-    double slope;
-    double z_1;
-    double z_2;
-    step = double_min(2, step, 0.5 * total);
-    middle = double_min(2, double_max(2, prepare_curvatures__length_at(tables, profile, y, work, scratch), step), total - step);
+    double middle, y_0, y_1, y_2, z_0, slope, z_1, z_2;
+    step = double_min(step, 0.5 * total);
+    middle = double_min(double_max(prepare_curvatures__length_at(tables, profile, y, work, scratch), step), total - step);
     y_0 = prepare_curvatures__place_at_length(tables, profile, middle - step, work, scratch);
     y_1 = prepare_curvatures__place_at_length(tables, profile, middle, work, scratch);
     y_2 = prepare_curvatures__place_at_length(tables, profile, middle + step, work, scratch);
@@ -382,24 +333,12 @@ static inline double prepare_curvatures__turned_curvature(array_double_1d tables
 /* What the chosen lateral curvature reads of a profile, at ``base``; the offset after it, or FULL. */
 static inline int64_t prepare_curvatures__write_curvatures(array_double_1d tables, int64_t base, int64_t profile, double sign, array_double_1d work, int64_t scratch)
 {
-    int64_t kind;
-    double step;
-    double reach;
-    double scale;
-    double start;
-    double stop;
-    int64_t count;
-    int64_t table;
-    int64_t first;
-    double total;
-    double distance;
-    int64_t i;
-    double y;
-    double curvature;
-    kind = (int64_t)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE)));
-    step = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CURVATURE_STEP));
-    reach = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CURVATURE_REACH));
-    if ((kind != layout__LATERAL_SMOOTH) && (kind != layout__LATERAL_ROUGH))
+    int64_t kind, count, table, first, i;
+    double step, reach, scale, start, stop, total, distance, y, curvature;
+    kind = (int64_t)AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE);
+    step = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CURVATURE_STEP);
+    reach = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CURVATURE_REACH);
+    if (kind != layout__LATERAL_SMOOTH && kind != layout__LATERAL_ROUGH)
     {
         return base;
     }
@@ -408,28 +347,28 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
     {
         scale = reach;
     }
-    start = (*cspan_at(&tables, profile + layout__PROFILE_START));
-    stop = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
-    count = whole__rounded_up((stop - start) / double_min(2, double_max(2, prepare_curvatures__RASTER_SHARE * scale, prepare_curvatures__FINEST), prepare_curvatures__COARSEST)) + INT64_C(1);
+    start = AT(tables, profile + layout__PROFILE_START);
+    stop = AT(tables, profile + layout__PROFILE_STOP);
+    count = whole__rounded_up((stop - start) / double_min(double_max(prepare_curvatures__RASTER_SHARE * scale, prepare_curvatures__FINEST), prepare_curvatures__COARSEST)) + 1;
     table = base;
     first = table + layout__CURVATURE_TABLE_CURVATURES;
-    if (first + count > (int64_t)tables.shape[INT64_C(0)])
+    if (first + count > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
-    (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) = (double)(count);
-    (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START)) = start;
-    (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)) = (double)(count - INT64_C(1)) / (stop - start);
+    AT(tables, table + layout__CURVATURE_TABLE_COUNT) = (double)count;
+    AT(tables, table + layout__CURVATURE_TABLE_START) = start;
+    AT(tables, table + layout__CURVATURE_TABLE_PER_METRE) = (double)(count - 1) / (stop - start);
     total = 0.0;
     if (kind == layout__LATERAL_ROUGH)
     {
         total = prepare_curvatures__write_lengths(tables, profile, work, scratch);
     }
-    distance = (stop - start) / (double)(count - INT64_C(1));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    distance = (stop - start) / (double)(count - 1);
+    for (i = 0; i < count; i += 1)
     {
-        y = (double)(i) * distance + start;
-        if (i + INT64_C(1) == count)
+        y = (double)i * distance + start;
+        if (i + 1 == count)
         {
             y = stop;
         }
@@ -442,7 +381,7 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
         {
             curvature = prepare_curvatures__turned_curvature(tables, profile, y, step, total, work, scratch);
         }
-        (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + i)) = sign * curvature;
+        AT(tables, table + layout__CURVATURE_TABLE_CURVATURES + i) = sign * curvature;
     }
     return first + count;
 }
@@ -450,23 +389,23 @@ static inline int64_t prepare_curvatures__write_curvatures(array_double_1d table
 /* A table of cubics over ``length`` [m] from ``start`` [m] on, at ``base``; its number of cells and the
  * offset after it, or FULL.
  */
-static inline int64_t prepare_curvatures__open_table(int64_t* cells, int64_t* result_1, array_double_1d tables, int64_t base, double start, double length)
+static inline void prepare_curvatures__open_table(int64_t* cells_out, int64_t* end_out, array_double_1d tables, int64_t base, double start, double length)
 {
-    int64_t table;
-    int64_t end;
-    (*cells) = whole__rounded_up(length / prepare_curvatures__ARC_STEP);
+    int64_t cells, table, end;
+    cells = whole__rounded_up(length / prepare_curvatures__ARC_STEP);
     table = base;
-    end = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * (*cells);
-    if (end > (int64_t)tables.shape[INT64_C(0)])
+    end = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cells;
+    if (end > tables.shape[0])
     {
-        (*result_1) = prepare_pieces__FULL;
-        return 0;
+        *cells_out = cells;
+        *end_out = prepare_pieces__FULL;
+        return;
     }
-    (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)) = (double)((*cells));
-    (*cspan_at(&tables, table + layout__CUBIC_TABLE_START)) = start;
-    (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)) = (double)((*cells)) / length;
-    (*result_1) = end;
-    return 0;
+    AT(tables, table + layout__CUBIC_TABLE_COUNT) = (double)cells;
+    AT(tables, table + layout__CUBIC_TABLE_START) = start;
+    AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT) = (double)cells / length;
+    *cells_out = cells;
+    *end_out = end;
 }
 
 /* Cell ``cell`` of the table at ``base``, with these values at its ends, and slopes per cell. */
@@ -476,18 +415,17 @@ static inline int64_t prepare_curvatures__write_cubic(array_double_1d tables, in
     double rise;
     cubic = base + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
     rise = high - low;
-    (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) = low;
-    (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) = low_rise;
-    (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) = 3.0 * rise - 2.0 * low_rise - high_rise;
-    (*cspan_at(&tables, cubic + layout__CUBIC_THIRD)) = low_rise + high_rise - 2.0 * rise;
-    return INT64_C(0);
+    AT(tables, cubic + layout__CUBIC_VALUE) = low;
+    AT(tables, cubic + layout__CUBIC_SLOPE) = low_rise;
+    AT(tables, cubic + layout__CUBIC_BEND) = 3.0 * rise - 2.0 * low_rise - high_rise;
+    AT(tables, cubic + layout__CUBIC_THIRD) = low_rise + high_rise - 2.0 * rise;
+    return 0;
 }
 
 /* Arc length per abscissa of the rail [-]. */
 static inline double prepare_curvatures__rail_speed(array_double_1d tables, int64_t rail, double abscissa)
 {
-    double height;
-    double slope;
+    double height, slope;
     tables__height_slope(&height, &slope, tables, rail, abscissa);
     return sqrt(1.0 + slope * slope);
 }
@@ -495,34 +433,24 @@ static inline double prepare_curvatures__rail_speed(array_double_1d tables, int6
 /* The arc length of the rail over its abscissa, at ``base``; the offset after it, or FULL. */
 static inline int64_t prepare_curvatures__write_arcs(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch)
 {
-    double start;
-    double width;
-    int64_t cells;
-    int64_t end;
-    double total;
-    double step;
-    double low;
-    double low_rise;
-    int64_t cell;
-    double x;
-    double high;
-    double high_rise;
-    start = (*cspan_at(&tables, rail + layout__PROFILE_START));
-    width = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) - start;
+    double start, width, total, step, low, low_rise, x, high, high_rise;
+    int64_t cells, end, cell;
+    start = AT(tables, rail + layout__PROFILE_START);
+    width = AT(tables, rail + layout__PROFILE_STOP) - start;
     prepare_curvatures__open_table(&cells, &end, tables, base, start, width);
     if (end == prepare_pieces__FULL)
     {
         return prepare_pieces__FULL;
     }
     total = prepare_curvatures__write_lengths(tables, rail, work, scratch);
-    step = width / (double)(cells);
+    step = width / (double)cells;
     low = 0.0;
     low_rise = step * prepare_curvatures__rail_speed(tables, rail, start);
-    for (cell = INT64_C(0); cell < cells; cell += INT64_C(1))
+    for (cell = 0; cell < cells; cell += 1)
     {
-        x = start + step * (double)(cell + INT64_C(1));
+        x = start + step * (double)(cell + 1);
         high = total;
-        if (cell + INT64_C(1) < cells)
+        if (cell + 1 < cells)
         {
             high = prepare_curvatures__length_at(tables, rail, x, work, scratch);
         }
@@ -537,32 +465,24 @@ static inline int64_t prepare_curvatures__write_arcs(array_double_1d tables, int
 /* The abscissa of the rail over its arc length, at ``base``; the offset after it, or FULL. */
 static inline int64_t prepare_curvatures__write_abscissae(array_double_1d tables, int64_t base, int64_t rail, array_double_1d work, int64_t scratch)
 {
-    double start;
-    double total;
-    int64_t cells;
-    int64_t end;
-    double step;
-    double low;
-    double low_rise;
-    int64_t cell;
-    double high;
-    double high_rise;
-    start = (*cspan_at(&tables, rail + layout__PROFILE_START));
+    double start, total, step, low, low_rise, high, high_rise;
+    int64_t cells, end, cell;
+    start = AT(tables, rail + layout__PROFILE_START);
     total = prepare_curvatures__write_lengths(tables, rail, work, scratch);
     prepare_curvatures__open_table(&cells, &end, tables, base, 0.0, total);
     if (end == prepare_pieces__FULL)
     {
         return prepare_pieces__FULL;
     }
-    step = total / (double)(cells);
+    step = total / (double)cells;
     low = start;
     low_rise = step / prepare_curvatures__rail_speed(tables, rail, start);
-    for (cell = INT64_C(0); cell < cells; cell += INT64_C(1))
+    for (cell = 0; cell < cells; cell += 1)
     {
-        high = (*cspan_at(&tables, rail + layout__PROFILE_STOP));
-        if (cell + INT64_C(1) < cells)
+        high = AT(tables, rail + layout__PROFILE_STOP);
+        if (cell + 1 < cells)
         {
-            high = prepare_curvatures__place_at_length(tables, rail, step * (double)(cell + INT64_C(1)), work, scratch);
+            high = prepare_curvatures__place_at_length(tables, rail, step * (double)(cell + 1), work, scratch);
         }
         high_rise = step / prepare_curvatures__rail_speed(tables, rail, high);
         prepare_curvatures__write_cubic(tables, base, cell, low, high, low_rise, high_rise);
@@ -581,6 +501,9 @@ static inline int64_t prepare_curvatures__write_abscissae(array_double_1d tables
  * are ends of pieces, so a jump of the curvature stays where the standard has it. Where the printed coefficients
  * leave a step in height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to
  * their mean over REPAIR_WIDTH. Otherwise the contact would stay at an edge that no real wheel has.
+ *
+ * Where the angle of two zones differs is a corner. It is rounded by one piece: the search for contacts, and
+ * every model of them, needs a curvature.
  */
 
 /* The quintic with given height, slope and second derivative at both ends, into
@@ -590,69 +513,51 @@ static inline int64_t prepare_curvatures__write_abscissae(array_double_1d tables
  */
 static inline int64_t prepare_pieces__write_quintic(array_double_1d tables, int64_t at, double low, double high, double z_low, double slope_low, double bend_low, double z_high, double slope_high, double bend_high)
 {
-    double h;
-    double c2;
-    double rest;
-    double slope;
-    double bend;
-    double cube;
+    double h, c2, rest, slope, bend, cube;
     h = high - low;
     c2 = 0.5 * bend_low;
     rest = z_high - (z_low + h * (slope_low + h * c2));
     slope = (slope_high - (slope_low + 2.0 * h * c2)) * h;
     bend = (bend_high - 2.0 * c2) * h * h;
     cube = h * h * h;
-    (*cspan_at(&tables, at)) = low;
-    (*cspan_at(&tables, at + INT64_C(1))) = z_low;
-    (*cspan_at(&tables, at + INT64_C(2))) = slope_low;
-    (*cspan_at(&tables, at + INT64_C(3))) = c2;
-    (*cspan_at(&tables, at + INT64_C(4))) = (10.0 * rest - 4.0 * slope + 0.5 * bend) / cube;
-    (*cspan_at(&tables, at + INT64_C(5))) = ((-15.0) * rest + 7.0 * slope - bend) / (cube * h);
-    (*cspan_at(&tables, at + INT64_C(6))) = (6.0 * rest - 3.0 * slope + 0.5 * bend) / (cube * h * h);
-    return INT64_C(0);
+    AT(tables, at) = low;
+    AT(tables, at + 1) = z_low;
+    AT(tables, at + 2) = slope_low;
+    AT(tables, at + 3) = c2;
+    AT(tables, at + 4) = (10.0 * rest - 4.0 * slope + 0.5 * bend) / cube;
+    AT(tables, at + 5) = (-15.0 * rest + 7.0 * slope - bend) / (cube * h);
+    AT(tables, at + 6) = (6.0 * rest - 3.0 * slope + 0.5 * bend) / (cube * h * h);
+    return 0;
 }
 
 /* Whether the piece at ``at`` follows the zone closely enough between ``low`` and ``high`` [mm]. */
 static inline bool prepare_pieces__follows_zone(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double low, double high)
 {
-    double c0;
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    double part;
-    int64_t i;
-    double y;
-    double u;
-    double z;
-    double slope;
-    double bend;
-    double height;
-    double own_bend;
+    double c0, c1, c2, c3, c4, c5, part, y, u, z, slope, bend, height, own_bend;
     bool good;
-    c0 = (*cspan_at(&tables, at + INT64_C(1)));
-    c1 = (*cspan_at(&tables, at + INT64_C(2)));
-    c2 = (*cspan_at(&tables, at + INT64_C(3)));
-    c3 = (*cspan_at(&tables, at + INT64_C(4)));
-    c4 = (*cspan_at(&tables, at + INT64_C(5)));
-    c5 = (*cspan_at(&tables, at + INT64_C(6)));
-    part = (high - low) / (double)(prepare_pieces__SEEN_PARTS);
-    good = 1;
-    for (i = INT64_C(1); i < prepare_pieces__SEEN_PARTS; i += INT64_C(1))
+    int64_t i;
+    c0 = AT(tables, at + 1);
+    c1 = AT(tables, at + 2);
+    c2 = AT(tables, at + 3);
+    c3 = AT(tables, at + 4);
+    c4 = AT(tables, at + 5);
+    c5 = AT(tables, at + 6);
+    part = (high - low) / (double)prepare_pieces__SEEN_PARTS;
+    good = true;
+    for (i = 1; i < prepare_pieces__SEEN_PARTS; i += 1)
     {
-        y = (double)(i) * part + low;
+        y = (double)i * part + low;
         u = y - low;
         prepare_zones__zone_jet(&z, &slope, &bend, zones, row, y);
         height = ((((c5 * u + c4) * u + c3) * u + c2) * u + c1) * u + c0;
         own_bend = ((c5 * 20.0 * u + c4 * 12.0) * u + c3 * 6.0) * u + c2 * 2.0;
         if (!(fabs(height - z) <= prepare_pieces__PIECE_ERROR))
         {
-            good = 0;
+            good = false;
         }
         if (!(fabs(own_bend - bend) / (1.0 + fabs(bend)) <= prepare_pieces__PIECE_BEND_ERROR))
         {
-            good = 0;
+            good = false;
         }
     }
     return good;
@@ -663,55 +568,110 @@ static inline bool prepare_pieces__follows_zone(array_double_1d tables, int64_t 
  */
 static inline int64_t prepare_pieces__write_refined(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double start, double stop, array_double_1d work, int64_t scratch)
 {
-    double low;
+    double low, high, z_low, slope_low, bend_low, z_high, slope_high, bend_high;
     int64_t waiting;
-    double high;
-    double z_low;
-    double slope_low;
-    double bend_low;
-    double z_high;
-    double slope_high;
-    double bend_high;
     low = start;
-    waiting = INT64_C(1);
-    (*cspan_at(&work, scratch)) = stop;
-    while(waiting > INT64_C(0))
+    waiting = 1;
+    AT(work, scratch) = stop;
+    while (waiting > 0)
     {
-        high = (*cspan_at(&work, scratch + waiting - INT64_C(1)));
-        if (at + INT64_C(2) * layout__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+        high = AT(work, scratch + waiting - 1);
+        if (at + 2 * layout__PIECE_SIZE > tables.shape[0])
         {
             return prepare_pieces__FULL;
         }
         prepare_zones__zone_jet(&z_low, &slope_low, &bend_low, zones, row, low);
         prepare_zones__zone_jet(&z_high, &slope_high, &bend_high, zones, row, high);
         prepare_pieces__write_quintic(tables, at, low, high, z_low, slope_low, bend_low, z_high, slope_high, bend_high);
-        if ((high - low < 2.0 * prepare_pieces__SHORTEST_PIECE) || (waiting == prepare_pieces__HALVINGS) || prepare_pieces__follows_zone(tables, at, zones, row, low, high))
+        if (high - low < 2.0 * prepare_pieces__SHORTEST_PIECE || waiting == prepare_pieces__HALVINGS || prepare_pieces__follows_zone(tables, at, zones, row, low, high))
         {
             at += layout__PIECE_SIZE;
             low = high;
-            waiting -= INT64_C(1);
+            waiting -= 1;
         }
         else
         {
-            (*cspan_at(&work, scratch + waiting)) = 0.5 * (low + high);
-            waiting += INT64_C(1);
+            AT(work, scratch + waiting) = 0.5 * (low + high);
+            waiting += 1;
         }
     }
     return at;
 }
 
+/* How much larger the height of the second of two zones is where it starts [mm]. */
+static inline double prepare_pieces__height_step(array_double_1d zones, int64_t before, int64_t after)
+{
+    double y, z_before, slope, bend, z_after;
+    y = AT(zones, after + prepare_zones__ZONE_START);
+    prepare_zones__zone_jet(&z_before, &slope, &bend, zones, before, y);
+    prepare_zones__zone_jet(&z_after, &slope, &bend, zones, after, y);
+    return z_after - z_before;
+}
+
 /* Whether the heights of two zones differ where the second starts. */
 static inline bool prepare_pieces__steps(array_double_1d zones, int64_t before, int64_t after)
 {
-    double y;
-    double z_before;
-    double slope;
-    double bend;
-    double z_after;
-    y = (*cspan_at(&zones, after + prepare_zones__ZONE_START));
-    prepare_zones__zone_jet(&z_before, &slope, &bend, zones, before, y);
-    prepare_zones__zone_jet(&z_after, &slope, &bend, zones, after, y);
-    return fabs(z_before - z_after) > prepare_pieces__REPAIRED_STEP;
+    return fabs(prepare_pieces__height_step(zones, before, after)) > prepare_pieces__REPAIRED_STEP;
+}
+
+/* The width [mm] on either side over which the corner between two zones is rounded; 0 where there is
+ * none.
+ */
+static inline double prepare_pieces__corner_width(array_double_1d zones, int64_t before, int64_t after)
+{
+    double y, z, slope, bend, other, turn, width, steep;
+    y = AT(zones, after + prepare_zones__ZONE_START);
+    prepare_zones__zone_jet(&z, &slope, &bend, zones, before, y);
+    prepare_zones__zone_jet(&z, &other, &bend, zones, after, y);
+    turn = fabs(circle__atan(other) - circle__atan(slope));
+    width = 0.0;
+    if (turn > prepare_pieces__LEAST_CORNER && (turn > prepare_pieces__STEPPED_CORNER || !prepare_pieces__steps(zones, before, after)))
+    {
+        steep = double_min(fabs(slope), fabs(other));
+        width = double_max(0.5 * prepare_pieces__CORNER_RADIUS * turn / sqrt(1.0 + steep * steep), prepare_pieces__CORNER_WIDTH);
+        width = double_min(width, 0.25 * (AT(zones, before + prepare_zones__ZONE_STOP) - AT(zones, before + prepare_zones__ZONE_START)));
+        width = double_min(width, 0.25 * (AT(zones, after + prepare_zones__ZONE_STOP) - AT(zones, after + prepare_zones__ZONE_START)));
+    }
+    return width;
+}
+
+/* The piece that rounds the corner between two zones over ``width`` [mm] on either side, each zone moved
+ * by half the step in height; the offset after it, or FULL.
+ */
+static inline int64_t prepare_pieces__write_corner(array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t after, double width)
+{
+    double half, low, high, z_0, slope_0, bend_0, z_1, slope_1, bend_1;
+    if (at + 2 * layout__PIECE_SIZE > tables.shape[0])
+    {
+        return prepare_pieces__FULL;
+    }
+    half = 0.0;
+    if (prepare_pieces__steps(zones, before, after))
+    {
+        half = 0.5 * prepare_pieces__height_step(zones, before, after);
+    }
+    low = AT(zones, after + prepare_zones__ZONE_START) - width;
+    high = AT(zones, after + prepare_zones__ZONE_START) + width;
+    prepare_zones__zone_jet(&z_0, &slope_0, &bend_0, zones, before, low);
+    prepare_zones__zone_jet(&z_1, &slope_1, &bend_1, zones, after, high);
+    prepare_pieces__write_quintic(tables, at, low, high, z_0 + half, slope_0, bend_0, z_1 - half, slope_1, bend_1);
+    return at + layout__PIECE_SIZE;
+}
+
+/* A piece of one zone between ``low`` and ``high`` [mm], moved by ``first`` and ``last`` [mm] there; the
+ * offset after it, or FULL.
+ */
+static inline int64_t prepare_pieces__write_moved(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double low, double high, double first, double last)
+{
+    double z_0, slope_0, bend_0, z_1, slope_1, bend_1;
+    if (at + 2 * layout__PIECE_SIZE > tables.shape[0])
+    {
+        return prepare_pieces__FULL;
+    }
+    prepare_zones__zone_jet(&z_0, &slope_0, &bend_0, zones, row, low);
+    prepare_zones__zone_jet(&z_1, &slope_1, &bend_1, zones, row, high);
+    prepare_pieces__write_quintic(tables, at, low, high, z_0 + first, slope_0, bend_0, z_1 + last, slope_1, bend_1);
+    return at + layout__PIECE_SIZE;
 }
 
 /* A piece that leads from the mean of two zones into the second, or from the first into the mean; the
@@ -719,19 +679,8 @@ static inline bool prepare_pieces__steps(array_double_1d zones, int64_t before, 
  */
 static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t after, double low, double high)
 {
-    double z_0;
-    double slope_0;
-    double bend_0;
-    double z_1;
-    double slope_1;
-    double bend_1;
-    double z_2;
-    double slope_2;
-    double bend_2;
-    double z_3;
-    double slope_3;
-    double bend_3;
-    if (at + INT64_C(2) * layout__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    double z_0, slope_0, bend_0, z_1, slope_1, bend_1, z_2, slope_2, bend_2, z_3, slope_3, bend_3;
+    if (at + 2 * layout__PIECE_SIZE > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
@@ -739,7 +688,7 @@ static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64
     prepare_zones__zone_jet(&z_1, &slope_1, &bend_1, zones, before, high);
     prepare_zones__zone_jet(&z_2, &slope_2, &bend_2, zones, after, low);
     prepare_zones__zone_jet(&z_3, &slope_3, &bend_3, zones, after, high);
-    if (low == (*cspan_at(&zones, after + prepare_zones__ZONE_START)))
+    if (low == AT(zones, after + prepare_zones__ZONE_START))
     {
         prepare_pieces__write_quintic(tables, at, low, high, 0.5 * (z_0 + z_2), 0.5 * (slope_0 + slope_2), 0.5 * (bend_0 + bend_2), z_3, slope_3, bend_3);
     }
@@ -750,59 +699,127 @@ static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64
     return at + layout__PIECE_SIZE;
 }
 
+/* How far from a joint of a zone its height is repaired [mm], next to a corner of this ``width``. */
+static inline double prepare_pieces__repair_end(array_double_1d zones, int64_t row, double width)
+{
+    return double_min(double_max(prepare_pieces__REPAIR_WIDTH, 2.0 * width), 0.5 * (AT(zones, row + prepare_zones__ZONE_STOP) - AT(zones, row + prepare_zones__ZONE_START)));
+}
+
+/* What joins zone ``row`` to the one ``before`` it, but for a corner's own piece: the offset after that,
+ * or FULL, and the abscissa [mm] from which the zone is followed.
+ */
+static inline void prepare_pieces__write_start(int64_t* at_out, double* inner_out, array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t row)
+{
+    double start, inner, width, half;
+    bool stepped;
+    start = AT(zones, row + prepare_zones__ZONE_START);
+    inner = start;
+    stepped = prepare_pieces__steps(zones, before, row);
+    width = prepare_pieces__corner_width(zones, before, row);
+    if (stepped && width > 0.0)
+    {
+        inner = start + prepare_pieces__repair_end(zones, row, width);
+        half = -0.5 * prepare_pieces__height_step(zones, before, row);
+        at = prepare_pieces__write_moved(tables, at, zones, row, start + width, inner, half, 0.0);
+    }
+    else if (stepped)
+    {
+        inner = double_min(start + prepare_pieces__REPAIR_WIDTH, 0.5 * (start + AT(zones, row + prepare_zones__ZONE_STOP)));
+        at = prepare_pieces__write_repair(tables, at, zones, before, row, start, inner);
+    }
+    else if (width > 0.0)
+    {
+        inner = start + width;
+    }
+    *at_out = at;
+    *inner_out = inner;
+}
+
+/* What joins zone ``row``, followed up to ``last`` [mm], to the one ``after`` it; the offset after that,
+ * or FULL.
+ */
+static inline int64_t prepare_pieces__write_stop(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, int64_t after, double last)
+{
+    double stop, width, half;
+    stop = AT(zones, row + prepare_zones__ZONE_STOP);
+    width = prepare_pieces__corner_width(zones, row, after);
+    if (width > 0.0)
+    {
+        if (prepare_pieces__steps(zones, row, after))
+        {
+            half = 0.5 * prepare_pieces__height_step(zones, row, after);
+            at = prepare_pieces__write_moved(tables, at, zones, row, last, stop - width, 0.0, half);
+        }
+        if (at != prepare_pieces__FULL)
+        {
+            at = prepare_pieces__write_corner(tables, at, zones, row, after, width);
+        }
+    }
+    else if (prepare_pieces__steps(zones, row, after))
+    {
+        at = prepare_pieces__write_repair(tables, at, zones, row, after, last, stop);
+    }
+    return at;
+}
+
+/* The abscissa [mm] up to which zone ``row`` is followed before it joins the one ``after`` it. */
+static inline double prepare_pieces__followed_end(array_double_1d zones, int64_t row, int64_t after)
+{
+    double start, stop, width, last;
+    start = AT(zones, row + prepare_zones__ZONE_START);
+    stop = AT(zones, row + prepare_zones__ZONE_STOP);
+    width = prepare_pieces__corner_width(zones, row, after);
+    if (prepare_pieces__steps(zones, row, after))
+    {
+        last = double_max(stop - prepare_pieces__REPAIR_WIDTH, 0.5 * (start + stop));
+        if (width > 0.0)
+        {
+            last = stop - prepare_pieces__repair_end(zones, row, width);
+        }
+        return last;
+    }
+    return stop - width;
+}
+
 /* Pieces of zone ``index``; the offset after them, or FULL. */
 static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t at, array_double_1d zones, int64_t base, int64_t index, array_double_1d work, int64_t scratch)
 {
-    int64_t size;
-    int64_t row;
-    double zone_start;
-    double start;
-    double stop;
-    double inner;
-    double last;
-    bool repaired;
-    int64_t count;
-    double length;
-    int64_t i;
-    double high;
-    size = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
+    int64_t size, row, count, i;
+    double start, last, length, high;
+    bool joined;
+    size = (int64_t)AT(zones, base + prepare_zones__DEFINITION_ROW);
     row = base + prepare_zones__DEFINITION_ZONES + index * size;
-    zone_start = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
-    start = zone_start;
-    stop = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
-    if ((index > INT64_C(0)) && prepare_pieces__steps(zones, row - size, row))
+    start = AT(zones, row + prepare_zones__ZONE_START);
+    last = AT(zones, row + prepare_zones__ZONE_STOP);
+    joined = index + 1 < (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT);
+    if (index > 0)
     {
-        inner = double_min(2, start + prepare_pieces__REPAIR_WIDTH, 0.5 * (start + stop));
-        at = prepare_pieces__write_repair(tables, at, zones, row - size, row, start, inner);
-        start = inner;
+        prepare_pieces__write_start(&at, &start, tables, at, zones, row - size, row);
     }
-    last = stop;
-    repaired = 0;
-    if ((index + INT64_C(1) < (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)))) && prepare_pieces__steps(zones, row, row + size))
+    if (joined)
     {
-        repaired = 1;
-        last = double_max(2, stop - prepare_pieces__REPAIR_WIDTH, 0.5 * (zone_start + stop));
+        last = prepare_pieces__followed_end(zones, row, row + size);
     }
-    if ((last > start) && (at != prepare_pieces__FULL))
+    if (last > start && at != prepare_pieces__FULL)
     {
         count = whole__rounded_up((last - start) / prepare_pieces__LONGEST_PIECE);
-        length = (last - start) / (double)(count);
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        length = (last - start) / (double)count;
+        for (i = 0; i < count; i += 1)
         {
-            high = (double)(i + INT64_C(1)) * length + start;
-            if (i + INT64_C(1) == count)
+            high = (double)(i + 1) * length + start;
+            if (i + 1 == count)
             {
                 high = last;
             }
             if (at != prepare_pieces__FULL)
             {
-                at = prepare_pieces__write_refined(tables, at, zones, row, (double)(i) * length + start, high, work, scratch);
+                at = prepare_pieces__write_refined(tables, at, zones, row, (double)i * length + start, high, work, scratch);
             }
         }
     }
-    if (repaired && (at != prepare_pieces__FULL))
+    if (joined && at != prepare_pieces__FULL)
     {
-        at = prepare_pieces__write_repair(tables, at, zones, row, row + size, last, stop);
+        at = prepare_pieces__write_stop(tables, at, zones, row, row + size, last);
     }
     return at;
 }
@@ -810,30 +827,20 @@ static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t
 /* The table of a definition at ``base``; the offset after it, or FULL.  ``nowhere`` is not a number. */
 static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int64_t base, array_double_1d zones, int64_t definition, double nowhere, array_double_1d work, int64_t scratch)
 {
-    int64_t count;
-    double start;
-    double stop;
-    int64_t bins;
-    int64_t profile;
-    int64_t first;
-    int64_t at;
-    int64_t index;
-    int64_t piece;
-    int64_t i;
-    double left;
-    int64_t k;
-    count = (int64_t)((*cspan_at(&zones, definition + prepare_zones__DEFINITION_COUNT)));
-    start = (*cspan_at(&zones, definition + prepare_zones__DEFINITION_ZONES + prepare_zones__ZONE_START));
-    stop = (*cspan_at(&zones, definition + prepare_zones__DEFINITION_ZONES + (count - INT64_C(1)) * (int64_t)((*cspan_at(&zones, definition + prepare_zones__DEFINITION_ROW))) + prepare_zones__ZONE_STOP));
+    int64_t count, bins, profile, first, at, index, piece, i, k;
+    double start, stop, left;
+    count = (int64_t)AT(zones, definition + prepare_zones__DEFINITION_COUNT);
+    start = AT(zones, definition + prepare_zones__DEFINITION_ZONES + prepare_zones__ZONE_START);
+    stop = AT(zones, definition + prepare_zones__DEFINITION_ZONES + (count - 1) * (int64_t)AT(zones, definition + prepare_zones__DEFINITION_ROW) + prepare_zones__ZONE_STOP);
     bins = whole__rounded_up((stop - start) / prepare_pieces__BIN_WIDTH);
     profile = base;
     first = profile + layout__PROFILE_BINS + bins;
     at = first;
-    if (first + layout__PIECE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    if (first + layout__PIECE_SIZE > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    for (index = 0; index < count; index += 1)
     {
         if (at != prepare_pieces__FULL)
         {
@@ -844,25 +851,25 @@ static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int6
     {
         return prepare_pieces__FULL;
     }
-    (*cspan_at(&tables, profile + layout__PROFILE_START)) = start * prepare_pieces__MM;
-    (*cspan_at(&tables, profile + layout__PROFILE_STOP)) = stop * prepare_pieces__MM;
-    (*cspan_at(&tables, profile + layout__PROFILE_BINS_PER_METRE)) = prepare_pieces__BINS_EACH_METRE;
-    (*cspan_at(&tables, profile + layout__PROFILE_BIN_COUNT)) = (double)(bins);
-    (*cspan_at(&tables, profile + layout__PROFILE_PIECES)) = (double)(first - base);
+    AT(tables, profile + layout__PROFILE_START) = start * prepare_pieces__MM;
+    AT(tables, profile + layout__PROFILE_STOP) = stop * prepare_pieces__MM;
+    AT(tables, profile + layout__PROFILE_BINS_PER_METRE) = prepare_pieces__BINS_EACH_METRE;
+    AT(tables, profile + layout__PROFILE_BIN_COUNT) = (double)bins;
+    AT(tables, profile + layout__PROFILE_PIECES) = (double)(first - base);
     piece = first;
-    for (i = INT64_C(0); i < bins; i += INT64_C(1))
+    for (i = 0; i < bins; i += 1)
     {
-        left = start + prepare_pieces__BIN_WIDTH * (double)(i);
-        while((piece + layout__PIECE_SIZE < at) && ((*cspan_at(&tables, piece + layout__PIECE_SIZE)) <= left))
+        left = start + prepare_pieces__BIN_WIDTH * (double)i;
+        while (piece + layout__PIECE_SIZE < at && AT(tables, piece + layout__PIECE_SIZE) <= left)
         {
             piece += layout__PIECE_SIZE;
         }
-        (*cspan_at(&tables, profile + layout__PROFILE_BINS + i)) = (double)(piece - base);
+        AT(tables, profile + layout__PROFILE_BINS + i) = (double)(piece - base);
     }
     prepare_pieces__to_metres(tables, first, at);
-    for (k = INT64_C(0); k < layout__PIECE_SIZE; k += INT64_C(1))
+    for (k = 0; k < layout__PIECE_SIZE; k += 1)
     {
-        (*cspan_at(&tables, at + k)) = nowhere;
+        AT(tables, at + k) = nowhere;
     }
     return at + layout__PIECE_SIZE;
 }
@@ -872,17 +879,17 @@ static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t 
 {
     int64_t at;
     at = first;
-    while(at < end)
+    while (at < end)
     {
-        (*cspan_at(&tables, at)) = (*cspan_at(&tables, at)) * prepare_pieces__MM;
-        (*cspan_at(&tables, at + INT64_C(1))) = (*cspan_at(&tables, at + INT64_C(1))) * prepare_pieces__MM;
-        (*cspan_at(&tables, at + INT64_C(3))) = (*cspan_at(&tables, at + INT64_C(3))) * prepare_pieces__SCALE_2;
-        (*cspan_at(&tables, at + INT64_C(4))) = (*cspan_at(&tables, at + INT64_C(4))) * prepare_pieces__SCALE_3;
-        (*cspan_at(&tables, at + INT64_C(5))) = (*cspan_at(&tables, at + INT64_C(5))) * prepare_pieces__SCALE_4;
-        (*cspan_at(&tables, at + INT64_C(6))) = (*cspan_at(&tables, at + INT64_C(6))) * prepare_pieces__SCALE_5;
+        AT(tables, at) = AT(tables, at) * prepare_pieces__MM;
+        AT(tables, at + 1) = AT(tables, at + 1) * prepare_pieces__MM;
+        AT(tables, at + 3) = AT(tables, at + 3) * prepare_pieces__SCALE_2;
+        AT(tables, at + 4) = AT(tables, at + 4) * prepare_pieces__SCALE_3;
+        AT(tables, at + 5) = AT(tables, at + 5) * prepare_pieces__SCALE_4;
+        AT(tables, at + 6) = AT(tables, at + 6) * prepare_pieces__SCALE_5;
         at += layout__PIECE_SIZE;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -897,159 +904,137 @@ static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t 
 /* Offset of a profile's first piece. */
 static inline int64_t prepare_scan__first_piece(array_double_1d tables, int64_t base)
 {
-    int64_t result;
-    result = base + (int64_t)((*cspan_at(&tables, base + layout__PROFILE_PIECES)));
-    return result;
+    return base + (int64_t)AT(tables, base + layout__PROFILE_PIECES);
 }
 
 /* How many pieces a profile has. */
 static inline int64_t prepare_scan__piece_count(array_double_1d tables, int64_t base)
 {
-    int64_t result;
-    result = py_floor_div_int64_t((tables__find_piece(tables, base, (*cspan_at(&tables, base + layout__PROFILE_STOP))) - prepare_scan__first_piece(tables, base)), layout__PIECE_SIZE) + INT64_C(1);
-    return result;
+    return floor_div(tables__find_piece(tables, base, AT(tables, base + layout__PROFILE_STOP)) - prepare_scan__first_piece(tables, base), layout__PIECE_SIZE) + 1;
 }
 
 /* Width of the piece at ``at`` [m]. */
 static inline double prepare_scan__piece_width(array_double_1d tables, int64_t base, int64_t at)
 {
     double stop;
-    double result;
-    stop = (*cspan_at(&tables, at + layout__PIECE_SIZE));
-    if (!(stop < (*cspan_at(&tables, base + layout__PROFILE_STOP))))
+    stop = AT(tables, at + layout__PIECE_SIZE);
+    if (!(stop < AT(tables, base + layout__PROFILE_STOP)))
     {
-        stop = (*cspan_at(&tables, base + layout__PROFILE_STOP));
+        stop = AT(tables, base + layout__PROFILE_STOP);
     }
-    result = stop - (*cspan_at(&tables, at));
-    return result;
+    return stop - AT(tables, at);
 }
 
 /* Slope [-] and second derivative [1/m] of the piece at ``at``, ``u`` [m] from its start. */
-static inline int64_t prepare_scan__slope_bend(double* slope, double* bend, array_double_1d tables, int64_t at, double u)
+static inline void prepare_scan__slope_bend(double* slope_out, double* bend_out, array_double_1d tables, int64_t at, double u)
 {
-    double c1;
-    double c2;
-    double c3;
-    double c4;
-    double c5;
-    c1 = (*cspan_at(&tables, at + INT64_C(2)));
-    c2 = (*cspan_at(&tables, at + INT64_C(3)));
-    c3 = (*cspan_at(&tables, at + INT64_C(4)));
-    c4 = (*cspan_at(&tables, at + INT64_C(5)));
-    c5 = (*cspan_at(&tables, at + INT64_C(6)));
-    (*slope) = c1 + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)));
-    (*bend) = 2.0 * c2 + u * (6.0 * c3 + u * (12.0 * c4 + u * 20.0 * c5));
-    return 0;
+    double c1, c2, c3, c4, c5, slope, bend;
+    c1 = AT(tables, at + 2);
+    c2 = AT(tables, at + 3);
+    c3 = AT(tables, at + 4);
+    c4 = AT(tables, at + 5);
+    c5 = AT(tables, at + 6);
+    slope = c1 + u * (2.0 * c2 + u * (3.0 * c3 + u * (4.0 * c4 + u * 5.0 * c5)));
+    bend = 2.0 * c2 + u * (6.0 * c3 + u * (12.0 * c4 + u * 20.0 * c5));
+    *slope_out = slope;
+    *bend_out = bend;
 }
 
 /* Smallest and largest second derivative and largest absolute slope of a piece's samples between
  * ``low`` and ``high``.
  */
-static inline int64_t prepare_scan__piece_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t at, double width, double low, double high)
+static inline void prepare_scan__piece_range(double* least_out, double* most_out, double* steepest_out, array_double_1d tables, int64_t at, double width, double low, double high)
 {
+    double least, most, steepest, u, y, slope, bend;
     int64_t k;
-    double u;
-    double y;
-    double slope;
-    double bend;
-    (*least) = prepare_scan__FAR;
-    (*most) = -prepare_scan__FAR;
-    (*steepest) = 0.0;
-    for (k = INT64_C(0); k < prepare_scan__LAST_SAMPLE + INT64_C(1); k += INT64_C(1))
+    least = prepare_scan__FAR;
+    most = -prepare_scan__FAR;
+    steepest = 0.0;
+    for (k = 0; k < prepare_scan__LAST_SAMPLE + 1; k += 1)
     {
-        u = width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
-        y = (*cspan_at(&tables, at)) + u;
-        if ((low <= y) && (y <= high))
+        u = width * ((double)k / (double)prepare_scan__LAST_SAMPLE);
+        y = AT(tables, at) + u;
+        if (low <= y && y <= high)
         {
             prepare_scan__slope_bend(&slope, &bend, tables, at, u);
-            (*least) = double_min(2, (*least), bend);
-            (*most) = double_max(2, (*most), bend);
-            (*steepest) = double_max(2, (*steepest), fabs(slope));
+            least = double_min(least, bend);
+            most = double_max(most, bend);
+            steepest = double_max(steepest, fabs(slope));
         }
     }
-    return 0;
+    *least_out = least;
+    *most_out = most;
+    *steepest_out = steepest;
 }
 
 /* The ranges of all pieces of a profile into scratch. */
 static inline int64_t prepare_scan__sample_pieces(array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch)
 {
-    int64_t first;
-    int64_t i;
-    int64_t at;
-    double least;
-    double most;
-    double steepest;
+    int64_t first, i, at, i_end;
+    double least, most, steepest;
     first = prepare_scan__first_piece(tables, base);
-    for (i = INT64_C(0); i < prepare_scan__piece_count(tables, base); i += INT64_C(1))
+    i_end = prepare_scan__piece_count(tables, base);
+    for (i = 0; i < i_end; i += 1)
     {
         at = first + layout__PIECE_SIZE * i;
         prepare_scan__piece_range(&least, &most, &steepest, tables, at, prepare_scan__piece_width(tables, base, at), -prepare_scan__FAR, prepare_scan__FAR);
-        (*cspan_at(&work, scratch + INT64_C(3) * i)) = least;
-        (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(1))) = most;
-        (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(2))) = steepest;
+        AT(work, scratch + 3 * i) = least;
+        AT(work, scratch + 3 * i + 1) = most;
+        AT(work, scratch + 3 * i + 2) = steepest;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Smallest and largest second derivative [1/m] and largest absolute slope [-] between ``low`` and
  * ``high`` [m], clipped to the profile; every piece counts with both its ends, so that a jump of curvature
  * counts with both its sides.
  */
-static inline int64_t prepare_scan__bend_range(double* least, double* most, double* steepest, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high)
+static inline void prepare_scan__bend_range(double* least_out, double* most_out, double* steepest_out, array_double_1d tables, int64_t base, array_double_1d work, int64_t scratch, double low, double high)
 {
-    double start;
-    double stop;
-    double z;
-    double slope;
-    double other;
-    double bend;
-    int64_t first;
-    int64_t last;
-    int64_t begin;
-    int64_t at;
-    double piece_least;
-    double piece_most;
-    double piece_steepest;
-    int64_t i;
-    start = (*cspan_at(&tables, base + layout__PROFILE_START));
-    stop = (*cspan_at(&tables, base + layout__PROFILE_STOP));
-    low = double_min(2, double_max(2, low, start), stop);
-    high = double_min(2, double_max(2, high, start), stop);
-    tables__height_slope_bend(&z, &slope, least, tables, base, low);
-    tables__height_slope_bend(&z, &other, most, tables, base, high);
-    (*steepest) = double_max(2, fabs(slope), fabs(other));
-    if ((*most) < (*least))
+    double start, stop, z, slope, least, other, most, steepest, bend, piece_least, piece_most, piece_steepest;
+    int64_t first, last, begin, at, i;
+    start = AT(tables, base + layout__PROFILE_START);
+    stop = AT(tables, base + layout__PROFILE_STOP);
+    low = double_min(double_max(low, start), stop);
+    high = double_min(double_max(high, start), stop);
+    tables__height_slope_bend(&z, &slope, &least, tables, base, low);
+    tables__height_slope_bend(&z, &other, &most, tables, base, high);
+    steepest = double_max(fabs(slope), fabs(other));
+    if (most < least)
     {
-        bend = (*least);
-        (*least) = (*most);
-        (*most) = bend;
+        bend = least;
+        least = most;
+        most = bend;
     }
     first = prepare_scan__first_piece(tables, base);
     last = tables__find_piece(tables, base, high);
     begin = tables__find_piece(tables, base, low);
-    at = int64_t_max(2, begin - layout__PIECE_SIZE, first);
-    while(at <= last)
+    /* whose last sample may lie at ``low`` */
+    at = int64_max(begin - layout__PIECE_SIZE, first);
+    while (at <= last)
     {
         piece_least = prepare_scan__FAR;
         piece_most = -prepare_scan__FAR;
         piece_steepest = 0.0;
-        if ((at > begin) && (at < last - layout__PIECE_SIZE))
+        if (at > begin && at < last - layout__PIECE_SIZE)
         {
-            i = py_floor_div_int64_t((at - first), layout__PIECE_SIZE);
-            piece_least = (*cspan_at(&work, scratch + INT64_C(3) * i));
-            piece_most = (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(1)));
-            piece_steepest = (*cspan_at(&work, scratch + INT64_C(3) * i + INT64_C(2)));
+            i = floor_div(at - first, layout__PIECE_SIZE);
+            piece_least = AT(work, scratch + 3 * i);
+            piece_most = AT(work, scratch + 3 * i + 1);
+            piece_steepest = AT(work, scratch + 3 * i + 2);
         }
         else
         {
             prepare_scan__piece_range(&piece_least, &piece_most, &piece_steepest, tables, at, prepare_scan__piece_width(tables, base, at), low, high);
         }
-        (*least) = double_min(2, (*least), piece_least);
-        (*most) = double_max(2, (*most), piece_most);
-        (*steepest) = double_max(2, (*steepest), piece_steepest);
+        least = double_min(least, piece_least);
+        most = double_max(most, piece_most);
+        steepest = double_max(steepest, piece_steepest);
         at += layout__PIECE_SIZE;
     }
-    return 0;
+    *least_out = least;
+    *most_out = most;
+    *steepest_out = steepest;
 }
 
 /* How many coarse steps the wheel is divided into. */
@@ -1062,7 +1047,7 @@ static inline int64_t prepare_scan__coarse_count(double start, double stop)
 static inline double prepare_scan__raster_place(double start, double stop, int64_t count, int64_t i)
 {
     double y;
-    y = start + (stop - start) / (double)(count) * (double)(i);
+    y = start + (stop - start) / (double)count * (double)i;
     if (i == count)
     {
         y = stop;
@@ -1076,40 +1061,31 @@ static inline double prepare_scan__raster_place(double start, double stop, int64
  */
 static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t pair, int64_t scan, array_double_1d work, int64_t scratch, int64_t firsts)
 {
-    int64_t wheel;
-    double start;
-    double stop;
-    int64_t count;
-    double step;
-    int64_t node;
-    int64_t i;
-    double y;
-    double least;
-    double most;
-    double steepest;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    start = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-    stop = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
+    int64_t wheel, count, node, i;
+    double start, stop, step, y, least, most, steepest;
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    start = AT(tables, wheel + layout__PROFILE_START);
+    stop = AT(tables, wheel + layout__PROFILE_STOP);
     count = prepare_scan__coarse_count(start, stop);
-    step = (stop - start) / (double)(count);
-    if (scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (INT64_C(2) * count + INT64_C(1)) > (int64_t)tables.shape[INT64_C(0)])
+    step = (stop - start) / (double)count;
+    if (scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (2 * count + 1) > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
-    node = INT64_C(0);
-    for (i = INT64_C(0); i < count + INT64_C(1); i += INT64_C(1))
+    node = 0;
+    for (i = 0; i < count + 1; i += 1)
     {
         y = prepare_scan__raster_place(start, stop, count, i);
-        (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)) = y;
-        (*cspan_at(&work, firsts + i)) = (double)(node);
-        node += INT64_C(1);
+        AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y) = y;
+        AT(work, firsts + i) = (double)node;
+        node += 1;
         if (i < count)
         {
-            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, prepare_scan__raster_place(start, stop, count, i + INT64_C(1)));
-            if (double_max(2, fabs(least), fabs(most)) > prepare_scan__FLAT_BEND)
+            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, prepare_scan__raster_place(start, stop, count, i + 1));
+            if (double_max(fabs(least), fabs(most)) > prepare_scan__FLAT_BEND)
             {
-                (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)) = y + 0.5 * step;
-                node += INT64_C(1);
+                AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y) = y + 0.5 * step;
+                node += 1;
             }
         }
     }
@@ -1127,45 +1103,35 @@ static inline int64_t prepare_scan__write_raster(array_double_1d tables, int64_t
  */
 static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, int64_t pair, int64_t scan, int64_t count, array_double_1d work, int64_t scratch)
 {
-    int64_t wheel;
-    int64_t i;
-    int64_t node;
-    double y;
-    double z;
-    double slope;
-    int64_t cells;
-    int64_t exponent;
-    int64_t end;
-    double least;
-    double most;
-    double steepest;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    int64_t wheel, i, node, cells, exponent, end;
+    double y, z, slope, least, most, steepest;
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    for (i = 0; i < count; i += 1)
     {
         node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * i;
-        y = (*cspan_at(&tables, node + layout__SCAN_NODE_Y));
+        y = AT(tables, node + layout__SCAN_NODE_Y);
         tables__height_slope(&z, &slope, tables, wheel, y);
-        (*cspan_at(&tables, node + layout__SCAN_NODE_HEIGHT)) = z;
-        (*cspan_at(&tables, node + layout__SCAN_NODE_SLOPE)) = slope;
-        cells = INT64_C(1);
-        for (exponent = INT64_C(0); exponent < layout__EXPONENTS; exponent += INT64_C(1))
+        AT(tables, node + layout__SCAN_NODE_HEIGHT) = z;
+        AT(tables, node + layout__SCAN_NODE_SLOPE) = slope;
+        cells = 1;
+        for (exponent = 0; exponent < layout__EXPONENTS; exponent += 1)
         {
-            end = int64_t_min(2, i + cells, count - INT64_C(1));
-            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * end + layout__SCAN_NODE_Y)));
-            (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + exponent)) = double_max(2, fabs(least), fabs(most));
+            end = int64_min(i + cells, count - 1);
+            prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, y, AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * end + layout__SCAN_NODE_Y));
+            AT(tables, node + layout__SCAN_NODE_STEEPEST_BENDS + exponent) = double_max(fabs(least), fabs(most));
             if (!(steepest < bounds__STEEP))
             {
                 most = prepare_scan__TOO_STEEP;
             }
-            (*cspan_at(&tables, node + layout__SCAN_NODE_MOST_BENDS + exponent)) = most;
-            if (exponent == INT64_C(0))
+            AT(tables, node + layout__SCAN_NODE_MOST_BENDS + exponent) = most;
+            if (exponent == 0)
             {
-                (*cspan_at(&tables, node + layout__SCAN_NODE_LEAST_BEND)) = least;
+                AT(tables, node + layout__SCAN_NODE_LEAST_BEND) = least;
             }
             cells += cells;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The largest lever of each node and all beyond it: by how much the gap there would change with the roll
@@ -1173,32 +1139,26 @@ static inline int64_t prepare_scan__write_wheel_bounds(array_double_1d tables, i
  */
 static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t pair, int64_t scan, int64_t count)
 {
-    double largest;
-    int64_t i;
-    int64_t node;
-    double width;
-    int64_t k;
-    double y;
-    double z;
-    double slope;
+    double largest, width, y, z, slope;
+    int64_t i, node, k;
     largest = -prepare_scan__FAR;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = 0; i < count; i += 1)
     {
-        node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (count - INT64_C(1) - i);
+        node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (count - 1 - i);
         width = 0.0;
-        if (i > INT64_C(0))
+        if (i > 0)
         {
-            width = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (count - i) + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, node + layout__SCAN_NODE_Y));
+            width = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (count - i) + layout__SCAN_NODE_Y) - AT(tables, node + layout__SCAN_NODE_Y);
         }
-        for (k = INT64_C(0); k < prepare_scan__LAST_SAMPLE; k += INT64_C(1))
+        for (k = 0; k < prepare_scan__LAST_SAMPLE; k += 1)
         {
-            y = (*cspan_at(&tables, node + layout__SCAN_NODE_Y)) + width * ((double)(k) / (double)(prepare_scan__LAST_SAMPLE));
-            tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
-            largest = double_max(2, largest, (-slope) * ((*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + z) - ((*cspan_at(&tables, layout__TABLES_ARM)) + y));
+            y = AT(tables, node + layout__SCAN_NODE_Y) + width * ((double)k / (double)prepare_scan__LAST_SAMPLE);
+            tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
+            largest = double_max(largest, -slope * (AT(tables, pair + layout__PAIR_RADIUS) + z) - (AT(tables, layout__TABLES_ARM) + y));
         }
-        (*cspan_at(&tables, node + layout__SCAN_NODE_LEVER)) = largest;
+        AT(tables, node + layout__SCAN_NODE_LEVER) = largest;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Bounds of the rail's raster.
@@ -1208,36 +1168,27 @@ static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t
  */
 static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t pair, int64_t scan, array_double_1d work, int64_t scratch)
 {
-    int64_t rail;
-    int64_t i_end;
-    int64_t i;
-    int64_t cell;
-    double edge;
-    double least;
-    double most;
-    double steepest;
-    double cells;
-    int64_t exponent;
-    double length;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t rail, i, cell, exponent, i_end;
+    double edge, least, most, steepest, cells, length;
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    i_end = (int64_t)AT(tables, scan + layout__SCAN_RAIL_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
-        cell = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * i;
-        edge = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)) + prepare_scan__FINE_STEP * (double)(i);
+        cell = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * i;
+        edge = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + prepare_scan__FINE_STEP * (double)i;
         prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - prepare_scan__FINE_STEP, edge + prepare_scan__FINE_STEP + 1.5 * prepare_scan__COARSE_STEP);
-        (*cspan_at(&tables, cell + layout__RAIL_CELL_LEAST_BEND)) = least;
-        (*cspan_at(&tables, cell + layout__RAIL_CELL_MOST_BEND)) = most;
+        AT(tables, cell + layout__RAIL_CELL_LEAST_BEND) = least;
+        AT(tables, cell + layout__RAIL_CELL_MOST_BEND) = most;
         cells = 1.0;
-        for (exponent = INT64_C(0); exponent < layout__EXPONENTS + INT64_C(1); exponent += INT64_C(1))
+        for (exponent = 0; exponent < layout__EXPONENTS + 1; exponent += 1)
         {
             length = prepare_scan__FINE_STEP * (1.01 + (1.0 + bounds__WIDEST) * 1.01 * cells);
             prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - 0.01 * prepare_scan__FINE_STEP, edge + length);
-            (*cspan_at(&tables, cell + layout__RAIL_CELL_LEAST_BENDS + exponent)) = least;
+            AT(tables, cell + layout__RAIL_CELL_LEAST_BENDS + exponent) = least;
             cells += cells;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The raster over wheel and rail at ``at``, and where the pair finds it; the offset after it, or
@@ -1245,61 +1196,49 @@ static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, in
  */
 static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_double_1d tables, int64_t pair, int64_t at, array_double_1d work)
 {
-    int64_t scratch;
-    int64_t scan;
-    int64_t wheel;
-    int64_t rail;
-    int64_t pieces;
-    int64_t firsts;
-    int64_t count;
-    int64_t bins;
-    int64_t cells;
-    int64_t end;
-    double least;
-    double most;
-    double steepest;
-    int64_t i;
-    scratch = INT64_C(0);
-    (*cspan_at(&tables, pair + layout__PAIR_SCAN)) = (double)(at - pair);
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    pieces = int64_t_max(2, prepare_scan__piece_count(tables, wheel), prepare_scan__piece_count(tables, rail));
-    firsts = scratch + INT64_C(3) * pieces;
+    int64_t scratch, scan, wheel, rail, pieces, firsts, count, bins, cells, end, i;
+    double least, most, steepest;
+    scratch = 0;
+    AT(tables, pair + layout__PAIR_SCAN) = (double)(at - pair);
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    pieces = int64_max(prepare_scan__piece_count(tables, wheel), prepare_scan__piece_count(tables, rail));
+    firsts = scratch + 3 * pieces;
     prepare_scan__sample_pieces(tables, wheel, work, scratch);
     count = prepare_scan__write_raster(tables, pair, scan, work, scratch, firsts);
     if (count == prepare_scan__TOO_WIDE)
     {
-        (*cspan_at(&setup, layout__SETUP_WIDTH)) = (*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START));
+        AT(setup, layout__SETUP_WIDTH) = AT(tables, wheel + layout__PROFILE_STOP) - AT(tables, wheel + layout__PROFILE_START);
     }
-    if (count < INT64_C(0))
+    if (count < 0)
     {
         return count;
     }
-    bins = prepare_scan__coarse_count((*cspan_at(&tables, wheel + layout__PROFILE_START)), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
-    cells = whole__rounded_up(((*cspan_at(&tables, rail + layout__PROFILE_STOP)) - (*cspan_at(&tables, rail + layout__PROFILE_START))) / prepare_scan__FINE_STEP);
-    (*cspan_at(&tables, scan + layout__SCAN_COUNT)) = (double)(count);
-    (*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT)) = (double)(cells);
-    (*cspan_at(&tables, scan + layout__SCAN_RAIL_START)) = (*cspan_at(&tables, rail + layout__PROFILE_START));
-    (*cspan_at(&tables, scan + layout__SCAN_RAIL_PER_METRE)) = 1.0 / prepare_scan__FINE_STEP;
-    (*cspan_at(&tables, scan + layout__SCAN_RAIL)) = (double)(scan + layout__SCAN_NODES - scan + layout__SCAN_NODE_SIZE * count);
-    (*cspan_at(&tables, scan + layout__SCAN_BINS)) = (double)(scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) - scan + layout__RAIL_CELL_SIZE * cells);
-    (*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT)) = (double)(bins);
-    (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE)) = (double)(bins) / ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) - (*cspan_at(&tables, wheel + layout__PROFILE_START)));
-    end = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + bins;
-    if (end > (int64_t)tables.shape[INT64_C(0)])
+    bins = prepare_scan__coarse_count(AT(tables, wheel + layout__PROFILE_START), AT(tables, wheel + layout__PROFILE_STOP));
+    cells = whole__rounded_up((AT(tables, rail + layout__PROFILE_STOP) - AT(tables, rail + layout__PROFILE_START)) / prepare_scan__FINE_STEP);
+    AT(tables, scan + layout__SCAN_COUNT) = (double)count;
+    AT(tables, scan + layout__SCAN_RAIL_COUNT) = (double)cells;
+    AT(tables, scan + layout__SCAN_RAIL_START) = AT(tables, rail + layout__PROFILE_START);
+    AT(tables, scan + layout__SCAN_RAIL_PER_METRE) = 1.0 / prepare_scan__FINE_STEP;
+    AT(tables, scan + layout__SCAN_RAIL) = (double)(scan + layout__SCAN_NODES - scan + layout__SCAN_NODE_SIZE * count);
+    AT(tables, scan + layout__SCAN_BINS) = (double)(scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) - scan + layout__RAIL_CELL_SIZE * cells);
+    AT(tables, scan + layout__SCAN_BIN_COUNT) = (double)bins;
+    AT(tables, scan + layout__SCAN_BINS_PER_METRE) = (double)bins / (AT(tables, wheel + layout__PROFILE_STOP) - AT(tables, wheel + layout__PROFILE_START));
+    end = scan + (int64_t)AT(tables, scan + layout__SCAN_BINS) + bins;
+    if (end > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
     prepare_scan__write_wheel_bounds(tables, pair, scan, count, work, scratch);
     prepare_scan__write_levers(tables, pair, scan, count);
-    prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, (*cspan_at(&tables, wheel + layout__PROFILE_START)), (*cspan_at(&tables, wheel + layout__PROFILE_STOP)));
-    (*cspan_at(&tables, scan + layout__SCAN_STEEPEST)) = steepest;
+    prepare_scan__bend_range(&least, &most, &steepest, tables, wheel, work, scratch, AT(tables, wheel + layout__PROFILE_START), AT(tables, wheel + layout__PROFILE_STOP));
+    AT(tables, scan + layout__SCAN_STEEPEST) = steepest;
     prepare_scan__sample_pieces(tables, rail, work, scratch);
     prepare_scan__write_rail_bounds(tables, pair, scan, work, scratch);
-    for (i = INT64_C(0); i < bins; i += INT64_C(1))
+    for (i = 0; i < bins; i += 1)
     {
-        (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + i)) = (*cspan_at(&work, firsts + i));
+        AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_BINS) + i) = AT(work, firsts + i);
     }
     return end;
 }
@@ -1317,15 +1256,13 @@ static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_doub
  */
 
 /* Third and fourth derivative [1/m^2, 1/m^3] of the piece at ``at``, ``u`` [m] from its start. */
-static inline int64_t prepare_scan_bends__third_fourth(double* result_0, double* result_1, array_double_1d tables, int64_t at, double u)
+static inline void prepare_scan_bends__third_fourth(double* out_0, double* out_1, array_double_1d tables, int64_t at, double u)
 {
-    double c4;
-    double c5;
-    c4 = (*cspan_at(&tables, at + INT64_C(5)));
-    c5 = (*cspan_at(&tables, at + INT64_C(6)));
-    (*result_0) = 6.0 * (*cspan_at(&tables, at + INT64_C(4))) + u * (24.0 * c4 + u * 60.0 * c5);
-    (*result_1) = 24.0 * c4 + u * 120.0 * c5;
-    return 0;
+    double c4, c5;
+    c4 = AT(tables, at + 5);
+    c5 = AT(tables, at + 6);
+    *out_0 = 6.0 * AT(tables, at + 4) + u * (24.0 * c4 + u * 60.0 * c5);
+    *out_1 = 24.0 * c4 + u * 120.0 * c5;
 }
 
 /* Largest absolute fourth derivative [1/m^3] between two places [m] of the piece at ``at``: it is
@@ -1333,12 +1270,10 @@ static inline int64_t prepare_scan_bends__third_fourth(double* result_0, double*
  */
 static inline double prepare_scan_bends__largest_fourth(array_double_1d tables, int64_t at, double low, double high)
 {
-    double third;
-    double first;
-    double last;
-    prepare_scan_bends__third_fourth(&third, &first, tables, at, low - (*cspan_at(&tables, at)));
-    prepare_scan_bends__third_fourth(&third, &last, tables, at, high - (*cspan_at(&tables, at)));
-    return double_max(2, fabs(first), fabs(last));
+    double third, first, last;
+    prepare_scan_bends__third_fourth(&third, &first, tables, at, low - AT(tables, at));
+    prepare_scan_bends__third_fourth(&third, &last, tables, at, high - AT(tables, at));
+    return double_max(fabs(first), fabs(last));
 }
 
 /* Largest departure [1/m] of the second derivative of the piece at ``at``, between ``low`` and ``high``
@@ -1346,110 +1281,83 @@ static inline double prepare_scan_bends__largest_fourth(array_double_1d tables, 
  */
 static inline double prepare_scan_bends__piece_departure(array_double_1d tables, int64_t at, double low, double high, double value, double rise)
 {
-    double part;
-    double largest;
+    double part, largest, along, slope, bend;
     int64_t i;
-    double along;
-    double slope;
-    double bend;
-    double result;
-    part = (high - low) / (double)(prepare_scan_bends__DEPARTURE_PARTS);
+    part = (high - low) / (double)prepare_scan_bends__DEPARTURE_PARTS;
     largest = 0.0;
-    for (i = INT64_C(0); i < prepare_scan_bends__DEPARTURE_PARTS + INT64_C(1); i += INT64_C(1))
+    for (i = 0; i < prepare_scan_bends__DEPARTURE_PARTS + 1; i += 1)
     {
-        along = part * (double)(i);
-        prepare_scan__slope_bend(&slope, &bend, tables, at, low + along - (*cspan_at(&tables, at)));
-        largest = double_max(2, largest, fabs(bend - value - rise * along));
+        along = part * (double)i;
+        prepare_scan__slope_bend(&slope, &bend, tables, at, low + along - AT(tables, at));
+        largest = double_max(largest, fabs(bend - value - rise * along));
     }
-    result = largest + 0.125 * part * part * prepare_scan_bends__largest_fourth(tables, at, low, high);
-    return result;
+    return largest + 0.125 * part * part * prepare_scan_bends__largest_fourth(tables, at, low, high);
 }
 
 /* The wheel's second derivative at each node, and its departure up to the next one. */
 static inline int64_t prepare_scan_bends__write_departures(array_double_1d tables, int64_t pair, int64_t scan)
 {
-    int64_t base;
-    int64_t i_end;
-    int64_t i;
-    int64_t node;
-    int64_t at;
-    double slope;
-    int64_t following;
-    double rise;
-    double low;
-    double stop;
-    double high;
-    double departure;
-    base = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t base, i, node, at, following, i_end, i_end_2;
+    double slope, rise, low, stop, high, departure, kept;
+    base = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    i_end = (int64_t)AT(tables, scan + layout__SCAN_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * i;
-        at = tables__find_piece(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&tables, node + layout__SCAN_NODE_Y)));
-        prepare_scan__slope_bend(&slope, cspan_at(&tables, node + layout__SCAN_NODE_BEND), tables, at, (*cspan_at(&tables, node + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, at)));
-        (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) = 0.0;
+        at = tables__find_piece(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(tables, node + layout__SCAN_NODE_Y));
+        prepare_scan__slope_bend(&slope, &kept, tables, at, AT(tables, node + layout__SCAN_NODE_Y) - AT(tables, at));
+        AT(tables, node + layout__SCAN_NODE_BEND) = kept;
+        AT(tables, node + layout__SCAN_NODE_DEPARTURE) = 0.0;
     }
-    i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))) - INT64_C(1);
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end_2 = (int64_t)AT(tables, scan + layout__SCAN_COUNT) - 1;
+    for (i = 0; i < i_end_2; i += 1)
     {
         node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * i;
-        following = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (i + INT64_C(1));
-        rise = ((*cspan_at(&tables, following + layout__SCAN_NODE_BEND)) - (*cspan_at(&tables, node + layout__SCAN_NODE_BEND))) / ((*cspan_at(&tables, following + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, node + layout__SCAN_NODE_Y)));
-        at = tables__find_piece(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&tables, node + layout__SCAN_NODE_Y)));
-        low = (*cspan_at(&tables, node + layout__SCAN_NODE_Y));
-        while(low < (*cspan_at(&tables, following + layout__SCAN_NODE_Y)))
+        following = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (i + 1);
+        rise = (AT(tables, following + layout__SCAN_NODE_BEND) - AT(tables, node + layout__SCAN_NODE_BEND)) / (AT(tables, following + layout__SCAN_NODE_Y) - AT(tables, node + layout__SCAN_NODE_Y));
+        at = tables__find_piece(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(tables, node + layout__SCAN_NODE_Y));
+        low = AT(tables, node + layout__SCAN_NODE_Y);
+        while (low < AT(tables, following + layout__SCAN_NODE_Y))
         {
-            stop = (*cspan_at(&tables, at)) + prepare_scan__piece_width(tables, base, at);
-            high = double_min(2, stop, (*cspan_at(&tables, following + layout__SCAN_NODE_Y)));
-            departure = prepare_scan_bends__piece_departure(tables, at, low, high, (*cspan_at(&tables, node + layout__SCAN_NODE_BEND)) + rise * (low - (*cspan_at(&tables, node + layout__SCAN_NODE_Y))), rise);
-            (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) = double_max(2, (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)), departure);
+            stop = AT(tables, at) + prepare_scan__piece_width(tables, base, at);
+            high = double_min(stop, AT(tables, following + layout__SCAN_NODE_Y));
+            departure = prepare_scan_bends__piece_departure(tables, at, low, high, AT(tables, node + layout__SCAN_NODE_BEND) + rise * (low - AT(tables, node + layout__SCAN_NODE_Y)), rise);
+            AT(tables, node + layout__SCAN_NODE_DEPARTURE) = double_max(AT(tables, node + layout__SCAN_NODE_DEPARTURE), departure);
             low = stop;
             at += layout__PIECE_SIZE;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* By how much second and third derivative [1/m, 1/m^2] jump at the end of the piece at ``at``. */
-static inline int64_t prepare_scan_bends__jumps_after(double* result_0, double* result_1, array_double_1d tables, int64_t base, int64_t at)
+static inline void prepare_scan_bends__jumps_after(double* out_0, double* out_1, array_double_1d tables, int64_t base, int64_t at)
 {
-    double width;
-    double slope;
-    double bend;
-    double third;
-    double fourth;
-    double next_bend;
-    double next_third;
+    double width, slope, bend, third, fourth, next_bend, next_third;
     width = prepare_scan__piece_width(tables, base, at);
     prepare_scan__slope_bend(&slope, &bend, tables, at, width);
     prepare_scan_bends__third_fourth(&third, &fourth, tables, at, width);
     prepare_scan__slope_bend(&slope, &next_bend, tables, at + layout__PIECE_SIZE, 0.0);
     prepare_scan_bends__third_fourth(&next_third, &fourth, tables, at + layout__PIECE_SIZE, 0.0);
-    (*result_0) = next_bend - bend;
-    (*result_1) = next_third - third;
-    return 0;
+    *out_0 = next_bend - bend;
+    *out_1 = next_third - third;
 }
 
 /* The joints of the rail at ``at``; the offset after them, or FULL. */
 static inline int64_t prepare_scan_bends__write_joints(array_double_1d tables, int64_t pair, int64_t scan, int64_t at)
 {
-    int64_t base;
-    int64_t last;
-    int64_t piece;
-    int64_t count;
-    int64_t joint;
-    double jump;
-    double kink;
-    base = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    last = tables__find_piece(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)));
-    piece = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + (int64_t)((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_PIECES)));
-    (*cspan_at(&tables, scan + layout__SCAN_JOINTS)) = (double)(at - scan);
-    count = INT64_C(0);
-    while(at + layout__RAIL_JOINT_SIZE <= (int64_t)tables.shape[INT64_C(0)])
+    int64_t base, last, piece, count, joint;
+    double jump, kink;
+    base = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    last = tables__find_piece(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP));
+    piece = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + (int64_t)AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_PIECES);
+    AT(tables, scan + layout__SCAN_JOINTS) = (double)(at - scan);
+    count = 0;
+    while (at + layout__RAIL_JOINT_SIZE <= tables.shape[0])
     {
-        joint = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * count;
-        (*cspan_at(&tables, joint + layout__RAIL_JOINT_PLACE)) = prepare_scan__FAR;
-        (*cspan_at(&tables, joint + layout__RAIL_JOINT_JUMP)) = 0.0;
+        joint = scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * count;
+        AT(tables, joint + layout__RAIL_JOINT_PLACE) = prepare_scan__FAR;
+        AT(tables, joint + layout__RAIL_JOINT_JUMP) = 0.0;
         if (piece >= last)
         {
             return at + layout__RAIL_JOINT_SIZE;
@@ -1458,10 +1366,10 @@ static inline int64_t prepare_scan_bends__write_joints(array_double_1d tables, i
         piece += layout__PIECE_SIZE;
         if (fabs(jump) > prepare_scan_bends__LEAST_JUMP)
         {
-            (*cspan_at(&tables, joint + layout__RAIL_JOINT_PLACE)) = (*cspan_at(&tables, piece));
-            (*cspan_at(&tables, joint + layout__RAIL_JOINT_JUMP)) = jump;
+            AT(tables, joint + layout__RAIL_JOINT_PLACE) = AT(tables, piece);
+            AT(tables, joint + layout__RAIL_JOINT_JUMP) = jump;
             at += layout__RAIL_JOINT_SIZE;
-            count += INT64_C(1);
+            count += 1;
         }
     }
     return prepare_pieces__FULL;
@@ -1470,57 +1378,46 @@ static inline int64_t prepare_scan_bends__write_joints(array_double_1d tables, i
 /* What bounds the rail's second derivative around each cell, but for its joints. */
 static inline int64_t prepare_scan_bends__write_waves(array_double_1d tables, int64_t pair, int64_t scan)
 {
-    int64_t base;
-    int64_t joint;
-    int64_t i_end;
-    int64_t i;
-    int64_t cell;
-    double edge;
-    double low;
-    double high;
-    int64_t at;
-    double stop;
-    double jump;
-    double kink;
-    base = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    joint = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t base, joint, i, cell, at, i_end;
+    double edge, low, high, stop, jump, kink;
+    base = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    joint = 0;
+    i_end = (int64_t)AT(tables, scan + layout__SCAN_RAIL_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
-        cell = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * i;
-        edge = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)) + prepare_scan__FINE_STEP * (double)(i);
-        low = double_max(2, edge - prepare_scan_bends__FOOT_REACH, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)));
-        high = double_min(2, edge + prepare_scan__FINE_STEP + prepare_scan_bends__CELL_REACH + prepare_scan_bends__FOOT_REACH, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)));
-        while((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE)) < low)
+        cell = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * i;
+        edge = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + prepare_scan__FINE_STEP * (double)i;
+        low = double_max(edge - prepare_scan_bends__FOOT_REACH, AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START));
+        high = double_min(edge + prepare_scan__FINE_STEP + prepare_scan_bends__CELL_REACH + prepare_scan_bends__FOOT_REACH, AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP));
+        while (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) < low)
         {
-            joint += INT64_C(1);
+            joint += 1;
         }
-        (*cspan_at(&tables, cell + layout__RAIL_CELL_JOINT)) = (double)(joint);
-        (*cspan_at(&tables, cell + layout__RAIL_CELL_WAVE)) = 0.0;
-        (*cspan_at(&tables, cell + layout__RAIL_CELL_KINKS)) = 0.0;
-        at = tables__find_piece(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), low);
-        while(low < high)
+        AT(tables, cell + layout__RAIL_CELL_JOINT) = (double)joint;
+        AT(tables, cell + layout__RAIL_CELL_WAVE) = 0.0;
+        AT(tables, cell + layout__RAIL_CELL_KINKS) = 0.0;
+        at = tables__find_piece(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), low);
+        while (low < high)
         {
-            stop = (*cspan_at(&tables, at)) + prepare_scan__piece_width(tables, base, at);
-            (*cspan_at(&tables, cell + layout__RAIL_CELL_WAVE)) = double_max(2, (*cspan_at(&tables, cell + layout__RAIL_CELL_WAVE)), prepare_scan_bends__largest_fourth(tables, at, low, double_min(2, stop, high)));
+            stop = AT(tables, at) + prepare_scan__piece_width(tables, base, at);
+            AT(tables, cell + layout__RAIL_CELL_WAVE) = double_max(AT(tables, cell + layout__RAIL_CELL_WAVE), prepare_scan_bends__largest_fourth(tables, at, low, double_min(stop, high)));
             if (stop < high)
             {
                 prepare_scan_bends__jumps_after(&jump, &kink, tables, base, at);
-                (*cspan_at(&tables, cell + layout__RAIL_CELL_KINKS)) += fabs(kink);
+                AT(tables, cell + layout__RAIL_CELL_KINKS) += fabs(kink);
             }
             low = stop;
             at += layout__PIECE_SIZE;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* All of it for the pair's raster, the joints at ``at``; the offset after them, or FULL. */
 static inline int64_t prepare_scan_bends__write_scan_bends(array_double_1d tables, int64_t pair, int64_t at)
 {
-    int64_t scan;
-    int64_t end;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    int64_t scan, end;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
     end = prepare_scan_bends__write_joints(tables, pair, scan, at);
     if (end != prepare_pieces__FULL)
     {
@@ -1549,12 +1446,11 @@ static inline int64_t prepare_scan_bends__write_scan_bends(array_double_1d table
 /* Where table ``index`` begins. */
 static inline int64_t prepare_tables__fixed_table(array_double_1d fixed, int64_t index)
 {
-    int64_t i;
-    int64_t at;
+    int64_t at, i;
     at = prepare_tables__FIXED_COUNT;
-    for (i = INT64_C(0); i < index; i += INT64_C(1))
+    for (i = 0; i < index; i += 1)
     {
-        at += (int64_t)((*cspan_at(&fixed, i)));
+        at += (int64_t)AT(fixed, i);
     }
     return at;
 }
@@ -1562,18 +1458,16 @@ static inline int64_t prepare_tables__fixed_table(array_double_1d fixed, int64_t
 /* Copy table ``index`` to ``at``; the offset after it, or FULL. */
 static inline int64_t prepare_tables__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index)
 {
-    int64_t size;
-    int64_t first;
-    int64_t i;
-    size = (int64_t)((*cspan_at(&fixed, index)));
-    if (at + size > (int64_t)tables.shape[INT64_C(0)])
+    int64_t size, first, i;
+    size = (int64_t)AT(fixed, index);
+    if (at + size > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
     first = prepare_tables__fixed_table(fixed, index);
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    for (i = 0; i < size; i += 1)
     {
-        (*cspan_at(&tables, at + i)) = (*cspan_at(&fixed, first + i));
+        AT(tables, at + i) = AT(fixed, first + i);
     }
     return at + size;
 }
@@ -1583,21 +1477,20 @@ static inline int64_t prepare_tables__append_fixed(array_double_1d tables, int64
  */
 static inline int64_t prepare_tables__append_waves(array_double_1d tables, int64_t at, int64_t count)
 {
-    if (at + layout__WAVES_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    if (at + layout__WAVES_SIZE > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
-    prepare_waves__write_waves(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), count);
+    prepare_waves__write_waves(tables, (int64_t)AT(tables, layout__TABLES_WAVES), count);
     return at + layout__WAVES_SIZE;
 }
 
 /* Weights of the values at three nodes in the parabola through them at ``x``. */
-static inline int64_t prepare_tables__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x)
+static inline void prepare_tables__parabola_weights(double* out_0, double* out_1, double* out_2, double low, double middle, double high, double x)
 {
-    (*result_0) = (x - middle) * (x - high) / ((low - middle) * (low - high));
-    (*result_1) = (x - low) * (x - high) / ((middle - low) * (middle - high));
-    (*result_2) = (x - low) * (x - middle) / ((high - low) * (high - middle));
-    return 0;
+    *out_0 = (x - middle) * (x - high) / ((low - middle) * (low - high));
+    *out_1 = (x - low) * (x - high) / ((middle - low) * (middle - high));
+    *out_2 = (x - low) * (x - middle) / ((high - low) * (high - middle));
 }
 
 /* The table of rolling at ``at`` for a Poisson's ratio, which ``tables`` already point to; the offset
@@ -1605,97 +1498,92 @@ static inline int64_t prepare_tables__parabola_weights(double* result_0, double*
  */
 static inline int64_t prepare_tables__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio)
 {
-    int64_t first;
-    int64_t i;
-    if (at + layout__ROLLING_TABLE_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    int64_t first, i;
+    if (at + layout__ROLLING_TABLE_SIZE > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
     first = prepare_tables__fixed_table(fixed, prepare_tables__FIXED_ROLLING);
-    for (i = INT64_C(0); i < layout__POINT_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__POINT_LIMIT; i += 1)
     {
-        (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_COSINES + i)) = (*cspan_at(&fixed, first + i));
-        (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))) + layout__ROLLING_TABLE_SINES + i)) = (*cspan_at(&fixed, first + layout__POINT_LIMIT + i));
+        AT(tables, (int64_t)AT(tables, layout__TABLES_ROLLING) + layout__ROLLING_TABLE_COSINES + i) = AT(fixed, first + i);
+        AT(tables, (int64_t)AT(tables, layout__TABLES_ROLLING) + layout__ROLLING_TABLE_SINES + i) = AT(fixed, first + layout__POINT_LIMIT + i);
     }
-    first = prepare_tables__write_shapes(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first + INT64_C(2) * layout__POINT_LIMIT, poisson_ratio);
-    first = prepare_tables__write_reaches(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first, poisson_ratio);
-    prepare_tables__write_corrections(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), fixed, first, poisson_ratio);
+    first = prepare_tables__write_shapes(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), fixed, first + 2 * layout__POINT_LIMIT, poisson_ratio);
+    first = prepare_tables__write_reaches(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), fixed, first, poisson_ratio);
+    prepare_tables__write_corrections(tables, (int64_t)AT(tables, layout__TABLES_ROLLING), fixed, first, poisson_ratio);
     return at + layout__ROLLING_TABLE_SIZE;
 }
 
 /* The shapes, parabolas of Poisson's ratio, from ``first`` on; the place behind them. */
 static inline int64_t prepare_tables__write_shapes(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
 {
-    int64_t size;
-    double low;
-    double middle;
-    double high;
-    int64_t i;
+    int64_t size, i;
+    double low, middle, high;
     size = layout__SHAPE_ROW * layout__SHAPE_CELLS;
     prepare_tables__parabola_weights(&low, &middle, &high, prepare_tables__LOW_RATIO, prepare_tables__MIDDLE_RATIO, prepare_tables__HIGH_RATIO, poisson_ratio);
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    for (i = 0; i < size; i += 1)
     {
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + i)) = low * (*cspan_at(&fixed, first + i)) + middle * (*cspan_at(&fixed, first + size + i)) + high * (*cspan_at(&fixed, first + INT64_C(2) * size + i));
+        AT(tables, table + layout__ROLLING_TABLE_SHAPES + i) = low * AT(fixed, first + i) + middle * AT(fixed, first + size + i) + high * AT(fixed, first + 2 * size + i);
     }
-    return first + INT64_C(3) * size;
+    return first + 3 * size;
 }
 
 /* The reaches, eq. (K5) of binding/rolling_table.py, from ``first`` on; the place behind them. */
 static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
 {
-    int64_t size;
-    int64_t i;
+    int64_t size, i;
     double weight;
-    size = layout__REACH_ROW * (layout__REACH_CELLS + INT64_C(1));
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    size = layout__REACH_ROW * (layout__REACH_CELLS + 1);
+    for (i = 0; i < size; i += 1)
     {
         weight = poisson_ratio;
-        if (pyc_modulo(py_floor_div_int64_t(i, INT64_C(4)), layout__REACH_COLUMNS) == INT64_C(0))
+        if (modulo(floor_div(i, 4), layout__REACH_COLUMNS) == 0)
         {
             weight = poisson_ratio / (1.0 - poisson_ratio);
         }
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + i)) = (*cspan_at(&fixed, first + i)) + weight * (*cspan_at(&fixed, first + size + i));
+        AT(tables, table + layout__ROLLING_TABLE_REACHES + i) = AT(fixed, first + i) + weight * AT(fixed, first + size + i);
     }
-    return first + INT64_C(2) * size;
+    return first + 2 * size;
 }
 
 /* The corrections, parabolas of Poisson's ratio, from ``first`` on. */
 static inline int64_t prepare_tables__write_corrections(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
 {
-    double ratio;
-    int64_t i;
-    double low;
-    double middle;
-    double high;
-    int64_t at;
-    ratio = double_min(2, double_max(2, poisson_ratio, prepare_tables__FIRST_CORRECTION), prepare_tables__THIRD_CORRECTION);
-    for (i = INT64_C(0); i < layout__CORRECTION_RADII; i += INT64_C(1))
+    double ratio, low, middle, high;
+    int64_t i, at;
+    ratio = double_min(double_max(poisson_ratio, prepare_tables__FIRST_CORRECTION), prepare_tables__THIRD_CORRECTION);
+    for (i = 0; i < layout__CORRECTION_RADII; i += 1)
     {
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + i)) = (*cspan_at(&fixed, first + i));
+        AT(tables, table + layout__ROLLING_TABLE_RADII + i) = AT(fixed, first + i);
     }
     prepare_tables__parabola_weights(&low, &middle, &high, prepare_tables__FIRST_CORRECTION, prepare_tables__SECOND_CORRECTION, prepare_tables__THIRD_CORRECTION, ratio);
     at = first + layout__CORRECTION_RADII;
-    for (i = INT64_C(0); i < layout__CORRECTION_SCALES; i += INT64_C(1))
+    for (i = 0; i < layout__CORRECTION_SCALES; i += 1)
     {
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + i)) = low * (*cspan_at(&fixed, at + i)) + middle * (*cspan_at(&fixed, at + layout__CORRECTION_SCALES + i)) + high * (*cspan_at(&fixed, at + INT64_C(2) * layout__CORRECTION_SCALES + i));
+        AT(tables, table + layout__ROLLING_TABLE_SCALES + i) = low * AT(fixed, at + i) + middle * AT(fixed, at + layout__CORRECTION_SCALES + i) + high * AT(fixed, at + 2 * layout__CORRECTION_SCALES + i);
     }
-    at += INT64_C(3) * layout__CORRECTION_SCALES;
-    for (i = INT64_C(0); i < layout__CORRECTION_SIZE; i += INT64_C(1))
+    at += 3 * layout__CORRECTION_SCALES;
+    for (i = 0; i < layout__CORRECTION_SIZE; i += 1)
     {
-        (*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + i)) = low * (*cspan_at(&fixed, at + i)) + middle * (*cspan_at(&fixed, at + layout__CORRECTION_SIZE + i)) + high * (*cspan_at(&fixed, at + INT64_C(2) * layout__CORRECTION_SIZE + i));
+        AT(tables, table + layout__ROLLING_TABLE_CORRECTIONS + i) = low * AT(fixed, at + i) + middle * AT(fixed, at + layout__CORRECTION_SIZE + i) + high * AT(fixed, at + 2 * layout__CORRECTION_SIZE + i);
     }
-    return INT64_C(0);
+    at += 3 * layout__CORRECTION_SIZE;
+    for (i = 0; i < layout__CORRECTION_SLOPES; i += 1)
+    {
+        AT(tables, table + layout__ROLLING_TABLE_SLOPES + i) = low * AT(fixed, at + i) + middle * AT(fixed, at + layout__CORRECTION_SLOPES + i) + high * AT(fixed, at + 2 * layout__CORRECTION_SLOPES + i);
+    }
+    return 0;
 }
 
 /* Copy a definition into the workspace; the offset after it. */
 static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at)
 {
-    int64_t size;
-    int64_t i;
-    size = prepare_zones__DEFINITION_ZONES + (int64_t)((*cspan_at(&definition, prepare_zones__DEFINITION_COUNT))) * (int64_t)((*cspan_at(&definition, prepare_zones__DEFINITION_ROW)));
-    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    int64_t size, i;
+    size = prepare_zones__DEFINITION_ZONES + (int64_t)AT(definition, prepare_zones__DEFINITION_COUNT) * (int64_t)AT(definition, prepare_zones__DEFINITION_ROW);
+    for (i = 0; i < size; i += 1)
     {
-        (*cspan_at(&work, at + i)) = (*cspan_at(&definition, i));
+        AT(work, at + i) = AT(definition, i);
     }
     return at + size;
 }
@@ -1703,68 +1591,67 @@ static inline int64_t prepare_tables__copy_definition(array_double_1d definition
 /* The springs below both rails. */
 static inline int64_t prepare_tables__write_springs(array_double_1d setup, array_double_1d tables)
 {
-    int64_t right;
-    int64_t i_1;
-    right = layout__TABLES_SPRINGS + layout__SPRING_SIZE * INT64_C(1);
-    (*cspan_at(&tables, right + layout__SPRING_LATERAL_STIFFNESS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_LATERAL_STIFFNESS));
-    (*cspan_at(&tables, right + layout__SPRING_VERTICAL_STIFFNESS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_VERTICAL_STIFFNESS));
-    (*cspan_at(&tables, right + layout__SPRING_LATERAL_DAMPING)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_LATERAL_DAMPING));
-    (*cspan_at(&tables, right + layout__SPRING_VERTICAL_DAMPING)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_VERTICAL_DAMPING));
-    for (i_1 = INT64_C(0); i_1 < layout__SPRING_SIZE; i_1 += INT64_C(1))
+    int64_t right, i_1;
+    right = layout__TABLES_SPRINGS + layout__SPRING_SIZE * 1;
+    AT(tables, right + layout__SPRING_LATERAL_STIFFNESS) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_LATERAL_STIFFNESS);
+    AT(tables, right + layout__SPRING_VERTICAL_STIFFNESS) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_VERTICAL_STIFFNESS);
+    AT(tables, right + layout__SPRING_LATERAL_DAMPING) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_LATERAL_DAMPING);
+    AT(tables, right + layout__SPRING_VERTICAL_DAMPING) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_VERTICAL_DAMPING);
+    for (i_1 = 0; i_1 < layout__SPRING_SIZE; i_1 += 1)
     {
-        (*cspan_at(&tables, layout__TABLES_SPRINGS + i_1)) = (*cspan_at(&setup, layout__SETUP_LEFT_SPRING + i_1));
+        AT(tables, layout__TABLES_SPRINGS + i_1) = AT(setup, layout__SETUP_LEFT_SPRING + i_1);
     }
-    (*cspan_at(&tables, layout__TABLES_SPRUNG)) = (double)(rails__is_sprung(tables, INT64_C(0)) || rails__is_sprung(tables, INT64_C(1)));
-    return INT64_C(0);
+    AT(tables, layout__TABLES_SPRUNG) = (double)(rails__is_sprung(tables, 0) || rails__is_sprung(tables, 1));
+    return 0;
 }
 
 /* The settings that are known from the beginning, with each method's first choice. */
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables)
 {
     double nu;
-    int64_t i_1;
-    int64_t index;
-    (*cspan_at(&tables, layout__TABLES_HEIGHT)) = 0.5 * ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS)) + (*cspan_at(&setup, layout__SETUP_LEFT_RADIUS)));
-    (*cspan_at(&tables, layout__TABLES_ARM)) = 0.5 * (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RUNNING_CIRCLE_DISTANCE));
-    nu = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
+    int64_t i_1, index;
+    AT(tables, layout__TABLES_HEIGHT) = 0.5 * (AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS) + AT(setup, layout__SETUP_LEFT_RADIUS));
+    AT(tables, layout__TABLES_ARM) = 0.5 * AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RUNNING_CIRCLE_DISTANCE);
+    nu = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO);
     prepare_tables__write_springs(setup, tables);
-    (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
-    (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 + nu));
-    (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT)) = layout__LATERAL_LIMIT;
-    (*cspan_at(&tables, layout__TABLES_YAW_LIMIT)) = layout__YAW_LIMIT;
-    (*cspan_at(&tables, layout__TABLES_NODES)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_NODES)));
-    (*cspan_at(&tables, layout__TABLES_STRIDE)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIDE)));
-    (*cspan_at(&tables, layout__TABLES_SWEEPS)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_SWEEPS)));
-    (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(0))) = (*cspan_at(&setup, layout__SETUP_ABSENT));
-    (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(1))) = (*cspan_at(&setup, layout__SETUP_ABSENT));
-    (*cspan_at(&tables, layout__TABLES_SIDES)) = (double)((double)(layout__SIDES_BOTH));
-    (*cspan_at(&tables, layout__TABLES_DEPTH)) = (double)((double)(layout__DEPTH_ALL));
-    (*cspan_at(&tables, layout__TABLES_ABSENT)) = (*cspan_at(&setup, layout__SETUP_ABSENT));
-    (*cspan_at(&tables, layout__TABLES_STATIONS)) = (double)((double)(layout__STATION_COUNT));
-    for (i_1 = INT64_C(0); i_1 < layout__PARAMETERS_SIZE; i_1 += INT64_C(1))
+    AT(tables, layout__TABLES_CONTACT_MODULUS) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS) / (2.0 * (1.0 - nu * nu));
+    AT(tables, layout__TABLES_SHEAR_MODULUS) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS) / (2.0 * (1.0 + nu));
+    AT(tables, layout__TABLES_LATERAL_LIMIT) = layout__LATERAL_LIMIT;
+    AT(tables, layout__TABLES_YAW_LIMIT) = layout__YAW_LIMIT;
+    AT(tables, layout__TABLES_NODES) = (double)AT(setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_NODES);
+    AT(tables, layout__TABLES_STRIDE) = (double)AT(setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIDE);
+    AT(tables, layout__TABLES_SWEEPS) = (double)AT(setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_SWEEPS);
+    AT(tables, layout__TABLES_PENETRATION + 0) = AT(setup, layout__SETUP_ABSENT);
+    AT(tables, layout__TABLES_PENETRATION + 1) = AT(setup, layout__SETUP_ABSENT);
+    AT(tables, layout__TABLES_SIDES) = (double)((double)layout__SIDES_BOTH);
+    AT(tables, layout__TABLES_ALONE) = (double)false;
+    AT(tables, layout__TABLES_DEPTH) = (double)((double)layout__DEPTH_ALL);
+    AT(tables, layout__TABLES_ABSENT) = AT(setup, layout__SETUP_ABSENT);
+    AT(tables, layout__TABLES_STATIONS) = (double)((double)layout__STATION_COUNT);
+    for (i_1 = 0; i_1 < layout__PARAMETERS_SIZE; i_1 += 1)
     {
-        (*cspan_at(&tables, layout__TABLES_PARAMETERS + i_1)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + i_1));
+        AT(tables, layout__TABLES_PARAMETERS + i_1) = AT(setup, layout__SETUP_PARAMETERS + i_1);
     }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    for (index = 0; index < 2; index += 1)
     {
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_TABLES)) = (double)(INT64_C(0) - (layout__TABLES_PAIRS + layout__PAIR_SIZE * index));
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_TABLES) = (double)(0 - (layout__TABLES_PAIRS + layout__PAIR_SIZE * index));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The chosen methods. */
 static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables)
 {
-    (*cspan_at(&tables, layout__TABLES_MODE)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CONTACT_MODE)));
-    (*cspan_at(&tables, layout__TABLES_LOAD)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LOAD)));
-    (*cspan_at(&tables, layout__TABLES_TANGENTIAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL)));
-    (*cspan_at(&tables, layout__TABLES_WEAR)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_WEAR_OUTPUTS)) != 0.0);
-    (*cspan_at(&tables, layout__TABLES_FATIGUE)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_FATIGUE_OUTPUTS)) != 0.0);
-    (*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL)));
-    (*cspan_at(&tables, layout__TABLES_SEPARATION)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_SEPARATION)));
-    (*cspan_at(&tables, layout__TABLES_LONGITUDINAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LONGITUDINAL_CURVATURE)));
-    (*cspan_at(&tables, layout__TABLES_LATERAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE)));
-    return INT64_C(0);
+    AT(tables, layout__TABLES_MODE) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_CONTACT_MODE);
+    AT(tables, layout__TABLES_LOAD) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LOAD);
+    AT(tables, layout__TABLES_TANGENTIAL) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL);
+    AT(tables, layout__TABLES_WEAR) = (double)(AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_WEAR_OUTPUTS) != 0.0);
+    AT(tables, layout__TABLES_FATIGUE) = (double)(AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_FATIGUE_OUTPUTS) != 0.0);
+    AT(tables, layout__TABLES_NORMAL_MODEL) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL);
+    AT(tables, layout__TABLES_SEPARATION) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_SEPARATION);
+    AT(tables, layout__TABLES_LONGITUDINAL) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LONGITUDINAL_CURVATURE);
+    AT(tables, layout__TABLES_LATERAL) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LATERAL_CURVATURE);
+    return 0;
 }
 
 /* A table of starts at ``at``, which counts as empty until ``open_starts``; the
@@ -1772,20 +1659,19 @@ static inline int64_t prepare_tables__write_methods(array_double_1d setup, array
  */
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at)
 {
-    int64_t starts;
-    int64_t i_1;
-    if (at + layout__STARTS_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    int64_t starts, i_1;
+    if (at + layout__STARTS_SIZE > tables.shape[0])
     {
         return prepare_pieces__FULL;
     }
-    (*cspan_at(&tables, layout__TABLES_STARTS)) = (double)(at);
-    starts = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS)));
-    for (i_1 = INT64_C(0); i_1 < layout__STARTS_SIZE; i_1 += INT64_C(1))
+    AT(tables, layout__TABLES_STARTS) = (double)at;
+    starts = (int64_t)AT(tables, layout__TABLES_STARTS);
+    for (i_1 = 0; i_1 < layout__STARTS_SIZE; i_1 += 1)
     {
-        (*cspan_at(&tables, starts + i_1)) = 0.0;
+        AT(tables, starts + i_1) = 0.0;
     }
-    (*cspan_at(&tables, starts + layout__STARTS_FIRST_SHIFT)) = -layout__LATERAL_LIMIT;
-    (*cspan_at(&tables, starts + layout__STARTS_PER_METRE)) = prepare_tables__STARTS_EACH_METRE;
+    AT(tables, starts + layout__STARTS_FIRST_SHIFT) = -layout__LATERAL_LIMIT;
+    AT(tables, starts + layout__STARTS_PER_METRE) = prepare_tables__STARTS_EACH_METRE;
     return at + layout__STARTS_SIZE;
 }
 
@@ -1794,20 +1680,19 @@ static inline int64_t prepare_tables__append_starts(array_double_1d tables, int6
  */
 static inline int64_t prepare_tables__write_wheel(array_double_1d setup, array_double_1d tables, int64_t pair, double radius, int64_t at, array_double_1d definition, array_double_1d work)
 {
-    int64_t scratch;
-    int64_t end;
-    scratch = prepare_tables__copy_definition(definition, work, INT64_C(0));
-    prepare_zones__turn_zones(work, INT64_C(0), 0.0, 0.0, 0.0);
-    if (prepare_zones__keep_around_top(work, INT64_C(0)) == INT64_C(0))
+    int64_t scratch, end;
+    scratch = prepare_tables__copy_definition(definition, work, 0);
+    prepare_zones__turn_zones(work, 0, 0.0, 0.0, 0.0);
+    if (prepare_zones__keep_around_top(work, 0) == 0)
     {
         return prepare_tables__WITHOUT_HEAD;
     }
-    (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) = radius;
-    (*cspan_at(&tables, pair + layout__PAIR_WHEEL)) = (double)(at - pair);
-    end = prepare_pieces__write_profile(tables, at, work, INT64_C(0), (*cspan_at(&setup, layout__SETUP_ABSENT)), work, scratch);
+    AT(tables, pair + layout__PAIR_RADIUS) = radius;
+    AT(tables, pair + layout__PAIR_WHEEL) = (double)(at - pair);
+    end = prepare_pieces__write_profile(tables, at, work, 0, AT(setup, layout__SETUP_ABSENT), work, scratch);
     if (end != prepare_pieces__FULL)
     {
-        (*cspan_at(&tables, pair + layout__PAIR_WHEEL_CURVATURE)) = (double)(end - pair);
+        AT(tables, pair + layout__PAIR_WHEEL_CURVATURE) = (double)(end - pair);
         end = prepare_curvatures__write_curvatures(tables, end, at, -1.0, work, scratch);
     }
     return end;
@@ -1818,46 +1703,40 @@ static inline int64_t prepare_tables__write_wheel(array_double_1d setup, array_d
  */
 static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_double_1d tables, int64_t pair, double inclination, int64_t at, array_double_1d definition, array_double_1d work)
 {
-    int64_t scratch;
-    double angle;
-    double y_top;
-    double z_top;
-    double depth;
-    double y_gauge;
-    double reached;
-    int64_t end;
-    scratch = prepare_tables__copy_definition(definition, work, INT64_C(0));
+    int64_t scratch, end;
+    double angle, y_top, z_top, depth, y_gauge, reached;
+    scratch = prepare_tables__copy_definition(definition, work, 0);
     angle = -circle__atan(inclination);
-    prepare_zones__highest_point(&y_top, &z_top, work, INT64_C(0), angle);
-    depth = z_top + (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE_DEPTH)) / prepare_pieces__MM;
-    prepare_zones__inner_face(&y_gauge, &reached, work, INT64_C(0), angle, depth);
+    prepare_zones__highest_point(&y_top, &z_top, work, 0, angle);
+    depth = z_top + AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE_DEPTH) / prepare_pieces__MM;
+    prepare_zones__inner_face(&y_gauge, &reached, work, 0, angle, depth);
     if (reached < depth)
     {
-        (*cspan_at(&setup, layout__SETUP_REACHED)) = reached * prepare_pieces__MM;
-        (*cspan_at(&setup, layout__SETUP_DEPTH)) = depth * prepare_pieces__MM;
+        AT(setup, layout__SETUP_REACHED) = reached * prepare_pieces__MM;
+        AT(setup, layout__SETUP_DEPTH) = depth * prepare_pieces__MM;
         return prepare_tables__GAUGE_TOO_DEEP;
     }
-    prepare_zones__turn_zones(work, INT64_C(0), angle, -y_top, -z_top);
-    if (prepare_zones__keep_around_top(work, INT64_C(0)) == INT64_C(0))
+    prepare_zones__turn_zones(work, 0, angle, -y_top, -z_top);
+    if (prepare_zones__keep_around_top(work, 0) == 0)
     {
         return prepare_tables__WITHOUT_HEAD;
     }
-    (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE)) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
-    (*cspan_at(&tables, pair + layout__PAIR_RAIL)) = (double)(at - pair);
-    end = prepare_pieces__write_profile(tables, at, work, INT64_C(0), (*cspan_at(&setup, layout__SETUP_ABSENT)), work, scratch);
+    AT(tables, pair + layout__PAIR_RAIL_Y) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
+    AT(tables, pair + layout__PAIR_RAIL) = (double)(at - pair);
+    end = prepare_pieces__write_profile(tables, at, work, 0, AT(setup, layout__SETUP_ABSENT), work, scratch);
     if (end != prepare_pieces__FULL)
     {
-        (*cspan_at(&tables, pair + layout__PAIR_RAIL_CURVATURE)) = (double)(end - pair);
+        AT(tables, pair + layout__PAIR_RAIL_CURVATURE) = (double)(end - pair);
         end = prepare_curvatures__write_curvatures(tables, end, at, 1.0, work, scratch);
     }
     if (end != prepare_pieces__FULL)
     {
-        (*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC)) = (double)(end - pair);
+        AT(tables, pair + layout__PAIR_RAIL_ARC) = (double)(end - pair);
         end = prepare_curvatures__write_arcs(tables, end, at, work, scratch);
     }
     if (end != prepare_pieces__FULL)
     {
-        (*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC)) = (double)(end - pair);
+        AT(tables, pair + layout__PAIR_RAIL_AT_ARC) = (double)(end - pair);
         end = prepare_curvatures__write_abscissae(tables, end, at, work, scratch);
     }
     return end;
@@ -1870,22 +1749,22 @@ static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_do
 static inline int64_t prepare_tables__write_common(array_double_1d setup, array_double_1d tables, array_double_1d fixed)
 {
     int64_t at;
-    (*cspan_at(&tables, layout__TABLES_HERTZ)) = (double)(layout__SETTING_COUNT);
+    AT(tables, layout__TABLES_HERTZ) = (double)layout__SETTING_COUNT;
     at = prepare_tables__append_fixed(tables, layout__SETTING_COUNT, fixed, prepare_tables__FIXED_HERTZ);
     if (at != prepare_pieces__FULL)
     {
-        (*cspan_at(&tables, layout__TABLES_INFLUENCE)) = (double)(at);
+        AT(tables, layout__TABLES_INFLUENCE) = (double)at;
         at = prepare_tables__append_fixed(tables, at, fixed, prepare_tables__FIXED_INFLUENCE);
     }
-    if ((at != prepare_pieces__FULL) && ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL)) == layout__MODEL_ANALYN_STRIP))
+    if (at != prepare_pieces__FULL && AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL) == layout__MODEL_ANALYN_STRIP)
     {
-        (*cspan_at(&tables, layout__TABLES_WAVES)) = (double)(at);
-        at = prepare_tables__append_waves(tables, at, (int64_t)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIPS))));
+        AT(tables, layout__TABLES_WAVES) = (double)at;
+        at = prepare_tables__append_waves(tables, at, (int64_t)AT(setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIPS));
     }
-    if ((at != prepare_pieces__FULL) && ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL)) != layout__TANGENTIAL_NONE))
+    if (at != prepare_pieces__FULL && AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL) != layout__TANGENTIAL_NONE)
     {
-        (*cspan_at(&tables, layout__TABLES_ROLLING)) = (double)(at);
-        at = prepare_tables__append_rolling(tables, at, fixed, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO)));
+        AT(tables, layout__TABLES_ROLLING) = (double)at;
+        at = prepare_tables__append_rolling(tables, at, fixed, AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
     }
     if (at != prepare_pieces__FULL)
     {
@@ -1897,18 +1776,17 @@ static inline int64_t prepare_tables__write_common(array_double_1d setup, array_
 /* The right side's wheel, rail and raster from ``at`` on; the offset after them, or why not. */
 static inline int64_t prepare_tables__write_right(array_double_1d setup, array_double_1d tables, int64_t at, array_double_1d wheel, array_double_1d rail, array_double_1d work)
 {
-    int64_t pair;
-    int64_t end;
-    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1);
-    end = prepare_tables__write_wheel(setup, tables, pair, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS)), at, wheel, work);
-    if (end >= INT64_C(0))
+    int64_t pair, end;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * 1;
+    end = prepare_tables__write_wheel(setup, tables, pair, AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS), at, wheel, work);
+    if (end >= 0)
     {
-        end = prepare_tables__write_rail(setup, tables, pair, (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION)), end, rail, work);
+        end = prepare_tables__write_rail(setup, tables, pair, AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION), end, rail, work);
     }
-    if (end >= INT64_C(0))
+    if (end >= 0)
     {
         end = prepare_scan__write_scan(setup, tables, pair, end, work);
-        if (end >= INT64_C(0))
+        if (end >= 0)
         {
             end = prepare_scan_bends__write_scan_bends(tables, pair, end);
         }
@@ -1921,40 +1799,39 @@ static inline int64_t prepare_tables__write_right(array_double_1d setup, array_d
  */
 static inline int64_t prepare_tables__write_left(array_double_1d setup, array_double_1d tables, int64_t at, array_double_1d wheel, array_double_1d rail, array_double_1d work, bool equal_wheels, bool equal_rails)
 {
-    int64_t right;
-    int64_t end;
-    right = layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1);
+    int64_t right, end;
+    right = layout__TABLES_PAIRS + layout__PAIR_SIZE * 1;
     end = at;
     if (equal_wheels)
     {
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)) = (*cspan_at(&tables, right + layout__PAIR_RADIUS));
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_WHEEL))) - layout__TABLES_PAIRS);
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL_CURVATURE)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_WHEEL_CURVATURE))) - layout__TABLES_PAIRS);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS) = AT(tables, right + layout__PAIR_RADIUS);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL) = (double)(right + (int64_t)AT(tables, right + layout__PAIR_WHEEL) - layout__TABLES_PAIRS);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL_CURVATURE) = (double)(right + (int64_t)AT(tables, right + layout__PAIR_WHEEL_CURVATURE) - layout__TABLES_PAIRS);
     }
     else
     {
-        end = prepare_tables__write_wheel(setup, tables, layout__TABLES_PAIRS, (*cspan_at(&setup, layout__SETUP_LEFT_RADIUS)), end, wheel, work);
+        end = prepare_tables__write_wheel(setup, tables, layout__TABLES_PAIRS, AT(setup, layout__SETUP_LEFT_RADIUS), end, wheel, work);
     }
     if (equal_rails)
     {
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)) = (*cspan_at(&tables, right + layout__PAIR_RAIL_Y));
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL))) - layout__TABLES_PAIRS);
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_CURVATURE)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL_CURVATURE))) - layout__TABLES_PAIRS);
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_ARC)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL_ARC))) - layout__TABLES_PAIRS);
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_AT_ARC)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL_AT_ARC))) - layout__TABLES_PAIRS);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y) = AT(tables, right + layout__PAIR_RAIL_Y);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL) = (double)(right + (int64_t)AT(tables, right + layout__PAIR_RAIL) - layout__TABLES_PAIRS);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_CURVATURE) = (double)(right + (int64_t)AT(tables, right + layout__PAIR_RAIL_CURVATURE) - layout__TABLES_PAIRS);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_ARC) = (double)(right + (int64_t)AT(tables, right + layout__PAIR_RAIL_ARC) - layout__TABLES_PAIRS);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_AT_ARC) = (double)(right + (int64_t)AT(tables, right + layout__PAIR_RAIL_AT_ARC) - layout__TABLES_PAIRS);
     }
-    else if (end >= INT64_C(0))
+    else if (end >= 0)
     {
-        end = prepare_tables__write_rail(setup, tables, layout__TABLES_PAIRS, (*cspan_at(&setup, layout__SETUP_LEFT_INCLINATION)), end, rail, work);
+        end = prepare_tables__write_rail(setup, tables, layout__TABLES_PAIRS, AT(setup, layout__SETUP_LEFT_INCLINATION), end, rail, work);
     }
     if (equal_wheels && equal_rails)
     {
-        (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SCAN)) = (double)(right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_SCAN))) - layout__TABLES_PAIRS);
+        AT(tables, layout__TABLES_PAIRS + layout__PAIR_SCAN) = (double)(right + (int64_t)AT(tables, right + layout__PAIR_SCAN) - layout__TABLES_PAIRS);
     }
-    else if (end >= INT64_C(0))
+    else if (end >= 0)
     {
         end = prepare_scan__write_scan(setup, tables, layout__TABLES_PAIRS, end, work);
-        if (end >= INT64_C(0))
+        if (end >= 0)
         {
             end = prepare_scan_bends__write_scan_bends(tables, layout__TABLES_PAIRS, end);
         }
@@ -1968,26 +1845,24 @@ static inline int64_t prepare_tables__write_left(array_double_1d setup, array_do
  */
 static inline int64_t prepare_tables__prepare(array_double_1d setup, array_double_1d wheel, array_double_1d rail, array_double_1d left_wheel, array_double_1d left_rail, array_double_1d fixed, array_double_1d tables, array_double_1d work)
 {
-    int64_t i;
-    bool equal_wheels;
-    bool equal_rails;
-    int64_t at;
-    for (i = INT64_C(0); i < layout__SETTING_COUNT; i += INT64_C(1))
+    int64_t i, at;
+    bool equal_wheels, equal_rails;
+    for (i = 0; i < layout__SETTING_COUNT; i += 1)
     {
-        (*cspan_at(&tables, i)) = 0.0;
+        AT(tables, i) = 0.0;
     }
     prepare_tables__write_settings(setup, tables);
     at = prepare_tables__write_common(setup, tables, fixed);
-    (*cspan_at(&setup, layout__SETUP_SIDE)) = 1.0;
-    if (at >= INT64_C(0))
+    AT(setup, layout__SETUP_SIDE) = (double)1;
+    if (at >= 0)
     {
         at = prepare_tables__write_right(setup, tables, at, wheel, rail, work);
     }
-    if (at >= INT64_C(0))
+    if (at >= 0)
     {
-        (*cspan_at(&setup, layout__SETUP_SIDE)) = 0.0;
-        equal_wheels = ((*cspan_at(&setup, layout__SETUP_LEFT_RADIUS)) == (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS))) && prepare_tables__same_numbers(left_wheel, wheel);
-        equal_rails = ((*cspan_at(&setup, layout__SETUP_LEFT_INCLINATION)) == (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION))) && prepare_tables__same_numbers(left_rail, rail);
+        AT(setup, layout__SETUP_SIDE) = (double)0;
+        equal_wheels = AT(setup, layout__SETUP_LEFT_RADIUS) == AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS) && prepare_tables__same_numbers(left_wheel, wheel);
+        equal_rails = AT(setup, layout__SETUP_LEFT_INCLINATION) == AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_INCLINATION) && prepare_tables__same_numbers(left_rail, rail);
         at = prepare_tables__write_left(setup, tables, at, left_wheel, left_rail, work, equal_wheels, equal_rails);
     }
     return at;
@@ -1996,54 +1871,49 @@ static inline int64_t prepare_tables__prepare(array_double_1d setup, array_doubl
 /* Whether two definitions are equal; a number that is none equals itself. */
 static inline bool prepare_tables__same_numbers(array_double_1d one, array_double_1d other)
 {
-    int64_t i_end;
-    int64_t i;
-    if ((int64_t)one.shape[INT64_C(0)] != (int64_t)other.shape[INT64_C(0)])
+    int64_t i, i_end;
+    if (one.shape[0] != other.shape[0])
     {
-        return 0;
+        return false;
     }
-    i_end = (int64_t)one.shape[INT64_C(0)];
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = one.shape[0];
+    for (i = 0; i < i_end; i += 1)
     {
-        if (((*cspan_at(&one, i)) != (*cspan_at(&other, i))) && (!(((*cspan_at(&one, i)) != (*cspan_at(&one, i))) && ((*cspan_at(&other, i)) != (*cspan_at(&other, i))))))
+        if (AT(one, i) != AT(other, i) && !(AT(one, i) != AT(one, i) && AT(other, i) != AT(other, i)))
         {
-            return 0;
+            return false;
         }
     }
-    return 1;
+    return true;
 }
 
 /* Whether both sides have the same wheel and rail. */
 static inline bool prepare_tables__equal_sides(array_double_1d tables)
 {
     int64_t right;
-    bool result;
-    right = layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1);
-    result = (layout__TABLES_PAIRS + (int64_t)((*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL))) == right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_WHEEL)))) && (layout__TABLES_PAIRS + (int64_t)((*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL))) == right + (int64_t)((*cspan_at(&tables, right + layout__PAIR_RAIL))));
-    return result;
+    right = layout__TABLES_PAIRS + layout__PAIR_SIZE * 1;
+    return layout__TABLES_PAIRS + (int64_t)AT(tables, layout__TABLES_PAIRS + layout__PAIR_WHEEL) == right + (int64_t)AT(tables, right + layout__PAIR_WHEEL) && layout__TABLES_PAIRS + (int64_t)AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL) == right + (int64_t)AT(tables, right + layout__PAIR_RAIL);
 }
 
 /* Lateral shift [m] of a row of the table of starts. */
 static inline double prepare_tables__start_shift(array_double_1d tables, int64_t row)
 {
-    double result;
-    result = (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_FIRST_SHIFT)) + (double)(row) / (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_PER_METRE));
-    return result;
+    return AT(tables, (int64_t)AT(tables, layout__TABLES_STARTS) + layout__STARTS_FIRST_SHIFT) + (double)row / AT(tables, (int64_t)AT(tables, layout__TABLES_STARTS) + layout__STARTS_PER_METRE);
 }
 
 /* Note in a row of the table of starts where the wheelset touches, from the step at its shift. */
 static inline int64_t prepare_tables__note_start(array_double_1d work, array_double_1d tables, int64_t row, int64_t status)
 {
     int64_t start;
-    start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
+    start = (int64_t)AT(tables, layout__TABLES_STARTS) + layout__STARTS_ROWS + layout__START_SIZE * row;
     if (status <= layout__UNLOADED)
     {
-        (*cspan_at(&tables, start + layout__START_KNOWN)) = (double)(1);
-        (*cspan_at(&tables, start + layout__START_ROLL)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL));
-        (*cspan_at(&tables, start + layout__START_LEFT)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_Y_WHEEL));
-        (*cspan_at(&tables, start + layout__START_RIGHT)) = (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * INT64_C(1) + layout__SIDE_OUTPUTS_Y_WHEEL));
+        AT(tables, start + layout__START_KNOWN) = (double)true;
+        AT(tables, start + layout__START_ROLL) = AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL);
+        AT(tables, start + layout__START_LEFT) = AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_Y_WHEEL);
+        AT(tables, start + layout__START_RIGHT) = AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * 1 + layout__SIDE_OUTPUTS_Y_WHEEL);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Let the search use the table of starts, once its last row is known.
@@ -2057,25 +1927,24 @@ static inline int64_t prepare_tables__open_starts(array_double_1d tables)
     {
         prepare_tables__mirror_starts(tables);
     }
-    (*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_COUNT)) = (double)(layout__START_COUNT);
-    return INT64_C(0);
+    AT(tables, (int64_t)AT(tables, layout__TABLES_STARTS) + layout__STARTS_COUNT) = (double)layout__START_COUNT;
+    return 0;
 }
 
 /* Rows of negative shifts from those of positive ones. */
 static inline int64_t prepare_tables__mirror_starts(array_double_1d tables)
 {
-    int64_t rows;
-    int64_t row;
-    rows = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS;
-    for (row = INT64_C(0); row < py_floor_div_int64_t(layout__START_COUNT, INT64_C(2)); row += INT64_C(1))
+    int64_t rows, row;
+    rows = (int64_t)AT(tables, layout__TABLES_STARTS) + layout__STARTS_ROWS;
+    for (row = 0; row < floor_div(layout__START_COUNT, 2); row += 1)
     {
-        (*cspan_at(&tables, rows + layout__START_SIZE * row + layout__START_ROLL)) = -(*cspan_at(&tables, rows + layout__START_SIZE * (layout__START_COUNT - INT64_C(1) - row) + layout__START_ROLL));
-        (*cspan_at(&tables, rows + layout__START_SIZE * row + layout__START_LEFT)) = (*cspan_at(&tables, rows + layout__START_SIZE * (layout__START_COUNT - INT64_C(1) - row) + layout__START_RIGHT));
-        (*cspan_at(&tables, rows + layout__START_SIZE * row + layout__START_RIGHT)) = (*cspan_at(&tables, rows + layout__START_SIZE * (layout__START_COUNT - INT64_C(1) - row) + layout__START_LEFT));
+        AT(tables, rows + layout__START_SIZE * row + layout__START_ROLL) = -AT(tables, rows + layout__START_SIZE * (layout__START_COUNT - 1 - row) + layout__START_ROLL);
+        AT(tables, rows + layout__START_SIZE * row + layout__START_LEFT) = AT(tables, rows + layout__START_SIZE * (layout__START_COUNT - 1 - row) + layout__START_RIGHT);
+        AT(tables, rows + layout__START_SIZE * row + layout__START_RIGHT) = AT(tables, rows + layout__START_SIZE * (layout__START_COUNT - 1 - row) + layout__START_LEFT);
     }
-    (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_ROLL)) = 0.0;
-    (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_LEFT)) = (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_RIGHT));
-    return INT64_C(0);
+    AT(tables, rows + layout__START_SIZE * floor_div(layout__START_COUNT, 2) + layout__START_ROLL) = 0.0;
+    AT(tables, rows + layout__START_SIZE * floor_div(layout__START_COUNT, 2) + layout__START_LEFT) = AT(tables, rows + layout__START_SIZE * floor_div(layout__START_COUNT, 2) + layout__START_RIGHT);
+    return 0;
 }
 
 
@@ -2090,98 +1959,84 @@ static inline int64_t prepare_tables__mirror_starts(array_double_1d tables)
 /* cos(m t) at the angle t = (i + 1/2) pi / ``count``. */
 static inline double prepare_waves__wave(int64_t m, int64_t i, int64_t count)
 {
-    double sine;
-    double cosine;
-    circle__sine_cosine(&sine, &cosine, (double)(pyc_modulo(m * (INT64_C(2) * i + INT64_C(1)), (INT64_C(4) * count))) * 0.5 * M_PI / (double)(count));
+    double sine, cosine;
+    circle__sine_cosine(&sine, &cosine, (double)modulo(m * (2 * i + 1), 4 * count) * 0.5 * M_PI / (double)count);
     return cosine;
 }
 
 /* All of the table for runs of ``count`` strips. */
 static inline int64_t prepare_waves__write_waves(array_double_1d tables, int64_t waves, int64_t count)
 {
-    int64_t fine;
-    int64_t i;
-    int64_t k;
-    double sine;
-    double cosine;
-    double smooth;
-    int64_t m;
-    int64_t j;
-    double rough;
-    (*cspan_at(&tables, waves + layout__WAVES_COUNT)) = (double)(count);
+    int64_t fine, i, k, m, j;
+    double sine, cosine, smooth, rough;
+    AT(tables, waves + layout__WAVES_COUNT) = (double)count;
     fine = layout__FINE_WAVES * count;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    for (i = 0; i < count; i += 1)
     {
         prepare_waves__write_strip(tables, waves, i, count);
     }
-    for (k = INT64_C(0); k < fine; k += INT64_C(1))
+    for (k = 0; k < fine; k += 1)
     {
-        circle__sine_cosine(&sine, &cosine, ((double)(k) + 0.5) * M_PI / (double)(fine));
-        (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + k)) = sine;
-        (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + k)) = cosine;
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        circle__sine_cosine(&sine, &cosine, ((double)k + 0.5) * M_PI / (double)fine);
+        AT(tables, waves + layout__WAVES_FINE_SIN + k) = sine;
+        AT(tables, waves + layout__WAVES_FINE_COS + k) = cosine;
+        for (i = 0; i < count; i += 1)
         {
             smooth = 0.5;
-            for (m = INT64_C(1); m < count; m += INT64_C(1))
+            for (m = 1; m < count; m += 1)
             {
                 smooth += prepare_waves__wave(m, i, count) * prepare_waves__wave(m, k, fine);
             }
-            (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + k)) = 2.0 * smooth / (double)(fine);
-            (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * k + i)) = 2.0 * smooth / (double)(count);
+            AT(tables, waves + layout__WAVES_SMOOTHING + 48 * i + k) = 2.0 * smooth / (double)fine;
+            AT(tables, waves + layout__WAVES_REFINING + 16 * k + i) = 2.0 * smooth / (double)count;
         }
-        for (j = INT64_C(0); j < fine; j += INT64_C(1))
+        for (j = 0; j < fine; j += 1)
         {
             rough = 0.0;
-            for (m = count; m < fine; m += INT64_C(1))
+            for (m = count; m < fine; m += 1)
             {
-                rough += (double)(m) * prepare_waves__wave(m, k, fine) * prepare_waves__wave(m, j, fine);
+                rough += (double)m * prepare_waves__wave(m, k, fine) * prepare_waves__wave(m, j, fine);
             }
-            (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * k + j)) = 2.0 * rough / (double)(fine);
+            AT(tables, waves + layout__WAVES_ROUGHNESS + 48 * k + j) = 2.0 * rough / (double)fine;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Angle, weights and the row of eq. (S11) of strip ``i``. */
 static inline int64_t prepare_waves__write_strip(array_double_1d tables, int64_t waves, int64_t i, int64_t count)
 {
-    double sine;
-    double cosine;
-    double start;
-    double stop;
-    double sign;
-    int64_t m;
-    int64_t j;
-    double left;
-    circle__sine_cosine(&sine, &cosine, ((double)(i) + 0.5) * M_PI / (double)(count));
-    (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) = sine;
-    (*cspan_at(&tables, waves + layout__WAVES_COS + i)) = cosine;
-    (*cspan_at(&tables, waves + layout__WAVES_SPREAD + i)) = powers__log((double)(count) / (M_PI * sine));
+    double sine, cosine, start, stop, sign, left;
+    int64_t m, j;
+    circle__sine_cosine(&sine, &cosine, ((double)i + 0.5) * M_PI / (double)count);
+    AT(tables, waves + layout__WAVES_SIN + i) = sine;
+    AT(tables, waves + layout__WAVES_COS + i) = cosine;
+    AT(tables, waves + layout__WAVES_SPREAD + i) = powers__log((double)count / (M_PI * sine));
     start = 0.5;
     stop = 0.5;
     sign = 1.0;
-    for (m = INT64_C(1); m < count; m += INT64_C(1))
+    for (m = 1; m < count; m += 1)
     {
         sign = -sign;
         start += prepare_waves__wave(m, i, count);
         stop += sign * prepare_waves__wave(m, i, count);
     }
-    (*cspan_at(&tables, waves + layout__WAVES_START + i)) = 2.0 * start / (double)(count);
-    (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) = 2.0 * stop / (double)(count);
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    AT(tables, waves + layout__WAVES_START + i) = 2.0 * start / (double)count;
+    AT(tables, waves + layout__WAVES_STOP + i) = 2.0 * stop / (double)count;
+    for (j = 0; j < count; j += 1)
     {
         left = -powers__log(2.0);
-        for (m = INT64_C(1); m < count; m += INT64_C(1))
+        for (m = 1; m < count; m += 1)
         {
-            left -= 2.0 * prepare_waves__wave(m, i, count) * prepare_waves__wave(m, j, count) / (double)(m);
+            left -= 2.0 * prepare_waves__wave(m, i, count) * prepare_waves__wave(m, j, count) / (double)m;
         }
         if (j != i)
         {
-            left -= powers__log(fabs(prepare_waves__wave(INT64_C(1), i, count) - prepare_waves__wave(INT64_C(1), j, count)));
+            left -= powers__log(fabs(prepare_waves__wave(1, i, count) - prepare_waves__wave(1, j, count)));
         }
-        (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * i + j)) = 2.0 * left;
+        AT(tables, waves + layout__WAVES_SINGULAR + 16 * i + j) = 2.0 * left;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -2201,118 +2056,104 @@ static inline int64_t prepare_waves__write_strip(array_double_1d tables, int64_t
 /* Height [mm], slope and second derivative [1/mm] of an upright polynomial at ``t`` [mm],
  * each by Horner's scheme.
  */
-static inline int64_t prepare_zones__polynomial_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t)
+static inline void prepare_zones__polynomial_jet(double* z_out, double* slope_out, double* bend_out, array_double_1d zones, int64_t row, double t)
 {
-    double u;
-    int64_t terms;
-    int64_t i;
-    int64_t k;
-    double c;
-    u = t - (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN));
-    (*z) = 0.0;
-    (*slope) = 0.0;
-    (*bend) = 0.0;
-    terms = (int64_t)((*cspan_at(&zones, row + prepare_zones__ZONE_TERMS)));
-    for (i = INT64_C(0); i < terms; i += INT64_C(1))
+    double u, z, slope, bend, c;
+    int64_t terms, i, k;
+    u = t - AT(zones, row + prepare_zones__ZONE_ORIGIN);
+    z = 0.0;
+    slope = 0.0;
+    bend = 0.0;
+    terms = (int64_t)AT(zones, row + prepare_zones__ZONE_TERMS);
+    for (i = 0; i < terms; i += 1)
     {
-        k = terms - INT64_C(1) - i;
-        c = (*cspan_at(&zones, row + prepare_zones__ZONE_COEFFICIENTS + k));
-        (*z) = (*z) * u + c;
-        if (k > INT64_C(0))
+        k = terms - 1 - i;
+        c = AT(zones, row + prepare_zones__ZONE_COEFFICIENTS + k);
+        z = z * u + c;
+        if (k > 0)
         {
-            (*slope) = (*slope) * u + c * (double)(k);
+            slope = slope * u + c * (double)k;
         }
-        if (k > INT64_C(1))
+        if (k > 1)
         {
-            (*bend) = (*bend) * u + c * (double)(k) * (double)(k - INT64_C(1));
+            bend = bend * u + c * (double)k * (double)(k - 1);
         }
     }
-    return 0;
+    *z_out = z;
+    *slope_out = slope;
+    *bend_out = bend;
 }
 
 /* The same of an arc at ``y`` [mm]. */
-static inline int64_t prepare_zones__arc_jet(double* z, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y)
+static inline void prepare_zones__arc_jet(double* z_out, double* out_1, double* out_2, array_double_1d zones, int64_t row, double y)
 {
-    double u;
-    double radius;
-    double side;
-    double root;
-    u = y - (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN));
-    radius = (*cspan_at(&zones, row + prepare_zones__ZONE_RADIUS));
-    side = (*cspan_at(&zones, row + prepare_zones__ZONE_SIDE));
-    root = sqrt(double_max(2, radius * radius - u * u, 0.0));
-    (*z) = (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE)) + side * root;
-    root = double_max(2, root, prepare_zones__VERTICAL);
-    (*result_1) = (-side) * u / root;
-    (*result_2) = (-side) * (radius * radius) / (root * root * root);
-    return 0;
+    double u, radius, side, root, z;
+    u = y - AT(zones, row + prepare_zones__ZONE_ORIGIN);
+    radius = AT(zones, row + prepare_zones__ZONE_RADIUS);
+    side = AT(zones, row + prepare_zones__ZONE_SIDE);
+    root = sqrt(double_max(radius * radius - u * u, 0.0));
+    z = AT(zones, row + prepare_zones__ZONE_Z_CENTRE) + side * root;
+    root = double_max(root, prepare_zones__VERTICAL);
+    *z_out = z;
+    *out_1 = -side * u / root;
+    *out_2 = -side * (radius * radius) / (root * root * root);
 }
 
 /* The same of a zone before it is turned. */
-static inline int64_t prepare_zones__upright_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t)
+static inline void prepare_zones__upright_jet(double* z_out, double* slope_out, double* bend_out, array_double_1d zones, int64_t row, double t)
 {
-    (*z) = 0.0;
-    (*slope) = 0.0;
-    (*bend) = 0.0;
-    if ((int64_t)((*cspan_at(&zones, row + prepare_zones__ZONE_FAMILY))) == prepare_zones__FAMILY_ARC)
+    double z, slope, bend;
+    z = 0.0;
+    slope = 0.0;
+    bend = 0.0;
+    if ((int64_t)AT(zones, row + prepare_zones__ZONE_FAMILY) == prepare_zones__FAMILY_ARC)
     {
-        prepare_zones__arc_jet(z, slope, bend, zones, row, t);
+        prepare_zones__arc_jet(&z, &slope, &bend, zones, row, t);
     }
     else
     {
-        prepare_zones__polynomial_jet(z, slope, bend, zones, row, t);
+        prepare_zones__polynomial_jet(&z, &slope, &bend, zones, row, t);
     }
-    return 0;
+    *z_out = z;
+    *slope_out = slope;
+    *bend_out = bend;
 }
 
 /* Point (y, z) [mm] at ``t`` of a zone that is turned about the origin. */
-static inline int64_t prepare_zones__turned_point(double* result_0, double* result_1, array_double_1d zones, int64_t row, double t, double cosine, double sine)
+static inline void prepare_zones__turned_point(double* out_0, double* out_1, array_double_1d zones, int64_t row, double t, double cosine, double sine)
 {
-    double z;
-    double slope;
-    double bend;
+    double z, slope, bend;
     prepare_zones__upright_jet(&z, &slope, &bend, zones, row, t);
-    (*result_0) = cosine * t - sine * z;
-    (*result_1) = sine * t + cosine * z;
-    return 0;
+    *out_0 = cosine * t - sine * z;
+    *out_1 = sine * t + cosine * z;
 }
 
 /* ``x``, or the end that it lies beyond. */
 static inline double prepare_zones__clamped(double x, double low, double high)
 {
-    return double_min(2, double_max(2, x, low), high);
+    return double_min(double_max(x, low), high);
 }
 
 /* Height, slope and second derivative of a turned polynomial at its own abscissa ``y``
  * [mm], by Newton's method.
  */
-static inline int64_t prepare_zones__turned_jet(double* result_0, double* result_1, double* result_2, array_double_1d zones, int64_t row, double y)
+static inline void prepare_zones__turned_jet(double* out_0, double* out_1, double* out_2, array_double_1d zones, int64_t row, double y)
 {
-    double c;
-    double s;
-    double first;
-    double last;
-    double along;
-    double t;
+    double c, s, first, last, along, t, z, slope, bend, newton, stretch;
     int64_t i;
-    double z;
-    double slope;
-    double bend;
-    double newton;
-    double stretch;
-    c = (*cspan_at(&zones, row + prepare_zones__ZONE_COS));
-    s = (*cspan_at(&zones, row + prepare_zones__ZONE_SIN));
-    first = (*cspan_at(&zones, row + prepare_zones__ZONE_FIRST));
-    last = (*cspan_at(&zones, row + prepare_zones__ZONE_LAST));
-    along = y - (*cspan_at(&zones, row + prepare_zones__ZONE_Y_SHIFT));
+    c = AT(zones, row + prepare_zones__ZONE_COS);
+    s = AT(zones, row + prepare_zones__ZONE_SIN);
+    first = AT(zones, row + prepare_zones__ZONE_FIRST);
+    last = AT(zones, row + prepare_zones__ZONE_LAST);
+    along = y - AT(zones, row + prepare_zones__ZONE_Y_SHIFT);
     t = prepare_zones__clamped(c * along, first, last);
-    i = INT64_C(0);
-    while(i < prepare_zones__TURNED_ITERATIONS)
+    i = 0;
+    while (i < prepare_zones__TURNED_ITERATIONS)
     {
         prepare_zones__polynomial_jet(&z, &slope, &bend, zones, row, t);
         newton = (c * t - s * z - along) / (c - s * slope);
         t = prepare_zones__clamped(t - newton, first, last);
-        i += INT64_C(1);
+        i += 1;
         if (fabs(newton) <= prepare_zones__TURNED_SHARP * (1.0 + fabs(along)))
         {
             i = prepare_zones__TURNED_ITERATIONS;
@@ -2320,35 +2161,35 @@ static inline int64_t prepare_zones__turned_jet(double* result_0, double* result
     }
     prepare_zones__polynomial_jet(&z, &slope, &bend, zones, row, t);
     stretch = c - s * slope;
-    (*result_0) = s * t + c * z + (*cspan_at(&zones, row + prepare_zones__ZONE_Z_SHIFT));
-    (*result_1) = (s + c * slope) / stretch;
-    (*result_2) = bend / (stretch * stretch * stretch);
-    return 0;
+    *out_0 = s * t + c * z + AT(zones, row + prepare_zones__ZONE_Z_SHIFT);
+    *out_1 = (s + c * slope) / stretch;
+    *out_2 = bend / (stretch * stretch * stretch);
 }
 
 /* Height [mm], slope and second derivative [1/mm] of any zone at ``y`` [mm]. */
-static inline int64_t prepare_zones__zone_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double y)
+static inline void prepare_zones__zone_jet(double* z_out, double* slope_out, double* bend_out, array_double_1d zones, int64_t row, double y)
 {
-    (*z) = 0.0;
-    (*slope) = 0.0;
-    (*bend) = 0.0;
-    if ((*cspan_at(&zones, row + prepare_zones__ZONE_TURNED)) == 1.0)
+    double z, slope, bend;
+    z = 0.0;
+    slope = 0.0;
+    bend = 0.0;
+    if (AT(zones, row + prepare_zones__ZONE_TURNED) == 1.0)
     {
-        prepare_zones__turned_jet(z, slope, bend, zones, row, y);
+        prepare_zones__turned_jet(&z, &slope, &bend, zones, row, y);
     }
     else
     {
-        prepare_zones__upright_jet(z, slope, bend, zones, row, y);
+        prepare_zones__upright_jet(&z, &slope, &bend, zones, row, y);
     }
-    return 0;
+    *z_out = z;
+    *slope_out = slope;
+    *bend_out = bend;
 }
 
 /* What has the sign of the slope of a turned zone at ``t`` [mm]. */
 static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t row, double t, double cosine, double sine)
 {
-    double z;
-    double slope;
-    double bend;
+    double z, slope, bend;
     prepare_zones__upright_jet(&z, &slope, &bend, zones, row, t);
     return sine + cosine * slope;
 }
@@ -2358,17 +2199,15 @@ static inline double prepare_zones__turned_slope(array_double_1d zones, int64_t 
  */
 static inline double prepare_zones__level_place(array_double_1d zones, int64_t row, double cosine, double sine)
 {
-    double low;
-    double high;
-    double middle;
-    low = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
-    high = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
-    if (!((prepare_zones__turned_slope(zones, row, low, cosine, sine) < 0.0) && (0.0 <= prepare_zones__turned_slope(zones, row, high, cosine, sine))))
+    double low, high, middle;
+    low = AT(zones, row + prepare_zones__ZONE_START);
+    high = AT(zones, row + prepare_zones__ZONE_STOP);
+    if (!(prepare_zones__turned_slope(zones, row, low, cosine, sine) < 0.0 && 0.0 <= prepare_zones__turned_slope(zones, row, high, cosine, sine)))
     {
         return low;
     }
     middle = 0.5 * (low + high);
-    while((low < middle) && (middle < high))
+    while (low < middle && middle < high)
     {
         if (prepare_zones__turned_slope(zones, row, middle, cosine, sine) < 0.0)
         {
@@ -2384,30 +2223,26 @@ static inline double prepare_zones__level_place(array_double_1d zones, int64_t r
 }
 
 /* Point (y, z) [mm] of the turned head where it is level and highest. */
-static inline int64_t prepare_zones__highest_point(double* y_top, double* z_top, array_double_1d zones, int64_t base, double angle)
+static inline void prepare_zones__highest_point(double* y_top_out, double* z_top_out, array_double_1d zones, int64_t base, double angle)
 {
-    double sine;
-    double cosine;
-    int64_t i_end;
-    int64_t i;
-    int64_t row;
-    double y;
-    double z;
-    (*y_top) = 0.0;
-    (*z_top) = 0.0;
+    double y_top, z_top, sine, cosine, y, z;
+    int64_t i, row, i_end;
+    y_top = 0.0;
+    z_top = 0.0;
     circle__sine_cosine(&sine, &cosine, angle);
-    i_end = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    i_end = (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
-        row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
+        row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)AT(zones, base + prepare_zones__DEFINITION_ROW);
         prepare_zones__turned_point(&y, &z, zones, row, prepare_zones__level_place(zones, row, cosine, sine), cosine, sine);
-        if ((i == INT64_C(0)) || (z < (*z_top)))
+        if (i == 0 || z < z_top)
         {
-            (*y_top) = y;
-            (*z_top) = z;
+            y_top = y;
+            z_top = z;
         }
     }
-    return 0;
+    *y_top_out = y_top;
+    *z_top_out = z_top;
 }
 
 /* Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm]
@@ -2415,15 +2250,11 @@ static inline int64_t prepare_zones__highest_point(double* y_top, double* z_top,
  */
 static inline double prepare_zones__place_at_depth(array_double_1d zones, int64_t row, double cosine, double sine, double depth)
 {
-    double low;
-    double high;
-    double middle;
-    double z;
-    double y;
-    low = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
-    high = double_min(2, (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)), 0.0);
+    double low, high, middle, y, z;
+    low = AT(zones, row + prepare_zones__ZONE_START);
+    high = double_min(AT(zones, row + prepare_zones__ZONE_STOP), 0.0);
     middle = 0.5 * (low + high);
-    while((low < middle) && (middle < high))
+    while (low < middle && middle < high)
     {
         prepare_zones__turned_point(&y, &z, zones, row, middle, cosine, sine);
         if (depth - z < 0.0)
@@ -2443,117 +2274,88 @@ static inline double prepare_zones__place_at_depth(array_double_1d zones, int64_
 /* Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height
  * reached, which is less where the side ends before.
  */
-static inline int64_t prepare_zones__inner_face(double* result_0_0001, double* result_1_0001, array_double_1d zones, int64_t base, double angle, double depth)
+static inline void prepare_zones__inner_face(double* out_0, double* deepest_out, array_double_1d zones, int64_t base, double angle, double depth)
 {
-    double deepest;
-    double sine;
-    double cosine;
-    int64_t i;
-    int64_t row;
-    double y;
-    double z;
+    double deepest, sine, cosine, y, z;
+    int64_t i, row;
     deepest = prepare_zones__NO_FACE;
     circle__sine_cosine(&sine, &cosine, angle);
-    i = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT))) - INT64_C(1);
-    while(i >= INT64_C(0))
+    i = (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT) - 1;
+    while (i >= 0)
     {
-        row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
-        if ((*cspan_at(&zones, row + prepare_zones__ZONE_START)) < 0.0)
+        row = base + prepare_zones__DEFINITION_ZONES + i * (int64_t)AT(zones, base + prepare_zones__DEFINITION_ROW);
+        if (AT(zones, row + prepare_zones__ZONE_START) < 0.0)
         {
-            prepare_zones__turned_point(&y, &z, zones, row, (*cspan_at(&zones, row + prepare_zones__ZONE_START)), cosine, sine);
+            prepare_zones__turned_point(&y, &z, zones, row, AT(zones, row + prepare_zones__ZONE_START), cosine, sine);
             if (z >= depth)
             {
-                (*result_0_0001) = prepare_zones__place_at_depth(zones, row, cosine, sine, depth);
-                (*result_1_0001) = depth;
-                return 0;
+                *out_0 = prepare_zones__place_at_depth(zones, row, cosine, sine, depth);
+                *deepest_out = depth;
+                return;
             }
-            deepest = double_max(2, deepest, z);
+            deepest = double_max(deepest, z);
         }
-        i -= INT64_C(1);
+        i -= 1;
     }
-    (*result_0_0001) = 0.0;
-    (*result_1_0001) = deepest;
-    return 0;
+    *out_0 = 0.0;
+    *deepest_out = deepest;
 }
 
 /* Turn and shift an arc in place, without what is steeper than STEEPEST; 0 if nothing is left, else 1. */
 static inline int64_t prepare_zones__turn_arc(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift)
 {
-    double tilt;
-    double y_centre;
-    double z_centre;
-    double radius;
-    double first;
-    double unused;
-    double last;
-    double start;
-    double stop;
-    double s;
-    double c;
-    double y_start;
-    double z_start;
-    double y_stop;
-    double z_stop;
-    tilt = (-(*cspan_at(&zones, row + prepare_zones__ZONE_SIDE))) * angle;
-    y_centre = (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN));
-    z_centre = (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE));
-    radius = (*cspan_at(&zones, row + prepare_zones__ZONE_RADIUS));
+    double tilt, y_centre, z_centre, radius, first, unused, last, start, stop, s, c, y_start, z_start, y_stop, z_stop;
+    tilt = -AT(zones, row + prepare_zones__ZONE_SIDE) * angle;
+    y_centre = AT(zones, row + prepare_zones__ZONE_ORIGIN);
+    z_centre = AT(zones, row + prepare_zones__ZONE_Z_CENTRE);
+    radius = AT(zones, row + prepare_zones__ZONE_RADIUS);
     circle__sine_cosine(&first, &unused, prepare_zones__STEEPEST + tilt);
     circle__sine_cosine(&last, &unused, prepare_zones__STEEPEST - tilt);
-    start = double_max(2, (*cspan_at(&zones, row + prepare_zones__ZONE_START)), y_centre - radius * first);
-    stop = double_min(2, (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)), y_centre + radius * last);
+    start = double_max(AT(zones, row + prepare_zones__ZONE_START), y_centre - radius * first);
+    stop = double_min(AT(zones, row + prepare_zones__ZONE_STOP), y_centre + radius * last);
     if (stop - start <= prepare_zones__SLIVER)
     {
-        return INT64_C(0);
+        return 0;
     }
     circle__sine_cosine(&s, &c, angle);
     prepare_zones__turned_point(&y_start, &z_start, zones, row, start, c, s);
     prepare_zones__turned_point(&y_stop, &z_stop, zones, row, stop, c, s);
-    (*cspan_at(&zones, row + prepare_zones__ZONE_START)) = y_start + y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) = y_stop + y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_ORIGIN)) = c * y_centre - s * z_centre + y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_Z_CENTRE)) = s * y_centre + c * z_centre + z_shift;
-    return INT64_C(1);
+    AT(zones, row + prepare_zones__ZONE_START) = y_start + y_shift;
+    AT(zones, row + prepare_zones__ZONE_STOP) = y_stop + y_shift;
+    AT(zones, row + prepare_zones__ZONE_ORIGIN) = c * y_centre - s * z_centre + y_shift;
+    AT(zones, row + prepare_zones__ZONE_Z_CENTRE) = s * y_centre + c * z_centre + z_shift;
+    return 1;
 }
 
 /* Turn and shift a polynomial in place; 0 if it is steeper than STEEPEST at an end, else 1. */
 static inline int64_t prepare_zones__turn_polynomial(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift)
 {
-    double first;
-    double last;
-    double z;
-    double at_first;
-    double bend;
-    double at_last;
-    double s;
-    double c;
-    double y_first;
-    double y_last;
-    if ((angle == 0.0) && (y_shift == 0.0) && (z_shift == 0.0))
+    double first, last, z, at_first, bend, at_last, s, c, y_first, y_last;
+    if (angle == 0.0 && y_shift == 0.0 && z_shift == 0.0)
     {
-        return INT64_C(1);
+        return 1;
     }
-    first = (*cspan_at(&zones, row + prepare_zones__ZONE_START));
-    last = (*cspan_at(&zones, row + prepare_zones__ZONE_STOP));
+    first = AT(zones, row + prepare_zones__ZONE_START);
+    last = AT(zones, row + prepare_zones__ZONE_STOP);
     prepare_zones__upright_jet(&z, &at_first, &bend, zones, row, first);
     prepare_zones__upright_jet(&z, &at_last, &bend, zones, row, last);
-    if ((fabs(circle__atan(at_first) + angle) > prepare_zones__STEEPEST) || (fabs(circle__atan(at_last) + angle) > prepare_zones__STEEPEST))
+    if (fabs(circle__atan(at_first) + angle) > prepare_zones__STEEPEST || fabs(circle__atan(at_last) + angle) > prepare_zones__STEEPEST)
     {
-        return INT64_C(0);
+        return 0;
     }
     circle__sine_cosine(&s, &c, angle);
     prepare_zones__turned_point(&y_first, &z, zones, row, first, c, s);
     prepare_zones__turned_point(&y_last, &z, zones, row, last, c, s);
-    (*cspan_at(&zones, row + prepare_zones__ZONE_TURNED)) = 1.0;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_COS)) = c;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_SIN)) = s;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_Y_SHIFT)) = y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_Z_SHIFT)) = z_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_FIRST)) = first;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_LAST)) = last;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_START)) = y_first + y_shift;
-    (*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) = y_last + y_shift;
-    return INT64_C(1);
+    AT(zones, row + prepare_zones__ZONE_TURNED) = 1.0;
+    AT(zones, row + prepare_zones__ZONE_COS) = c;
+    AT(zones, row + prepare_zones__ZONE_SIN) = s;
+    AT(zones, row + prepare_zones__ZONE_Y_SHIFT) = y_shift;
+    AT(zones, row + prepare_zones__ZONE_Z_SHIFT) = z_shift;
+    AT(zones, row + prepare_zones__ZONE_FIRST) = first;
+    AT(zones, row + prepare_zones__ZONE_LAST) = last;
+    AT(zones, row + prepare_zones__ZONE_START) = y_first + y_shift;
+    AT(zones, row + prepare_zones__ZONE_STOP) = y_last + y_shift;
+    return 1;
 }
 
 /* Turn [rad] and shift [mm] a whole definition in place, without its steep parts;
@@ -2561,25 +2363,19 @@ static inline int64_t prepare_zones__turn_polynomial(array_double_1d zones, int6
  */
 static inline int64_t prepare_zones__turn_zones(array_double_1d zones, int64_t base, double angle, double y_shift, double z_shift)
 {
-    int64_t size;
-    int64_t i_end;
-    int64_t i;
-    int64_t row;
-    int64_t k;
-    int64_t left;
-    int64_t kept;
-    size = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
-    kept = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t size, kept, i, row, k, left, i_end;
+    size = (int64_t)AT(zones, base + prepare_zones__DEFINITION_ROW);
+    kept = 0;
+    i_end = (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT);
+    for (i = 0; i < i_end; i += 1)
     {
         row = base + prepare_zones__DEFINITION_ZONES + kept * size;
-        for (k = INT64_C(0); k < size; k += INT64_C(1))
+        for (k = 0; k < size; k += 1)
         {
-            (*cspan_at(&zones, row + k)) = (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + i * size + k));
+            AT(zones, row + k) = AT(zones, base + prepare_zones__DEFINITION_ZONES + i * size + k);
         }
-        left = INT64_C(0);
-        if ((int64_t)((*cspan_at(&zones, row + prepare_zones__ZONE_FAMILY))) == prepare_zones__FAMILY_ARC)
+        left = 0;
+        if ((int64_t)AT(zones, row + prepare_zones__ZONE_FAMILY) == prepare_zones__FAMILY_ARC)
         {
             left = prepare_zones__turn_arc(zones, row, angle, y_shift, z_shift);
         }
@@ -2589,63 +2385,73 @@ static inline int64_t prepare_zones__turn_zones(array_double_1d zones, int64_t b
         }
         kept += left;
     }
-    (*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)) = (double)(kept);
+    AT(zones, base + prepare_zones__DEFINITION_COUNT) = (double)kept;
     return kept;
 }
 
 /* Keep the unbroken run of zones that holds y = 0; how many that are. */
 static inline int64_t prepare_zones__keep_around_top(array_double_1d zones, int64_t base)
 {
-    int64_t size;
-    int64_t count;
-    int64_t first;
+    int64_t size, count, first, row, last, kept, k;
     bool found;
-    int64_t row;
-    int64_t last;
-    int64_t k;
-    int64_t kept;
-    size = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_ROW)));
-    count = (int64_t)((*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)));
-    first = INT64_C(0);
-    found = 0;
-    while((!found) && (first < count))
+    size = (int64_t)AT(zones, base + prepare_zones__DEFINITION_ROW);
+    count = (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT);
+    first = 0;
+    found = false;
+    while (!found && first < count)
     {
         row = base + prepare_zones__DEFINITION_ZONES + first * size;
-        if (((*cspan_at(&zones, row + prepare_zones__ZONE_START)) <= 0.0) && (0.0 <= (*cspan_at(&zones, row + prepare_zones__ZONE_STOP))))
+        if (AT(zones, row + prepare_zones__ZONE_START) <= 0.0 && 0.0 <= AT(zones, row + prepare_zones__ZONE_STOP))
         {
-            found = 1;
+            found = true;
         }
         else
         {
-            first += INT64_C(1);
+            first += 1;
         }
     }
     last = first;
-    while(found && (first > INT64_C(0)) && prepare_zones__meets_next(zones, base + prepare_zones__DEFINITION_ZONES + (first - INT64_C(1)) * size, size))
+    while (found && first > 0 && prepare_zones__meets_next(zones, base + prepare_zones__DEFINITION_ZONES + (first - 1) * size, size))
     {
-        first -= INT64_C(1);
+        first -= 1;
     }
-    while(found && (last + INT64_C(1) < count) && prepare_zones__meets_next(zones, base + prepare_zones__DEFINITION_ZONES + last * size, size))
+    while (found && last + 1 < count && prepare_zones__meets_next(zones, base + prepare_zones__DEFINITION_ZONES + last * size, size))
     {
-        last += INT64_C(1);
+        last += 1;
     }
-    kept = INT64_C(0);
+    kept = 0;
     if (found)
     {
-        kept = last + INT64_C(1) - first;
+        kept = last + 1 - first;
     }
-    for (k = INT64_C(0); k < kept * size; k += INT64_C(1))
+    for (k = 0; k < kept * size; k += 1)
     {
-        (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + k)) = (*cspan_at(&zones, base + prepare_zones__DEFINITION_ZONES + first * size + k));
+        AT(zones, base + prepare_zones__DEFINITION_ZONES + k) = AT(zones, base + prepare_zones__DEFINITION_ZONES + first * size + k);
     }
-    (*cspan_at(&zones, base + prepare_zones__DEFINITION_COUNT)) = (double)(kept);
+    AT(zones, base + prepare_zones__DEFINITION_COUNT) = (double)kept;
+    prepare_zones__close_joints(zones, base);
     return kept;
+}
+
+/* Let every zone end where the next one starts. */
+static inline int64_t prepare_zones__close_joints(array_double_1d zones, int64_t base)
+{
+    int64_t size, i, row, i_end;
+    size = (int64_t)AT(zones, base + prepare_zones__DEFINITION_ROW);
+    i_end = (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT) - 1;
+    for (i = 0; i < i_end; i += 1)
+    {
+        row = base + prepare_zones__DEFINITION_ZONES + i * size;
+        if (fabs(AT(zones, row + prepare_zones__ZONE_STOP) - AT(zones, row + size + prepare_zones__ZONE_START)) > prepare_zones__SAME_END)
+        {
+            AT(zones, row + prepare_zones__ZONE_STOP) = AT(zones, row + size + prepare_zones__ZONE_START);
+        }
+    }
+    return 0;
 }
 
 /* Whether the zone ends where the one after it starts. */
 static inline bool prepare_zones__meets_next(array_double_1d zones, int64_t row, int64_t size)
 {
-    bool result;
-    result = fabs((*cspan_at(&zones, row + prepare_zones__ZONE_STOP)) - (*cspan_at(&zones, row + size + prepare_zones__ZONE_START))) < prepare_zones__MEETING;
-    return result;
+    return fabs(AT(zones, row + prepare_zones__ZONE_STOP) - AT(zones, row + size + prepare_zones__ZONE_START)) < prepare_zones__MEETING;
 }

@@ -3,7 +3,7 @@
 
 /* search/bounds.py */
 static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, double y);
-static ALWAYS_INLINE int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
+static ALWAYS_INLINE void bounds__node_gap(double* out_0, double* out_1, double* abscissa_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
 static inline double bounds__rail_below(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y);
 static inline bool bounds__leaves_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t direction, double abscissa);
 static inline double bounds__above_rail_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t outward);
@@ -12,60 +12,64 @@ static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, d
 static inline double bounds__largest_fall(double slope, double bend, double length, double stretch);
 static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
 static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, double y, int64_t direction, double abscissa);
-static inline int64_t bounds__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa);
-static inline double bounds__least_slope(double least, double most, double width, double first, double last);
+static inline void bounds__bend_bounds(double* least_out, double* most_out, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa);
 static inline bool bounds__only_rises_or_falls(double least, double most, double width, double mismatch_low, double mismatch_high);
+static inline double bounds__least_slope(double least, double most, double width, double first, double last);
 
 /* search/first_root.py */
+static inline void first_root__solve_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
+static inline void first_root__certified_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
 static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d tables, double roll);
 static inline double first_root__lever_per_roll(double steep, double radius, double arm);
 static inline double first_root__largest_lever_beyond(array_double_1d tables, int64_t pair, double y, double roll, double sine);
 static inline bool first_root__is_beside_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double known, double roll, double sine);
-static inline bool first_root__falls_from_zero_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t index, double known, double roll, double turned);
 static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d tables, double roll);
+static inline bool first_root__falls_from_zero_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t index, double known, double roll, double turned);
+static inline double first_root__lever_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y);
+static inline void first_root__lever_range(double* least_out, double* most_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double one, double other);
 static inline int64_t first_root__note_trial(array_double_1d work, int64_t trial, double roll);
 static inline int64_t first_root__note_root(array_double_1d work, int64_t trial, double roll);
-static inline double first_root__lever_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y);
-static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double one, double other);
 static inline bool first_root__has_no_root(array_double_1d work, array_double_1d tables, int64_t near, int64_t far, double sign);
-static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign);
-static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double roll);
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
+static inline void first_root__first_root(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, double roll);
+static inline void first_root__root_before(double* out_0, int64_t* out_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign);
+
+/* search/own_bounds.py */
+static OUT_OF_LINE void own_bounds__bends_between(double* least_out, double* most_out, double* TOO_MANY_out, array_double_1d tables, int64_t profile, double low, double high);
+static OUT_OF_LINE void own_bounds__own_bounds(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double low, double high, double least, double most);
 
 /* search/rising_cell.py */
-static ALWAYS_INLINE int64_t rising_cell__rate_at_node(double* abscissa, double* bend, double* stretch, double* result_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
-static ALWAYS_INLINE int64_t rising_cell__departure_from_line(double* result_0, double* change_share, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest);
+static ALWAYS_INLINE void rising_cell__rate_at_node(double* abscissa_out, double* bend_out, double* stretch_out, double* out_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
+static ALWAYS_INLINE void rising_cell__departure_from_line(double* out_0, double* change_share_out, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest);
 static OUT_OF_LINE bool rising_cell__rises_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell);
 
 /* search/roll.py */
 static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift);
-static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
-static inline int64_t roll__turn_both(array_double_1d work, double roll);
-static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll);
 static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll);
+static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll);
+static inline int64_t roll__turn_both(array_double_1d work, double roll);
+static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline bool roll__search_both(array_double_1d work, array_double_1d tables, bool known);
-static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
 static inline bool roll__follow_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
-static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d tables);
+static inline void roll__newton_move(double* difference_out, double* move_out, array_double_1d work, array_double_1d tables);
+static inline void roll__equalize_minima(double* roll_out, bool* out_1, array_double_1d work, array_double_1d tables, double roll, double low, double high);
 static inline bool roll__on_profiles(array_double_1d tables, int64_t pair, double y, double abscissa);
-static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double low, double high);
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known);
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
+static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
+static inline void roll__roll_between(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known);
+static inline void roll__any_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
 
 /* search/smallest_gap.py */
 static inline int64_t smallest_gap__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
-static inline int64_t smallest_gap__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell);
-static inline int64_t smallest_gap__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
-static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell);
-static inline int64_t smallest_gap__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
+static inline void smallest_gap__cell_ends(double* out_0, double* out_1, double* out_2, double* out_3, double* out_4, double* out_5, array_double_1d work, int64_t cell);
 static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double least, double most, double first, double last);
-static inline int64_t smallest_gap__search_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t outward);
-static inline int64_t smallest_gap__search_between(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, double abscissa);
+static inline int64_t smallest_gap__keep_smaller(array_double_1d work, int64_t side, double y, double gap);
+static inline int64_t smallest_gap__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width);
+static inline void smallest_gap__refine_minimum(double* y_out, double* gap_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell);
 static inline int64_t smallest_gap__walk(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t direction);
+static inline int64_t smallest_gap__search_between(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, double abscissa);
+static inline int64_t smallest_gap__search_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t outward);
+static inline bool smallest_gap__search_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, bool known);
 static inline int64_t smallest_gap__first_step(int64_t exponent);
 static inline int64_t smallest_gap__best_node(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t stride);
-static inline bool smallest_gap__search_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, bool known);
 
 
 /* ---- From search/bounds.py; change that one.
@@ -85,46 +89,36 @@ static inline int64_t bounds__node_below(array_double_1d tables, int64_t scan, d
 {
     double u;
     int64_t node;
-    u = double_min(2, double_max(2, 0.0, (y - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y))) * (*cspan_at(&tables, scan + layout__SCAN_BINS_PER_METRE))), (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BIN_COUNT))) - 1.0);
-    node = (int64_t)((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_BINS))) + (int64_t)(u))));
-    if ((node + INT64_C(2) < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)))) && ((*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)) <= y))
+    u = double_min(double_max(0.0, (y - AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y)) * AT(tables, scan + layout__SCAN_BINS_PER_METRE)), (int64_t)AT(tables, scan + layout__SCAN_BIN_COUNT) - 1.0);
+    node = (int64_t)AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_BINS) + (int64_t)u);
+    if (node + 2 < (int64_t)AT(tables, scan + layout__SCAN_COUNT) && AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + 1) + layout__SCAN_NODE_Y) <= y)
     {
-        node += INT64_C(1);
+        node += 1;
     }
     return node;
 }
 
 /* Gap [m], slope difference rail - outline [-] and rail abscissa [m] at node ``node``. */
-static ALWAYS_INLINE int64_t bounds__node_gap(double* result_0, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
+static ALWAYS_INLINE void bounds__node_gap(double* out_0, double* out_1, double* abscissa_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
 {
     int64_t point;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double height;
-    double rail_slope;
-    point = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, (*cspan_at(&tables, point + layout__SCAN_NODE_Y)), (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
-    (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
-    tables__height_slope(&height, &rail_slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
-    (*result_0) = height - z_track;
-    (*result_1) = rail_slope - outline_slope;
-    return 0;
+    double y_track, z_track, outline_slope, abscissa, height, rail_slope;
+    point = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, at, AT(tables, point + layout__SCAN_NODE_Y), AT(tables, point + layout__SCAN_NODE_HEIGHT), AT(tables, point + layout__SCAN_NODE_SLOPE));
+    abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
+    tables__height_slope(&height, &rail_slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
+    *out_0 = height - z_track;
+    *out_1 = rail_slope - outline_slope;
+    *abscissa_out = abscissa;
 }
 
 /* Abscissa on the rail [m] below wheel abscissa ``y`` [m]. */
 static inline double bounds__rail_below(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y)
 {
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double result;
-    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+    double z, slope, y_track, z_track, outline_slope;
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
-    result = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
-    return result;
+    return y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
 }
 
 /* Whether the outline, beside the rail at node ``node``, does not come back above it further
@@ -135,25 +129,21 @@ static inline double bounds__rail_below(array_double_1d tables, array_double_1d 
  */
 static inline bool bounds__leaves_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t direction, double abscissa)
 {
-    int64_t scan;
-    int64_t rail;
-    double apart;
-    double reach;
-    double sine;
-    double steep;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    apart = abscissa - (*cspan_at(&tables, rail + layout__PROFILE_STOP));
-    if (direction < INT64_C(0))
+    int64_t scan, rail;
+    double apart, reach, sine, steep;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    apart = abscissa - AT(tables, rail + layout__PROFILE_STOP);
+    if (direction < 0)
     {
-        apart = (*cspan_at(&tables, rail + layout__PROFILE_START)) - abscissa;
+        apart = AT(tables, rail + layout__PROFILE_START) - abscissa;
     }
     reach = 0.0;
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
     {
-        sine = (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-        steep = (*cspan_at(&tables, scan + layout__SCAN_STEEPEST)) + (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_SLOPE));
-        reach = bounds__REACH_SHARE * sine * sine * (*cspan_at(&work, at + layout__PLACE_RADIUS)) * steep + bounds__REACH_ROLL * fabs((*cspan_at(&work, at + layout__PLACE_SIN_ROLL)));
+        sine = AT(work, at + layout__PLACE_SIN_YAW);
+        steep = AT(tables, scan + layout__SCAN_STEEPEST) + AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_SLOPE);
+        reach = bounds__REACH_SHARE * sine * sine * AT(work, at + layout__PLACE_RADIUS) * steep + bounds__REACH_ROLL * fabs(AT(work, at + layout__PLACE_SIN_ROLL));
     }
     return apart > reach;
 }
@@ -163,12 +153,10 @@ static inline bool bounds__leaves_rail(array_double_1d tables, array_double_1d w
  */
 static inline double bounds__above_rail_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t outward)
 {
-    double outside;
-    double middle;
-    double inside;
-    inside = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
-    outside = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + outward) + layout__SCAN_NODE_Y));
-    while(fabs(outside - inside) > bounds__END_SHARP)
+    double inside, outside, middle;
+    inside = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y);
+    outside = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + outward) + layout__SCAN_NODE_Y);
+    while (fabs(outside - inside) > bounds__END_SHARP)
     {
         middle = 0.5 * (inside + outside);
         if (gap__above_rail(tables, pair, bounds__rail_below(tables, work, pair, at, middle)))
@@ -186,16 +174,14 @@ static inline double bounds__above_rail_end(array_double_1d tables, array_double
 /* Place of ``abscissa`` [m] in the raster of the rail, in cells. */
 static inline double bounds__rail_place(array_double_1d tables, int64_t scan, double abscissa)
 {
-    double result;
-    result = (abscissa - (*cspan_at(&tables, scan + layout__SCAN_RAIL_START))) * (*cspan_at(&tables, scan + layout__SCAN_RAIL_PER_METRE));
-    return result;
+    return (abscissa - AT(tables, scan + layout__SCAN_RAIL_START)) * AT(tables, scan + layout__SCAN_RAIL_PER_METRE);
 }
 
 /* The cell of the raster of the rail at place ``u``, or the nearest. */
 static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, double u)
 {
-    u = double_min(2, double_max(2, 0.0, u), (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT))) - 1.0);
-    return (int64_t)(u);
+    u = double_min(double_max(0.0, u), (int64_t)AT(tables, scan + layout__SCAN_RAIL_COUNT) - 1.0);
+    return (int64_t)u;
 }
 
 /* How far the gap can fall at most [m] over ``length`` [m], with a slope that begins with
@@ -216,8 +202,8 @@ static inline double bounds__largest_fall(double slope, double bend, double leng
             return 0.5 * (1.0 + stretch) * slope * slope / bend;
         }
     }
-    fall = (-slope) * length + stretch * fabs(slope) * length - 0.5 * (1.0 + stretch) * bend * length * length;
-    fall = double_max(2, fall, 0.0);
+    fall = -slope * length + stretch * fabs(slope) * length - 0.5 * (1.0 + stretch) * bend * length * length;
+    fall = double_max(fall, 0.0);
     return fall;
 }
 
@@ -229,63 +215,49 @@ static inline double bounds__largest_fall(double slope, double bend, double leng
  */
 static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent)
 {
-    double u;
-    double roll;
-    double least_stretch;
-    double share;
-    double stretch_per_bend;
-    double square;
-    int64_t cells;
-    int64_t first;
-    int64_t begin;
-    double stretch;
-    double length;
-    double edge;
-    int64_t rail;
-    int64_t reach;
-    double bend;
-    double wheel;
+    double u, roll, least_stretch, share, stretch_per_bend, square, stretch, length, edge, bend, wheel;
+    int64_t cells, first, begin, rail, reach;
     u = bounds__rail_place(tables, scan, abscissa);
-    roll = fabs((*cspan_at(&work, at + layout__PLACE_SIN_ROLL)));
+    roll = fabs(AT(work, at + layout__PLACE_SIN_ROLL));
     least_stretch = bounds__ROLL_STRETCH * roll;
     share = bounds__ROLL_BEND * roll;
     stretch_per_bend = 0.0;
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
     {
-        square = (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
+        square = AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_SIN_YAW);
         least_stretch += bounds__STEEP_STRETCH * square;
         share += bounds__YAW_BEND * square;
-        stretch_per_bend = bounds__BEND_STRETCH * square * (*cspan_at(&work, at + layout__PLACE_RADIUS));
+        stretch_per_bend = bounds__BEND_STRETCH * square * AT(work, at + layout__PLACE_RADIUS);
     }
-    while(exponent >= INT64_C(0))
+    while (exponent >= 0)
     {
         cells = INT64_C(1) << exponent;
         first = node;
-        if (direction < INT64_C(0))
+        if (direction < 0)
         {
             first = node - cells;
         }
-        if ((first >= INT64_C(0)) && (first + cells < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)))))
+        if (first >= 0 && first + cells < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
         {
             begin = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first;
-            stretch = least_stretch + stretch_per_bend * (*cspan_at(&tables, begin + layout__SCAN_NODE_STEEPEST_BENDS + exponent));
+            stretch = least_stretch + stretch_per_bend * AT(tables, begin + layout__SCAN_NODE_STEEPEST_BENDS + exponent);
             if (stretch < bounds__WIDEST)
             {
-                length = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (first + cells) + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, begin + layout__SCAN_NODE_Y));
+                length = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (first + cells) + layout__SCAN_NODE_Y) - AT(tables, begin + layout__SCAN_NODE_Y);
                 edge = u;
-                if (direction < INT64_C(0))
+                if (direction < 0)
                 {
-                    edge -= (1.0 + bounds__WIDEST) * (*cspan_at(&tables, scan + layout__SCAN_RAIL_PER_METRE)) * length;
+                    edge -= (1.0 + bounds__WIDEST) * AT(tables, scan + layout__SCAN_RAIL_PER_METRE) * length;
                 }
-                rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, edge);
+                rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, edge);
                 reach = exponent;
-                if (length > bounds__FINE_CELL * (double)(cells))
+                if (length > bounds__FINE_CELL * (double)cells)
                 {
-                    reach += INT64_C(1);
+                    reach += 1;
                 }
                 /* by how much the slope difference rises at least */
-                bend = (*cspan_at(&tables, rail + layout__RAIL_CELL_LEAST_BENDS + reach));
-                wheel = (*cspan_at(&tables, begin + layout__SCAN_NODE_MOST_BENDS + exponent));
+                bend = AT(tables, rail + layout__RAIL_CELL_LEAST_BENDS + reach);
+                wheel = AT(tables, begin + layout__SCAN_NODE_MOST_BENDS + exponent);
                 bend -= stretch * fabs(bend) + wheel + share * fabs(wheel);
                 if (bounds__largest_fall(slope, bend, length, stretch) <= excess)
                 {
@@ -293,7 +265,7 @@ static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, arra
                 }
             }
         }
-        exponent -= INT64_C(1);
+        exponent -= 1;
     }
     return exponent;
 }
@@ -305,53 +277,44 @@ static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, arra
  */
 static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, double y, int64_t direction, double abscissa)
 {
-    int64_t cell;
-    double margin;
-    int64_t node;
-    double start;
-    int64_t result;
+    int64_t cell, node;
+    double margin, start;
     cell = bounds__node_below(tables, scan, y);
-    margin = (1.0 + bounds__WIDEST) * ((*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (cell + INT64_C(1)) + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * cell + layout__SCAN_NODE_Y)));
+    margin = (1.0 + bounds__WIDEST) * (AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (cell + 1) + layout__SCAN_NODE_Y) - AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * cell + layout__SCAN_NODE_Y));
     node = cell;
     start = abscissa - margin;
-    if (direction < INT64_C(0))
+    if (direction < 0)
     {
-        node = cell + INT64_C(1);
+        node = cell + 1;
         start = abscissa + margin;
     }
-    result = bounds__clear_exponent(tables, work, scan, at, node, direction, start, 0.0, 0.0, layout__EXPONENTS - INT64_C(1));
-    return result;
+    return bounds__clear_exponent(tables, work, scan, at, node, direction, start, 0.0, 0.0, layout__EXPONENTS - 1);
 }
 
 /* Bounds [1/m] of the gap's second derivative between the nodes ``cell`` and ``cell`` + 1, the first of
  * them above the rail's ``abscissa`` [m]: rail minus wheel.
  */
-static inline int64_t bounds__bend_bounds(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa)
+static inline void bounds__bend_bounds(double* least_out, double* most_out, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa)
 {
-    int64_t rail;
-    int64_t node;
-    double share;
-    double sine;
-    double least_rail;
-    double most_rail;
-    double least_wheel;
-    double most_wheel;
-    rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, abscissa));
+    int64_t rail, node;
+    double share, sine, least_rail, most_rail, least_wheel, most_wheel, least, most;
+    rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, abscissa));
     node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * cell;
     share = bounds__ROLLED_SHARE;
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
     {
         /* how much the outline is stretched: |dY/dy - 1| is about sin^2(yaw) r |r''| */
-        sine = (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * sine * sine * (*cspan_at(&work, at + layout__PLACE_RADIUS)) * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
+        sine = AT(work, at + layout__PLACE_SIN_YAW);
+        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * sine * sine * AT(work, at + layout__PLACE_RADIUS) * AT(tables, node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
     }
-    least_rail = (*cspan_at(&tables, rail + layout__RAIL_CELL_LEAST_BEND));
-    most_rail = (*cspan_at(&tables, rail + layout__RAIL_CELL_MOST_BEND));
-    least_wheel = (*cspan_at(&tables, node + layout__SCAN_NODE_LEAST_BEND));
-    most_wheel = (*cspan_at(&tables, node + layout__SCAN_NODE_MOST_BENDS + INT64_C(0)));
-    (*least) = least_rail - most_wheel - share * (fabs(least_rail) + fabs(most_wheel));
-    (*most) = double_max(2, 0.0, most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel)));
-    return 0;
+    least_rail = AT(tables, rail + layout__RAIL_CELL_LEAST_BEND);
+    most_rail = AT(tables, rail + layout__RAIL_CELL_MOST_BEND);
+    least_wheel = AT(tables, node + layout__SCAN_NODE_LEAST_BEND);
+    most_wheel = AT(tables, node + layout__SCAN_NODE_MOST_BENDS + 0);
+    least = least_rail - most_wheel - share * (fabs(least_rail) + fabs(most_wheel));
+    most = double_max(0.0, most_rail - least_wheel + share * (fabs(most_rail) + fabs(least_wheel)));
+    *least_out = least;
+    *most_out = most;
 }
 
 /* Whether the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference
@@ -360,10 +323,10 @@ static inline int64_t bounds__bend_bounds(double* least, double* most, array_dou
 static inline bool bounds__only_rises_or_falls(double least, double most, double width, double mismatch_low, double mismatch_high)
 {
     bool steady;
-    steady = (mismatch_low >= 0.0) && (bounds__least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0);
-    if ((mismatch_high <= 0.0) && (bounds__least_slope(least, most, width, -mismatch_high, -mismatch_low) >= 0.0))
+    steady = mismatch_low >= 0.0 && bounds__least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0;
+    if (mismatch_high <= 0.0 && bounds__least_slope(least, most, width, -mismatch_high, -mismatch_low) >= 0.0)
     {
-        steady = 1;
+        steady = true;
     }
     return steady;
 }
@@ -374,16 +337,15 @@ static inline bool bounds__only_rises_or_falls(double least, double most, double
  */
 static inline double bounds__least_slope(double least, double most, double width, double first, double last)
 {
-    double meet;
-    double lowest;
-    lowest = double_min(2, first, last);
+    double lowest, meet;
+    lowest = double_min(first, last);
     if (least < 0.0)
     {
         lowest = first + least * width;
         if (most > 0.0)
         {
             meet = (last - first - most * width) / (least - most);
-            lowest = first + least * double_min(2, double_max(2, meet, 0.0), width);
+            lowest = first + least * double_min(double_max(meet, 0.0), width);
         }
     }
     return lowest;
@@ -411,43 +373,48 @@ static inline double bounds__least_slope(double least, double most, double width
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
  * no roll does not decide that.
  */
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
+static inline void first_root__solve_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
 {
-    first_root__certified_roll(roll, status, work, tables, inputs, guess, warm);
-    if (((*status) != layout__VALID) && ((guess != 0.0) || warm))
+    double roll;
+    int64_t status;
+    first_root__certified_roll(&roll, &status, work, tables, inputs, guess, warm);
+    if (status != layout__VALID && (guess != 0.0 || warm))
     {
-        first_root__certified_roll(roll, status, work, tables, inputs, 0.0, 0);
+        first_root__certified_roll(&roll, &status, work, tables, inputs, 0.0, false);
     }
-    return 0;
+    *roll_out = roll;
+    *status_out = status;
 }
 
 /* ``solve_roll`` from this start alone. */
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
+static inline void first_root__certified_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
 {
-    roll__any_roll(roll, status, work, tables, inputs, guess, warm);
-    if (((*status) == layout__VALID) && (!first_root__falls_at_zero_roll(work, tables, (*roll))))
+    double roll;
+    int64_t status;
+    roll__any_roll(&roll, &status, work, tables, inputs, guess, warm);
+    if (status == layout__VALID && !first_root__falls_at_zero_roll(work, tables, roll))
     {
-        if (!first_root__is_certainly_first(work, tables, (*roll)))
+        if (!first_root__is_certainly_first(work, tables, roll))
         {
-            first_root__first_root(roll, status, work, tables, (*roll));
+            first_root__first_root(&roll, &status, work, tables, roll);
         }
     }
-    return 0;
+    *roll_out = roll;
+    *status_out = status;
 }
 
 /* Whether D falls through its known root at ``roll``, and that is zero roll. */
 static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d tables, double roll)
 {
-    double difference;
-    double move;
     bool falls;
-    falls = 0;
+    double difference, move;
+    falls = false;
     if (fabs(roll) < first_root__APART)
     {
         roll__newton_move(&difference, &move, work, tables);
         if (fabs(move) < 0.5)
         {
-            falls = 1;
+            falls = true;
         }
     }
     return falls;
@@ -465,15 +432,11 @@ static inline double first_root__lever_per_roll(double steep, double radius, dou
 static inline double first_root__largest_lever_beyond(array_double_1d tables, int64_t pair, double y, double roll, double sine)
 {
     int64_t scan;
-    double lever;
-    double radius;
-    double arm;
-    double steep;
-    double yawed;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
-    lever = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * bounds__node_below(tables, scan, y) + layout__SCAN_NODE_LEVER));
-    radius = (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
-    arm = (*cspan_at(&tables, layout__TABLES_ARM));
+    double lever, radius, arm, steep, yawed;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    lever = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * bounds__node_below(tables, scan, y) + layout__SCAN_NODE_LEVER);
+    radius = AT(tables, pair + layout__PAIR_RADIUS);
+    arm = AT(tables, layout__TABLES_ARM);
     steep = fabs(lever + arm) / radius;
     yawed = first_root__LEVER_YAWED_SHARE * 0.5 * steep * (1.0 + steep * steep) * radius * sine * sine;
     return lever + first_root__lever_per_roll(steep, radius, arm) * fabs(roll) + yawed;
@@ -484,20 +447,16 @@ static inline double first_root__largest_lever_beyond(array_double_1d tables, in
  */
 static inline bool first_root__is_beside_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double known, double roll, double sine)
 {
-    int64_t scan;
-    int64_t low;
-    int64_t high;
-    int64_t middle;
-    double reach;
-    double furthest;
+    int64_t scan, low, high, middle;
     bool beside;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
-    low = -INT64_C(1);
-    high = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))) - INT64_C(1);
-    while(high - low > INT64_C(1))
+    double reach, furthest;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    low = -1;
+    high = (int64_t)AT(tables, scan + layout__SCAN_COUNT) - 1;
+    while (high - low > 1)
     {
-        middle = py_floor_div_int64_t((low + high), INT64_C(2));
-        if (known + first_root__largest_lever_beyond(tables, pair, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * middle + layout__SCAN_NODE_Y)), roll, sine) < 0.0)
+        middle = floor_div(low + high, 2);
+        if (known + first_root__largest_lever_beyond(tables, pair, AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * middle + layout__SCAN_NODE_Y), roll, sine) < 0.0)
         {
             high = middle;
         }
@@ -506,15 +465,15 @@ static inline bool first_root__is_beside_rail(array_double_1d tables, array_doub
             low = middle;
         }
     }
-    beside = 1;
-    if (low >= INT64_C(0))
+    beside = true;
+    if (low >= 0)
     {
-        reach = bounds__REACH_SHARE * sine * sine * (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) * (*cspan_at(&tables, scan + layout__SCAN_STEEPEST));
-        reach += first_root__LEANING_SHARE * (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) * fabs((*cspan_at(&work, at + layout__PLACE_RAIL_SIN)));
-        furthest = (*cspan_at(&work, at + layout__PLACE_SHIFT)) + (*cspan_at(&tables, layout__TABLES_ARM)) + (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * high + layout__SCAN_NODE_Y)) + reach;
-        if (furthest > (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)))
+        reach = bounds__REACH_SHARE * sine * sine * AT(tables, pair + layout__PAIR_RADIUS) * AT(tables, scan + layout__SCAN_STEEPEST);
+        reach += first_root__LEANING_SHARE * AT(tables, pair + layout__PAIR_RADIUS) * fabs(AT(work, at + layout__PLACE_RAIL_SIN));
+        furthest = AT(work, at + layout__PLACE_SHIFT) + AT(tables, layout__TABLES_ARM) + AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * high + layout__SCAN_NODE_Y) + reach;
+        if (furthest > AT(tables, pair + layout__PAIR_RAIL_Y) + AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START))
         {
-            beside = 0;
+            beside = false;
         }
     }
     return beside;
@@ -529,29 +488,27 @@ static inline bool first_root__is_beside_rail(array_double_1d tables, array_doub
  */
 static inline bool first_root__is_certainly_first(array_double_1d work, array_double_1d tables, double roll)
 {
-    double sine;
-    double turned;
-    double known;
+    double sine, turned, known;
     bool certain;
-    sine = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW));
-    turned = fabs(roll) + first_root__LEANING_SHARE * double_max(2, fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN))), fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN))));
-    certain = 0;
+    sine = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW);
+    turned = fabs(roll) + first_root__LEANING_SHARE * double_max(fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN)), fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN)));
+    certain = false;
     if (roll < 0.0)
     {
-        known = first_root__largest_lever_beyond(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), turned, sine);
+        known = first_root__largest_lever_beyond(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y), turned, sine);
         certain = first_root__is_beside_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, known, turned, sine);
         if (!certain)
         {
-            certain = first_root__falls_from_zero_roll(tables, work, layout__TABLES_PAIRS, INT64_C(0), known, roll, turned);
+            certain = first_root__falls_from_zero_roll(tables, work, layout__TABLES_PAIRS, 0, known, roll, turned);
         }
     }
     else
     {
-        known = first_root__largest_lever_beyond(tables, layout__TABLES_PAIRS, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), turned, sine);
-        certain = first_root__is_beside_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, known, turned, sine);
+        known = first_root__largest_lever_beyond(tables, layout__TABLES_PAIRS, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y), turned, sine);
+        certain = first_root__is_beside_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, known, turned, sine);
         if (!certain)
         {
-            certain = first_root__falls_from_zero_roll(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), INT64_C(1), known, roll, turned);
+            certain = first_root__falls_from_zero_roll(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, 1, known, roll, turned);
         }
     }
     return certain;
@@ -564,29 +521,26 @@ static inline bool first_root__is_certainly_first(array_double_1d work, array_do
 static inline bool first_root__falls_from_zero_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t index, double known, double roll, double turned)
 {
     int64_t lower;
-    double gap;
-    double y;
-    double abscissa;
-    bool followed;
-    bool certain;
+    double gap, y, abscissa;
+    bool certain, followed;
     lower = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    gap = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST));
-    y = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y));
-    abscissa = (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_RAIL));
-    certain = 0;
+    gap = AT(work, lower + layout__SIDE_SEARCH_BEST);
+    y = AT(work, lower + layout__SIDE_SEARCH_BEST_Y);
+    abscissa = AT(work, lower + layout__SIDE_SEARCH_BEST_RAIL);
+    certain = false;
     roll__turn_both(work, 0.0);
     followed = roll__follow_side(tables, work, pair, lower);
     if (smallest_gap__search_side(tables, work, pair, lower, followed))
     {
-        if (known + first_root__largest_lever_beyond(tables, pair, (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)), turned, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) < 0.0)
+        if (known + first_root__largest_lever_beyond(tables, pair, AT(work, lower + layout__SIDE_SEARCH_BEST_Y), turned, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) < 0.0)
         {
-            certain = 1;
+            certain = true;
         }
     }
     roll__turn_both(work, roll);
-    (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST)) = gap;
-    (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_Y)) = y;
-    (*cspan_at(&work, lower + layout__SIDE_SEARCH_BEST_RAIL)) = abscissa;
+    AT(work, lower + layout__SIDE_SEARCH_BEST) = gap;
+    AT(work, lower + layout__SIDE_SEARCH_BEST_Y) = y;
+    AT(work, lower + layout__SIDE_SEARCH_BEST_RAIL) = abscissa;
     return certain;
 }
 
@@ -595,42 +549,23 @@ static inline bool first_root__falls_from_zero_roll(array_double_1d tables, arra
  */
 static inline double first_root__lever_at(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double y)
 {
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double sin_phi;
-    double cos_phi;
-    double arm;
-    double height;
-    double sin_roll;
-    double cos_roll;
-    double result;
-    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+    double z, slope, y_track, z_track, outline_slope, sin_phi, cos_phi, arm, height, sin_roll, cos_roll;
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, at, y, z, slope);
     locus__around_wheel(&sin_phi, &cos_phi, work, at, slope);
-    arm = (*cspan_at(&work, at + layout__PLACE_ARM)) + y;
-    height = ((*cspan_at(&work, at + layout__PLACE_RADIUS)) + z) * cos_phi;
-    sin_roll = (*cspan_at(&work, at + layout__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, at + layout__PLACE_COS_ROLL));
-    result = (-outline_slope) * (*cspan_at(&work, at + layout__PLACE_COS_YAW)) * (arm * sin_roll + height * cos_roll) - arm * cos_roll + height * sin_roll;
-    return result;
+    arm = AT(work, at + layout__PLACE_ARM) + y;
+    height = (AT(work, at + layout__PLACE_RADIUS) + z) * cos_phi;
+    sin_roll = AT(work, at + layout__PLACE_SIN_ROLL);
+    cos_roll = AT(work, at + layout__PLACE_COS_ROLL);
+    return -outline_slope * AT(work, at + layout__PLACE_COS_YAW) * (arm * sin_roll + height * cos_roll) - arm * cos_roll + height * sin_roll;
 }
 
 /* Smallest and largest ``lever_at`` between two places of the wheel [m]. */
-static inline int64_t first_root__lever_range(double* least, double* most, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double one, double other)
+static inline void first_root__lever_range(double* least_out, double* most_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double one, double other)
 {
-    int64_t scan;
-    double y;
-    double last;
-    int64_t node;
-    double before;
-    double bend;
-    double following;
-    double lever;
-    double beyond;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    int64_t scan, node;
+    double y, last, before, least, most, bend, following, lever, beyond;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
     y = one;
     last = other;
     if (other < one)
@@ -640,45 +575,46 @@ static inline int64_t first_root__lever_range(double* least, double* most, array
     }
     node = bounds__node_below(tables, scan, y);
     before = first_root__lever_at(tables, work, pair, at, y);
-    (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
-    (*least) = before;
-    (*most) = before;
-    while(y < last)
+    AT(work, at + layout__PLACE_GAP_COUNT) += 1.0;
+    least = before;
+    most = before;
+    while (y < last)
     {
-        bend = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
-        node += INT64_C(1);
-        following = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
-        if ((following > last) || (following <= y))
+        bend = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
+        node += 1;
+        following = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y);
+        if (following > last || following <= y)
         {
             following = last;
         }
         lever = first_root__lever_at(tables, work, pair, at, following);
-        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
-        beyond = 0.5 * first_root__FASTER * bend * (following - y) * ((*cspan_at(&work, at + layout__PLACE_RADIUS)) + (*cspan_at(&work, at + layout__PLACE_ARM)));
-        (*least) = double_min(2, (*least), double_min(2, lever, before) - beyond);
-        (*most) = double_max(2, (*most), double_max(2, lever, before) + beyond);
+        AT(work, at + layout__PLACE_GAP_COUNT) += 1.0;
+        beyond = 0.5 * first_root__FASTER * bend * (following - y) * (AT(work, at + layout__PLACE_RADIUS) + AT(work, at + layout__PLACE_ARM));
+        least = double_min(least, double_min(lever, before) - beyond);
+        most = double_max(most, double_max(lever, before) + beyond);
         before = lever;
         y = following;
     }
-    return 0;
+    *least_out = least;
+    *most_out = most;
 }
 
 /* Note what is known of D at ``roll`` [rad]. */
 static inline int64_t first_root__note_trial(array_double_1d work, int64_t trial, double roll)
 {
-    (*cspan_at(&work, trial + layout__ROLL_TRIAL_ROLL)) = roll;
-    (*cspan_at(&work, trial + layout__ROLL_TRIAL_DIFFERENCE)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
-    (*cspan_at(&work, trial + layout__ROLL_TRIAL_LEFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
-    (*cspan_at(&work, trial + layout__ROLL_TRIAL_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    return INT64_C(0);
+    AT(work, trial + layout__ROLL_TRIAL_ROLL) = roll;
+    AT(work, trial + layout__ROLL_TRIAL_DIFFERENCE) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST) - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST);
+    AT(work, trial + layout__ROLL_TRIAL_LEFT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
+    AT(work, trial + layout__ROLL_TRIAL_RIGHT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
+    return 0;
 }
 
 /* Note a root of D at ``roll`` [rad]. */
 static inline int64_t first_root__note_root(array_double_1d work, int64_t trial, double roll)
 {
     first_root__note_trial(work, trial, roll);
-    (*cspan_at(&work, trial + layout__ROLL_TRIAL_DIFFERENCE)) = 0.0;
-    return INT64_C(0);
+    AT(work, trial + layout__ROLL_TRIAL_DIFFERENCE) = 0.0;
+    return 0;
 }
 
 /* Whether D certainly has no root between the rolls ``near`` and ``far``, where it has the sign of
@@ -686,73 +622,52 @@ static inline int64_t first_root__note_root(array_double_1d work, int64_t trial,
  */
 static inline bool first_root__has_no_root(array_double_1d work, array_double_1d tables, int64_t near, int64_t far, double sign)
 {
-    double width;
-    double left_least;
-    double left_most;
-    double right_least;
-    double right_most;
-    double arm;
-    double radius;
-    double steep;
-    double margin;
-    double least;
-    double most;
-    double at_near;
-    double at_far;
-    double meet;
-    width = fabs((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) - (*cspan_at(&work, near + layout__ROLL_TRIAL_ROLL)));
-    roll__turn_both(work, 0.5 * ((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) + (*cspan_at(&work, near + layout__ROLL_TRIAL_ROLL))));
-    first_root__lever_range(&left_least, &left_most, tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_LEFT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_LEFT)));
-    first_root__lever_range(&right_least, &right_most, tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, near + layout__ROLL_TRIAL_RIGHT)), (*cspan_at(&work, far + layout__ROLL_TRIAL_RIGHT)));
-    arm = (*cspan_at(&tables, layout__TABLES_ARM));
-    radius = double_max(2, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)));
-    steep = (double_max(2, double_max(2, fabs(left_least), fabs(left_most)), double_max(2, fabs(right_least), fabs(right_most))) + arm) / double_min(2, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)));
+    double width, left_least, left_most, right_least, right_most, arm, radius, steep, margin, least, most, at_near, at_far, meet;
+    width = fabs(AT(work, far + layout__ROLL_TRIAL_ROLL) - AT(work, near + layout__ROLL_TRIAL_ROLL));
+    roll__turn_both(work, 0.5 * (AT(work, far + layout__ROLL_TRIAL_ROLL) + AT(work, near + layout__ROLL_TRIAL_ROLL)));
+    first_root__lever_range(&left_least, &left_most, tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(work, near + layout__ROLL_TRIAL_LEFT), AT(work, far + layout__ROLL_TRIAL_LEFT));
+    first_root__lever_range(&right_least, &right_most, tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, near + layout__ROLL_TRIAL_RIGHT), AT(work, far + layout__ROLL_TRIAL_RIGHT));
+    arm = AT(tables, layout__TABLES_ARM);
+    radius = double_max(AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS));
+    steep = (double_max(double_max(fabs(left_least), fabs(left_most)), double_max(fabs(right_least), fabs(right_most))) + arm) / double_min(AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS));
     margin = width * first_root__lever_per_roll(steep, radius, arm);
     least = left_least + right_least - margin;
     most = left_most + right_most + margin;
-    if ((least >= 0.0) || (most <= 0.0))
+    if (least >= 0.0 || most <= 0.0)
     {
-        return 1;
+        return true;
     }
-    at_near = sign * (*cspan_at(&work, near + layout__ROLL_TRIAL_DIFFERENCE));
-    at_far = sign * (*cspan_at(&work, far + layout__ROLL_TRIAL_DIFFERENCE));
+    at_near = sign * AT(work, near + layout__ROLL_TRIAL_DIFFERENCE);
+    at_far = sign * AT(work, far + layout__ROLL_TRIAL_DIFFERENCE);
     /* the lines that bound D from below, from either end */
     meet = (at_far - most * width - at_near) / (least - most);
-    return (meet >= width) || (at_near + least * meet > 0.0);
+    return meet >= width || at_near + least * meet > 0.0;
 }
 
 /* The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``. */
-static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double roll)
+static inline void first_root__first_root(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, double roll)
 {
-    double sign;
-    double first;
-    double last;
-    int64_t status;
-    int64_t end;
-    int64_t trial;
-    int64_t far;
-    double width;
-    int64_t i_1;
-    double middle;
+    double sign, first, last, width, middle;
+    int64_t status, end, trial, far, i_1;
     first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
     roll__turn_both(work, 0.0);
-    if (!roll__search_both(work, tables, 0))
+    if (!roll__search_both(work, tables, false))
     {
-        (*result_0) = 0.0;
-        (*result_1) = layout__OFF_PROFILE;
-        return 0;
+        *roll_out = 0.0;
+        *status_out = layout__OFF_PROFILE;
+        return;
     }
     first_root__note_trial(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, 0.0);
-    if ((*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_DIFFERENCE)) == 0.0)
+    if (AT(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_DIFFERENCE) == 0.0)
     {
-        (*result_0) = 0.0;
-        (*result_1) = layout__VALID;
-        return 0;
+        *roll_out = 0.0;
+        *status_out = layout__VALID;
+        return;
     }
     sign = 1.0;
     first = 0.0;
     last = layout__ROLL_LIMIT;
-    if ((*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_DIFFERENCE)) < 0.0)
+    if (AT(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_DIFFERENCE) < 0.0)
     {
         sign = -1.0;
         first = -layout__ROLL_LIMIT;
@@ -761,46 +676,46 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     status = layout__VALID;
     if (sign * roll < 0.0)
     {
-        roll__roll_between(&roll, &status, work, tables, 0.5 * (first + last), first, last, 0);
+        roll__roll_between(&roll, &status, work, tables, 0.5 * (first + last), first, last, false);
         first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
     }
-    end = INT64_C(0);
-    trial = INT64_C(0);
-    while((end >= INT64_C(0)) && (status == layout__VALID))
+    end = 0;
+    trial = 0;
+    while (end >= 0 && status == layout__VALID)
     {
         far = layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR + layout__ROLL_TRIAL_SIZE * end;
-        width = fabs((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) - (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)));
-        if ((width < first_root__APART) || first_root__has_no_root(work, tables, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, far, sign))
+        width = fabs(AT(work, far + layout__ROLL_TRIAL_ROLL) - AT(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL));
+        if (width < first_root__APART || first_root__has_no_root(work, tables, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR, far, sign))
         {
-            for (i_1 = INT64_C(0); i_1 < layout__ROLL_TRIAL_SIZE; i_1 += INT64_C(1))
+            for (i_1 = 0; i_1 < layout__ROLL_TRIAL_SIZE; i_1 += 1)
             {
-                (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + i_1)) = (*cspan_at(&work, far + i_1));
+                AT(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + i_1) = AT(work, far + i_1);
             }
-            end -= INT64_C(1);
+            end -= 1;
         }
         else
         {
-            middle = 0.5 * ((*cspan_at(&work, far + layout__ROLL_TRIAL_ROLL)) + (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)));
+            middle = 0.5 * (AT(work, far + layout__ROLL_TRIAL_ROLL) + AT(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL));
             roll__turn_both(work, middle);
-            if (!roll__search_both(work, tables, 0))
+            if (!roll__search_both(work, tables, false))
             {
                 status = layout__OFF_PROFILE;
             }
-            else if (sign * ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST))) > 0.0)
+            else if (sign * (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST) - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST)) > 0.0)
             {
-                end += INT64_C(1);
+                end += 1;
                 first_root__note_trial(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR + layout__ROLL_TRIAL_SIZE * end, middle);
             }
             else
             {
                 /* a root before: it is the known one now */
-                end = INT64_C(0);
-                first_root__root_before(&roll, &status, work, tables, (*cspan_at(&work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL)), middle, sign);
+                end = 0;
+                first_root__root_before(&roll, &status, work, tables, AT(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_NEAR + layout__ROLL_TRIAL_ROLL), middle, sign);
                 first_root__note_root(work, layout__WORK_TRIALS + layout__ROLL_TRIALS_FAR, roll);
             }
         }
-        trial += INT64_C(1);
-        if ((trial == first_root__ROOT_TRIALS) || (end >= layout__TRIAL_LIMIT - INT64_C(2)))
+        trial += 1;
+        if (trial == first_root__ROOT_TRIALS || end >= layout__TRIAL_LIMIT - 2)
         {
             status = layout__NOT_CONVERGED;
         }
@@ -808,20 +723,18 @@ static inline int64_t first_root__first_root(double* result_0, int64_t* result_1
     if (status == layout__VALID)
     {
         roll__turn_both(work, roll);
-        roll__search_both(work, tables, 0);
+        roll__search_both(work, tables, false);
     }
-    (*result_0) = roll;
-    (*result_1) = status;
-    return 0;
+    *roll_out = roll;
+    *status_out = status;
 }
 
 /* A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
  * it has not; and the outcome.
  */
-static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign)
+static inline void first_root__root_before(double* out_0, int64_t* out_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign)
 {
-    double first;
-    double last;
+    double first, last;
     first = near;
     last = middle + first_root__APART;
     if (sign < 0.0)
@@ -829,8 +742,111 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
         first = middle - first_root__APART;
         last = near;
     }
-    roll__roll_between(result_0, result_1, work, tables, middle, first, last, 0);
-    return 0;
+    roll__roll_between(out_0, out_1, work, tables, middle, first, last, false);
+}
+
+
+/* ---- From search/own_bounds.py; change that one.
+ *
+ * Bounds of the gap's bend in a part of a cell, from the pieces of wheel and rail that it covers.
+ *
+ * The bounds of the raster (``bounds.py``) are those of whole cells and their neighbours. Between points that
+ * are micrometres apart, or beside a rounded corner, the pieces of a small part say far more about it.
+ */
+
+/* Bounds of the second derivative between ``low`` and ``high`` [m] from the pieces there [1/m], and of the
+ * absolute slope [-]; TOO_MANY where they are more than MOST_PIECES.
+ *
+ * Around the middle of its part a piece's second derivative is a cubic, whose terms are bounded one by one.
+ */
+static OUT_OF_LINE void own_bounds__bends_between(double* least_out, double* most_out, double* TOO_MANY_out, array_double_1d tables, int64_t profile, double low, double high)
+{
+    int64_t piece, i, following;
+    double least, most, steepest, start, stop, half, u, bend, third, fourth, slope, apart;
+    bool last;
+    piece = tables__find_piece(tables, profile, low);
+    least = 0.0;
+    most = 0.0;
+    steepest = 0.0;
+    start = low;
+    for (i = 0; i < own_bounds__MOST_PIECES; i += 1)
+    {
+        following = piece + layout__PIECE_SIZE;
+        stop = high;
+        last = true;
+        if (AT(tables, following + layout__PIECE_START) < high)
+        {
+            stop = AT(tables, following + layout__PIECE_START);
+            last = false;
+        }
+        half = 0.5 * (stop - start);
+        u = 0.5 * (start + stop) - AT(tables, piece + layout__PIECE_START);
+        bend = 2.0 * AT(tables, piece + layout__PIECE_C2) + u * (6.0 * AT(tables, piece + layout__PIECE_C3) + u * (12.0 * AT(tables, piece + layout__PIECE_C4) + u * 20.0 * AT(tables, piece + layout__PIECE_C5)));
+        third = 6.0 * AT(tables, piece + layout__PIECE_C3) + u * (24.0 * AT(tables, piece + layout__PIECE_C4) + u * 60.0 * AT(tables, piece + layout__PIECE_C5));
+        fourth = 24.0 * AT(tables, piece + layout__PIECE_C4) + u * 120.0 * AT(tables, piece + layout__PIECE_C5);
+        slope = AT(tables, piece + layout__PIECE_C1) + u * (2.0 * AT(tables, piece + layout__PIECE_C2) + u * (3.0 * AT(tables, piece + layout__PIECE_C3) + u * (4.0 * AT(tables, piece + layout__PIECE_C4) + u * 5.0 * AT(tables, piece + layout__PIECE_C5))));
+        apart = half * (fabs(third) + half * (0.5 * fabs(fourth) + half * 20.0 * fabs(AT(tables, piece + layout__PIECE_C5))));
+        if (i == 0)
+        {
+            least = bend - apart;
+            most = bend + apart;
+        }
+        least = double_min(least, bend - apart);
+        most = double_max(most, bend + apart);
+        steepest = double_max(steepest, fabs(slope) + half * (fabs(bend) + apart));
+        if (last)
+        {
+            *least_out = least;
+            *most_out = most;
+            *TOO_MANY_out = steepest;
+            return;
+        }
+        piece = following;
+        start = stop;
+    }
+    *least_out = least;
+    *most_out = most;
+    *TOO_MANY_out = own_bounds__TOO_MANY;
+}
+
+/* Bounds [1/m] of the rate at which the slope difference rises between ``low`` and ``high`` [m] on the
+ * wheel, such that (3.3) holds with them; ``least`` and ``most``, those that are known, where the part's own
+ * pieces say less.
+ */
+static OUT_OF_LINE void own_bounds__own_bounds(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double low, double high, double least, double most)
+{
+    double least_wheel, most_wheel, steepest, roll, square, bend, stretch, width, abscissa, reach, least_rail, most_rail, share, own_least, own_most;
+    own_bounds__bends_between(&least_wheel, &most_wheel, &steepest, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), low, high);
+    roll = fabs(AT(work, at + layout__PLACE_SIN_ROLL));
+    square = 0.0;
+    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
+    {
+        square = AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_SIN_YAW);
+    }
+    bend = double_max(fabs(least_wheel), fabs(most_wheel));
+    stretch = bounds__ROLL_STRETCH * roll + square * (bounds__BEND_STRETCH * AT(work, at + layout__PLACE_RADIUS) * bend + bounds__STEEP_STRETCH);
+    if (!(steepest < bounds__STEEP && stretch < bounds__WIDEST))
+    {
+        *out_0 = least;
+        *out_1 = most;
+        return;
+    }
+    width = high - low;
+    abscissa = bounds__rail_below(tables, work, pair, at, low);
+    reach = stretch * width;
+    own_bounds__bends_between(&least_rail, &most_rail, &steepest, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa - reach, abscissa + width + reach);
+    if (!(steepest < own_bounds__TOO_MANY))
+    {
+        *out_0 = least;
+        *out_1 = most;
+        return;
+    }
+    share = bounds__ROLL_BEND * roll + bounds__YAW_BEND * square;
+    own_least = least_rail - most_wheel - stretch * fabs(least_rail) - share * fabs(most_wheel);
+    own_most = most_rail - least_wheel + stretch * fabs(most_rail) + share * fabs(least_wheel);
+    own_most = double_max(own_most, 0.0) * (1.0 + stretch);
+    *out_0 = double_max(least, own_least);
+    *out_1 = double_min(most, own_most);
 }
 
 
@@ -848,38 +864,34 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
 /* Rail abscissa [m], the rail's bend [1/m], how much the outline is stretched [-], and the rate at which
  * the slope difference rises along the wheel [1/m], at a node of the raster.
  */
-static ALWAYS_INLINE int64_t rising_cell__rate_at_node(double* abscissa, double* bend, double* stretch, double* result_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
+static ALWAYS_INLINE void rising_cell__rate_at_node(double* abscissa_out, double* bend_out, double* stretch_out, double* out_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
 {
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double rate;
-    double height;
-    double slope;
-    locus__outline_jet(&y_track, &z_track, &outline_slope, stretch, &rate, work, at, (*cspan_at(&tables, node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, node + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, node + layout__SCAN_NODE_SLOPE)), (*cspan_at(&tables, node + layout__SCAN_NODE_BEND)));
-    (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
-    tables__height_slope_bend(&height, &slope, bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
-    (*result_3) = (*bend) * (*stretch) - rate;
-    return 0;
+    double y_track, z_track, outline_slope, stretch, rate, abscissa, height, slope, bend;
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, at, AT(tables, node + layout__SCAN_NODE_Y), AT(tables, node + layout__SCAN_NODE_HEIGHT), AT(tables, node + layout__SCAN_NODE_SLOPE), AT(tables, node + layout__SCAN_NODE_BEND));
+    abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
+    tables__height_slope_bend(&height, &slope, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
+    *abscissa_out = abscissa;
+    *bend_out = bend;
+    *stretch_out = stretch;
+    *out_3 = bend * stretch - rate;
 }
 
 /* By how much the rate may depart from a straight line [1/m] up to the next node, but for the rail's
  * change, if wheel and rail do by ``rest``; and the share of that change which comes on top [-].
  */
-static ALWAYS_INLINE int64_t rising_cell__departure_from_line(double* result_0, double* change_share, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest)
+static ALWAYS_INLINE void rising_cell__departure_from_line(double* out_0, double* change_share_out, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest)
 {
-    double share;
-    double stretch;
+    double share, change_share, stretch;
     share = rising_cell__CELL_SHARE;
-    (*change_share) = rising_cell__CELL_SHARE;
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    change_share = rising_cell__CELL_SHARE;
+    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
     {
-        stretch = (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, at + layout__PLACE_RADIUS)) * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
+        stretch = AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_RADIUS) * AT(tables, node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
         share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * stretch;
-        (*change_share) += stretch;
+        change_share += stretch;
     }
-    (*result_0) = rising_cell__LEAST_DEPARTURE + (1.0 + share) * rest + rising_cell__WHEEL_SHARE * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
-    return 0;
+    *out_0 = rising_cell__LEAST_DEPARTURE + (1.0 + share) * rest + rising_cell__WHEEL_SHARE * AT(tables, node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
+    *change_share_out = change_share;
 }
 
 /* Whether the slope difference certainly rises all the way from node ``cell`` to the next one, and both
@@ -887,59 +899,41 @@ static ALWAYS_INLINE int64_t rising_cell__departure_from_line(double* result_0, 
  */
 static OUT_OF_LINE bool rising_cell__rises_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell)
 {
-    int64_t scan;
-    int64_t node;
-    double first;
-    double first_bend;
-    double stretch;
-    double first_rate;
-    double last;
-    double last_bend;
-    double last_stretch;
-    double last_rate;
-    double length;
-    int64_t rail;
-    int64_t joint;
-    double share;
-    double jump;
-    double rest;
-    double departure;
-    double change_share;
-    double before;
-    double least;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    int64_t scan, node, rail, joint;
+    double first, first_bend, stretch, first_rate, last, last_bend, last_stretch, last_rate, length, share, jump, rest, departure, change_share, before, least;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
     node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * cell;
     rising_cell__rate_at_node(&first, &first_bend, &stretch, &first_rate, tables, work, pair, at, node);
-    rising_cell__rate_at_node(&last, &last_bend, &last_stretch, &last_rate, tables, work, pair, at, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (cell + INT64_C(1)));
+    rising_cell__rate_at_node(&last, &last_bend, &last_stretch, &last_rate, tables, work, pair, at, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (cell + 1));
     length = last - first;
-    if (!((first_rate > 0.0) && (last_rate > 0.0) && (length > 0.0) && (length < rising_cell__WIDEST_CELL) && gap__above_rail(tables, pair, first) && gap__above_rail(tables, pair, last)))
+    if (!(first_rate > 0.0 && last_rate > 0.0 && length > 0.0 && length < rising_cell__WIDEST_CELL && gap__above_rail(tables, pair, first) && gap__above_rail(tables, pair, last)))
     {
-        return 0;
+        return false;
     }
-    rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, first));
-    joint = (int64_t)((*cspan_at(&tables, rail + layout__RAIL_CELL_JOINT)));
-    while((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE)) < first)
+    rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, first));
+    joint = (int64_t)AT(tables, rail + layout__RAIL_CELL_JOINT);
+    while (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) < first)
     {
-        joint += INT64_C(1);
+        joint += 1;
     }
     share = 1.0;
     jump = 0.0;
-    if ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE)) <= last)
+    if (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) <= last)
     {
-        share = ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE)) - first) / length;
-        jump = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_JUMP));
-        if ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * (joint + INT64_C(1)) + layout__RAIL_JOINT_PLACE)) <= last)
+        share = (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) - first) / length;
+        jump = AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_JUMP);
+        if (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * (joint + 1) + layout__RAIL_JOINT_PLACE) <= last)
         {
-            return 0;
+            return false;
         }
     }
-    rest = (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) + length * (0.125 * length * (*cspan_at(&tables, rail + layout__RAIL_CELL_WAVE)) + 0.25 * (*cspan_at(&tables, rail + layout__RAIL_CELL_KINKS)));
+    rest = AT(tables, node + layout__SCAN_NODE_DEPARTURE) + length * (0.125 * length * AT(tables, rail + layout__RAIL_CELL_WAVE) + 0.25 * AT(tables, rail + layout__RAIL_CELL_KINKS));
     rising_cell__departure_from_line(&departure, &change_share, tables, work, at, node, rest);
     departure += change_share * (fabs(last_bend - jump - first_bend) + fabs(jump));
     before = first_rate + share * (last_rate - jump * stretch - first_rate);
-    least = double_min(2, double_min(2, first_rate, last_rate), double_min(2, before, before + jump * stretch));
+    least = double_min(double_min(first_rate, last_rate), double_min(before, before + jump * stretch));
     /* where the outline is stretched by so much, it may be folded */
-    return (least > departure) && (change_share < bounds__WIDEST);
+    return least > departure && change_share < bounds__WIDEST;
 }
 
 
@@ -964,15 +958,15 @@ static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts
 {
     double u;
     int64_t row;
-    u = (shift - (*cspan_at(&tables, starts + layout__STARTS_FIRST_SHIFT))) * (*cspan_at(&tables, starts + layout__STARTS_PER_METRE)) + 0.5;
-    if (!((u >= 0.0) && (u < (*cspan_at(&tables, starts + layout__STARTS_COUNT)))))
+    u = (shift - AT(tables, starts + layout__STARTS_FIRST_SHIFT)) * AT(tables, starts + layout__STARTS_PER_METRE) + 0.5;
+    if (!(u >= 0.0 && u < AT(tables, starts + layout__STARTS_COUNT)))
     {
-        return -INT64_C(1);
+        return -1;
     }
-    row = (int64_t)(u);
-    if (!((*cspan_at(&tables, starts + layout__STARTS_ROWS + layout__START_SIZE * row + layout__START_KNOWN)) == 1.0))
+    row = (int64_t)u;
+    if (!(AT(tables, starts + layout__STARTS_ROWS + layout__START_SIZE * row + layout__START_KNOWN) == 1.0))
     {
-        row = -INT64_C(1);
+        row = -1;
     }
     return row;
 }
@@ -980,122 +974,115 @@ static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
 static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll)
 {
-    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, inputs + layout__INPUTS_YAW)), roll, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), (*cspan_at(&tables, layout__TABLES_HEIGHT)), (*cspan_at(&tables, layout__TABLES_ARM)));
-    locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)));
-    rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
-    rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)), (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)));
+    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_LATERAL_SHIFT), AT(work, inputs + layout__INPUTS_YAW), roll, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), AT(tables, layout__TABLES_HEIGHT), AT(tables, layout__TABLES_ARM));
+    locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS));
+    rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
+    rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL), AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
     if (rails__on_springs(tables))
     {
-        rails__deflect_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);
+        rails__deflect_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_DEFLECTION);
         rails__deflect_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
     }
-    if (((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
+    if (AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL) != 0.0)
     {
         roll__lean_both(work, tables, inputs, roll);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Let both rails have their roll below wheels that are placed at ``roll``. */
 static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll)
 {
-    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)));
-    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)));
+    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RAIL_Y), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL));
+    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y), -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL));
     roll__turn_both(work, roll);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Both placed wheels at another ``roll``. */
 static inline int64_t roll__turn_both(array_double_1d work, double roll)
 {
-    if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
+    if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
     {
-        roll__restore_yaw(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE);
+        roll__restore_yaw(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE);
         roll__restore_yaw(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     }
-    locus__turn_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, roll);
-    locus__mirror_roll(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
-    if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
+    locus__turn_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, roll);
+    locus__mirror_roll(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
+    if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
     {
-        rails__turn_leaning(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE);
+        rails__turn_leaning(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE);
         rails__turn_leaning(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The yaw in the track, where that in the frame of a rolled rail stood. */
 static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place)
 {
-    (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW));
-    (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW));
-    return INT64_C(0);
+    AT(work, place + layout__PLACE_SIN_YAW) = AT(work, place + layout__PLACE_TRACK_SIN_YAW);
+    AT(work, place + layout__PLACE_COS_YAW) = AT(work, place + layout__PLACE_TRACK_COS_YAW);
+    return 0;
 }
 
 /* Search both sides; whether both wheels are above their rails. */
 static inline bool roll__search_both(array_double_1d work, array_double_1d tables, bool known)
 {
-    bool left;
-    bool right;
+    bool left, right;
     left = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES, known);
-    right = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), known);
+    right = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1, known);
     return left && right;
 }
 
 /* Move a side's known smallest gap to this roll's by Newton's method; whether it is found near. */
 static inline bool roll__follow_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
 {
-    int64_t at;
-    int64_t wheel;
-    double y;
-    int64_t i;
-    double gap;
-    double mismatch;
-    double rate;
-    double move;
-    double abscissa;
+    int64_t at, wheel, i;
+    double y, gap, mismatch, rate, move, abscissa;
     at = side + layout__SIDE_SEARCH_PLACE;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-    y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
-    for (i = INT64_C(0); i < roll__FOLLOW_STEPS; i += INT64_C(1))
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
+    y = AT(work, side + layout__SIDE_SEARCH_BEST_Y);
+    for (i = 0; i < roll__FOLLOW_STEPS; i += 1)
     {
         gap__vertical_gap(&gap, &mismatch, &rate, tables, work, pair, at, y);
-        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
+        AT(work, at + layout__PLACE_GAP_COUNT) += 1.0;
         if (!(rate > 0.0))
         {
-            return 0;
+            return false;
         }
-        move = (-mismatch) / rate;
+        move = -mismatch / rate;
         if (fabs(move) < smallest_gap__SHARP)
         {
             abscissa = bounds__rail_below(tables, work, pair, at, y);
             if (!gap__above_rail(tables, pair, abscissa))
             {
-                return 0;
+                return false;
             }
             roll__keep_known(work, side, y, gap, abscissa);
-            return 1;
+            return true;
         }
         y += move;
-        if ((fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) > roll__FOLLOW_REACH) || (!((y > (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y < (*cspan_at(&tables, wheel + layout__PROFILE_STOP))))))
+        if (fabs(y - AT(work, side + layout__SIDE_SEARCH_BEST_Y)) > roll__FOLLOW_REACH || !(y > AT(tables, wheel + layout__PROFILE_START) && y < AT(tables, wheel + layout__PROFILE_STOP)))
         {
-            return 0;
+            return false;
         }
     }
-    return 0;
+    return false;
 }
 
 /* D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall. */
-static inline int64_t roll__newton_move(double* difference, double* move, array_double_1d work, array_double_1d tables)
+static inline void roll__newton_move(double* difference_out, double* move_out, array_double_1d work, array_double_1d tables)
 {
-    double rate;
-    (*difference) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
-    rate = gap__gap_per_roll(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))) + gap__gap_per_roll(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)));
-    (*move) = 1.0;
+    double difference, rate, move;
+    difference = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST) - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST);
+    rate = gap__gap_per_roll(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y)) + gap__gap_per_roll(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
+    move = 1.0;
     if (rate < 0.0)
     {
-        (*move) = (-(*difference)) / rate;
+        move = -difference / rate;
     }
-    return 0;
+    *difference_out = difference;
+    *move_out = move;
 }
 
 /* Roll [rad] at which the two known minima are equal, following them; second value: whether found.
@@ -1104,91 +1091,72 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
  * and rail agree. It starts with the minima known near ``roll`` and stays between ``low`` and ``high``.
  * Between nearly conformal profiles a minimum can run away or vanish.
  */
-static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double low, double high)
+static inline void roll__equalize_minima(double* roll_out, bool* out_1, array_double_1d work, array_double_1d tables, double roll, double low, double high)
 {
-    double left;
-    double right;
+    double left, right, gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left, gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right, move_left, move_right, difference, lever, move;
     int64_t i;
-    double gap_left;
-    double mismatch_left;
-    double rate_left;
-    double lever_left;
-    double turn_left;
-    double rail_left;
-    double gap_right;
-    double mismatch_right;
-    double rate_right;
-    double lever_right;
-    double turn_right;
-    double rail_right;
-    double move_left;
-    double move_right;
-    double difference;
-    double lever;
-    double move;
-    left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
-    right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    for (i = INT64_C(0); i < roll__NEWTON_STEPS; i += INT64_C(1))
+    left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
+    right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
+    for (i = 0; i < roll__NEWTON_STEPS; i += 1)
     {
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_ROLL_COUNT)) += 1.0;
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_GAP_COUNT)) += 1.0;
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_GAP_COUNT)) += 1.0;
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_ROLL_COUNT) += 1.0;
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_GAP_COUNT) += 1.0;
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_GAP_COUNT) += 1.0;
         roll__turn_both(work, roll);
         gap__gap_jet(&gap_left, &mismatch_left, &rate_left, &lever_left, &turn_left, &rail_left, tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left);
-        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right);
-        if (!((rate_left > 0.0) && (rate_right > 0.0)))
+        gap__gap_jet(&gap_right, &mismatch_right, &rate_right, &lever_right, &turn_right, &rail_right, tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, right);
+        if (!(rate_left > 0.0 && rate_right > 0.0))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = 0;
-            return 0;
+            *roll_out = roll;
+            *out_1 = false;
+            return;
         }
-        move_left = (-mismatch_left) / rate_left;
-        move_right = (-mismatch_right) / rate_right;
+        move_left = -mismatch_left / rate_left;
+        move_right = -mismatch_right / rate_right;
         /* gaps and levers at the minima next to these places, to second and first order */
         difference = gap_right - gap_left + 0.5 * (mismatch_right * move_right - mismatch_left * move_left);
         lever = lever_right + lever_left + turn_right * move_right + turn_left * move_left;
         if (!(lever < 0.0))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = 0;
-            return 0;
+            *roll_out = roll;
+            *out_1 = false;
+            return;
         }
-        move = (-difference) / lever;
+        move = -difference / lever;
         move_left += turn_left * move / rate_left;
         move_right -= turn_right * move / rate_right;
-        if ((fabs(move) < roll__ROLL_SHARP) && (fabs(move_left) < smallest_gap__SHARP) && (fabs(move_right) < smallest_gap__SHARP))
+        if (fabs(move) < roll__ROLL_SHARP && fabs(move_left) < smallest_gap__SHARP && fabs(move_right) < smallest_gap__SHARP)
         {
-            if ((!roll__on_profiles(tables, layout__TABLES_PAIRS, left, rail_left)) || (!roll__on_profiles(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right, rail_right)))
+            if (!roll__on_profiles(tables, layout__TABLES_PAIRS, left, rail_left) || !roll__on_profiles(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, right, rail_right))
             {
-                (*result_0_0001) = roll;
-                (*result_1_0001) = 0;
-                return 0;
+                *roll_out = roll;
+                *out_1 = false;
+                return;
             }
             roll__keep_known(work, layout__WORK_SIDES, left, gap_left, rail_left);
-            roll__keep_known(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1), right, gap_right, rail_right);
-            (*result_0_0001) = roll;
-            (*result_1_0001) = 1;
-            return 0;
+            roll__keep_known(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1, right, gap_right, rail_right);
+            *roll_out = roll;
+            *out_1 = true;
+            return;
         }
-        if (!((fabs(move) < roll__LONGEST_TURN) && (fabs(move_left) < roll__LONGEST_MOVE) && (fabs(move_right) < roll__LONGEST_MOVE)))
+        if (!(fabs(move) < roll__LONGEST_TURN && fabs(move_left) < roll__LONGEST_MOVE && fabs(move_right) < roll__LONGEST_MOVE))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = 0;
-            return 0;
+            *roll_out = roll;
+            *out_1 = false;
+            return;
         }
         left += move_left;
         right += move_right;
         roll += move;
-        if (!((roll > low) && (roll < high)))
+        if (!(roll > low && roll < high))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = 0;
-            return 0;
+            *roll_out = roll;
+            *out_1 = false;
+            return;
         }
     }
-    (*result_0_0001) = roll;
-    (*result_1_0001) = 0;
-    return 0;
+    *roll_out = roll;
+    *out_1 = false;
 }
 
 /* Whether there is a wheel at ``y`` and a rail at ``abscissa`` [m]. */
@@ -1196,11 +1164,11 @@ static inline bool roll__on_profiles(array_double_1d tables, int64_t pair, doubl
 {
     int64_t wheel;
     bool on;
-    wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
     on = gap__above_rail(tables, pair, abscissa);
-    if ((y < (*cspan_at(&tables, wheel + layout__PROFILE_START))) || (y > (*cspan_at(&tables, wheel + layout__PROFILE_STOP))))
+    if (y < AT(tables, wheel + layout__PROFILE_START) || y > AT(tables, wheel + layout__PROFILE_STOP))
     {
-        on = 0;
+        on = false;
     }
     return on;
 }
@@ -1208,10 +1176,10 @@ static inline bool roll__on_profiles(array_double_1d tables, int64_t pair, doubl
 /* Let the side's known minimum be at ``y``, ``abscissa`` on the rail [m]. */
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa)
 {
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)) = abscissa;
-    return INT64_C(0);
+    AT(work, side + layout__SIDE_SEARCH_BEST) = gap;
+    AT(work, side + layout__SIDE_SEARCH_BEST_Y) = y;
+    AT(work, side + layout__SIDE_SEARCH_BEST_RAIL) = abscissa;
+    return 0;
 }
 
 /* A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
@@ -1219,47 +1187,38 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
  *
  * With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
  */
-static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known)
+static inline void roll__roll_between(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known)
 {
-    double low;
-    double high;
-    double width;
-    double difference;
-    int64_t i;
-    double before_left;
-    double before_right;
-    bool found;
-    double move;
-    bool slow;
-    double balanced;
-    int64_t status;
+    double low, high, width, difference, before_left, before_right, move, balanced;
+    int64_t i, status;
+    bool found, slow;
     low = first;
     high = last;
     width = high - low;
     difference = 0.0;
-    for (i = INT64_C(0); i < roll__SEARCHES; i += INT64_C(1))
+    for (i = 0; i < roll__SEARCHES; i += 1)
     {
         if (!known)
         {
             roll__turn_both(work, roll);
         }
-        before_left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
-        before_right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
+        before_left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
+        before_right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
         found = roll__search_both(work, tables, known);
-        if (known && (before_left == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y))) && (before_right == (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y))))
+        if (known && before_left == AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) && before_right == AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = layout__VALID;
-            return 0;
+            *roll_out = roll;
+            *status_out = layout__VALID;
+            return;
         }
-        known = 0;
+        known = false;
         /* a wheel beside its rail has a large gap */
-        difference = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)) - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST));
-        if ((!found) && (difference == 0.0))
+        difference = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST) - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST);
+        if (!found && difference == 0.0)
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = layout__OFF_PROFILE;
-            return 0;
+            *roll_out = roll;
+            *status_out = layout__OFF_PROFILE;
+            return;
         }
         move = 1.0;
         if (found)
@@ -1267,9 +1226,9 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
             roll__newton_move(&difference, &move, work, tables);
             if (fabs(move) < roll__ROLL_SHARP)
             {
-                (*result_0_0001) = roll;
-                (*result_1_0001) = layout__VALID;
-                return 0;
+                *roll_out = roll;
+                *status_out = layout__VALID;
+                return;
             }
         }
         if (difference > 0.0)
@@ -1285,9 +1244,9 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
             break;
         }
         /* between flange and tread Newton can creep along one side: halve where it did not */
-        slow = (low > first) && (high < last) && (high - low > 0.5 * width);
+        slow = low > first && high < last && high - low > 0.5 * width;
         width = high - low;
-        if (slow || (!((roll + move > low) && (roll + move < high))))
+        if (slow || !(roll + move > low && roll + move < high))
         {
             roll = 0.5 * (low + high);
         }
@@ -1315,26 +1274,25 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
             status = layout__OFF_PROFILE;
         }
     }
-    (*result_0_0001) = roll;
-    (*result_1_0001) = status;
-    return 0;
+    *roll_out = roll;
+    *status_out = status;
 }
 
 /* A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
  *
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
  */
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
+static inline void roll__any_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
 {
-    double start;
+    double start, balanced, roll;
     bool known;
-    double balanced;
+    int64_t status;
     start = guess;
-    if (!((start > -layout__ROLL_LIMIT) && (start < layout__ROLL_LIMIT)))
+    if (!(start > -layout__ROLL_LIMIT && start < layout__ROLL_LIMIT))
     {
         start = 0.0;
     }
-    known = 0;
+    known = false;
     roll__place_both(work, tables, inputs, start);
     if (warm)
     {
@@ -1344,13 +1302,14 @@ static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double
             start = balanced;
         }
     }
-    roll__roll_between(roll, status, work, tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
-    if (((*status) != layout__VALID) && (start != 0.0))
+    roll__roll_between(&roll, &status, work, tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, known);
+    if (status != layout__VALID && start != 0.0)
     {
         /* far from zero roll a wheel may be beside its rail, and D without a sign */
-        roll__roll_between(roll, status, work, tables, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, 0);
+        roll__roll_between(&roll, &status, work, tables, 0.0, -layout__ROLL_LIMIT, layout__ROLL_LIMIT, false);
     }
-    return 0;
+    *roll_out = roll;
+    *status_out = status;
 }
 
 
@@ -1367,7 +1326,7 @@ static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double
  * than the smallest one known; that stretch, of up to 32 cells, is skipped. Where not even one cell can be
  * skipped, the cell itself is searched, or the part of it that is above the rail: it is halved until it is
  * settled. The gap between both ends lies above its chord by no less than -M h^2 / 8, where M bounds its second
- * derivative from above.
+ * derivative from above; of short parts M is that of the pieces that they cover.
  *
  * The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
  * nodes, does not look between them, and ends at the first node beside the rail.
@@ -1376,25 +1335,24 @@ static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double
 /* Fill in a cell that waits to be searched. */
 static inline int64_t smallest_gap__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high)
 {
-    (*cspan_at(&work, cell + layout__CELL_LOW)) = low;
-    (*cspan_at(&work, cell + layout__CELL_HIGH)) = high;
-    (*cspan_at(&work, cell + layout__CELL_GAP_LOW)) = gap_low;
-    (*cspan_at(&work, cell + layout__CELL_GAP_HIGH)) = gap_high;
-    (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)) = mismatch_low;
-    (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH)) = mismatch_high;
-    return INT64_C(0);
+    AT(work, cell + layout__CELL_LOW) = low;
+    AT(work, cell + layout__CELL_HIGH) = high;
+    AT(work, cell + layout__CELL_GAP_LOW) = gap_low;
+    AT(work, cell + layout__CELL_GAP_HIGH) = gap_high;
+    AT(work, cell + layout__CELL_MISMATCH_LOW) = mismatch_low;
+    AT(work, cell + layout__CELL_MISMATCH_HIGH) = mismatch_high;
+    return 0;
 }
 
 /* Abscissae, gaps [m] and mismatches [-] at both ends of a cell. */
-static inline int64_t smallest_gap__cell_ends(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, int64_t cell)
+static inline void smallest_gap__cell_ends(double* out_0, double* out_1, double* out_2, double* out_3, double* out_4, double* out_5, array_double_1d work, int64_t cell)
 {
-    (*result_0) = (*cspan_at(&work, cell + layout__CELL_LOW));
-    (*result_1) = (*cspan_at(&work, cell + layout__CELL_HIGH));
-    (*result_2) = (*cspan_at(&work, cell + layout__CELL_GAP_LOW));
-    (*result_3) = (*cspan_at(&work, cell + layout__CELL_GAP_HIGH));
-    (*result_4) = (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW));
-    (*result_5) = (*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH));
-    return 0;
+    *out_0 = AT(work, cell + layout__CELL_LOW);
+    *out_1 = AT(work, cell + layout__CELL_HIGH);
+    *out_2 = AT(work, cell + layout__CELL_GAP_LOW);
+    *out_3 = AT(work, cell + layout__CELL_GAP_HIGH);
+    *out_4 = AT(work, cell + layout__CELL_MISMATCH_LOW);
+    *out_5 = AT(work, cell + layout__CELL_MISMATCH_HIGH);
 }
 
 /* Keep the smallest gap between ``first`` and ``last`` [m] if it is the side's smallest: halve
@@ -1403,36 +1361,24 @@ static inline int64_t smallest_gap__cell_ends(double* result_0, double* result_1
  */
 static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double least, double most, double first, double last)
 {
-    int64_t at;
-    double gap_low;
-    double mismatch_low;
-    double rate;
-    double gap_high;
-    double mismatch_high;
-    int64_t depth;
-    int64_t cell;
-    double low;
-    double high;
-    double width;
-    double lowest;
-    bool folded;
-    bool turns;
-    bool steady;
-    double y;
-    double gap;
-    double middle;
-    double mismatch;
+    int64_t at, depth, cell, i_1;
+    double gap_low, mismatch_low, rate, gap_high, mismatch_high, low, high, width, lowest, hidden, y, gap, middle, mismatch;
+    bool folded, turns, steady;
     at = side + layout__SIDE_SEARCH_PLACE;
     gap__vertical_gap(&gap_low, &mismatch_low, &rate, tables, work, pair, at, first);
     gap__vertical_gap(&gap_high, &mismatch_high, &rate, tables, work, pair, at, last);
-    (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 2.0;
+    AT(work, at + layout__PLACE_GAP_COUNT) += 2.0;
     smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, first, last, gap_low, gap_high, mismatch_low, mismatch_high);
-    depth = INT64_C(1);
-    while(depth > INT64_C(0))
+    AT(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_LEAST) = least;
+    AT(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_MOST) = most;
+    depth = 1;
+    while (depth > 0)
     {
-        depth -= INT64_C(1);
+        depth -= 1;
         cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
         smallest_gap__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
+        least = AT(work, cell + layout__CELL_LEAST);
+        most = AT(work, cell + layout__CELL_MOST);
         width = high - low;
         lowest = gap_low;
         smallest_gap__keep_smaller(work, side, low, gap_low);
@@ -1441,28 +1387,40 @@ static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_do
             lowest = gap_high;
             smallest_gap__keep_smaller(work, side, high, gap_high);
         }
-        if (lowest - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
+        hidden = most * width * width / 8.0;
+        if (width <= smallest_gap__SHORT && lowest - hidden < AT(work, side + layout__SIDE_SEARCH_BEST))
         {
-            folded = (mismatch_low == gap__FOLDED) || (mismatch_high == gap__FOLDED);
-            turns = (mismatch_low < 0.0) && (mismatch_high >= 0.0) && (!folded);
-            steady = bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) && (!folded);
-            if (turns && ((least > 0.0) || (width <= smallest_gap__NARROW)))
+            own_bounds__own_bounds(&least, &most, tables, work, pair, at, low, high, least, most);
+            hidden = most * width * width / 8.0;
+        }
+        if (lowest - hidden < AT(work, side + layout__SIDE_SEARCH_BEST))
+        {
+            folded = mismatch_low == gap__FOLDED || mismatch_high == gap__FOLDED;
+            turns = mismatch_low < 0.0 && mismatch_high >= 0.0 && !folded;
+            steady = bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) && !folded;
+            if (turns && (least > 0.0 || hidden <= smallest_gap__HIDDEN))
             {
                 smallest_gap__refine_minimum(&y, &gap, tables, work, pair, at, cell);
                 smallest_gap__keep_refined(work, side, y, gap, width);
             }
-            else if ((width > smallest_gap__NARROW) && (!steady) && (folded || (!(least > 0.0))))
+            else if (hidden > smallest_gap__HIDDEN && !steady && (folded || !(least > 0.0)))
             {
                 middle = 0.5 * (low + high);
                 gap__vertical_gap(&gap, &mismatch, &rate, tables, work, pair, at, middle);
-                (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
-                smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + INT64_C(1)), middle, high, gap, gap_high, mismatch, mismatch_high);
+                AT(work, at + layout__PLACE_GAP_COUNT) += 1.0;
+                AT(work, cell + layout__CELL_LEAST) = least;
+                AT(work, cell + layout__CELL_MOST) = most;
+                for (i_1 = 0; i_1 < layout__CELL_SIZE; i_1 += 1)
+                {
+                    AT(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + 1) + i_1) = AT(work, cell + i_1);
+                }
+                smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + 1), middle, high, gap, gap_high, mismatch, mismatch_high);
                 smallest_gap__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
-                depth += INT64_C(2);
+                depth += 2;
             }
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Keep (y, gap) if it is the side's smallest so far, by more than rounding: a
@@ -1470,12 +1428,12 @@ static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_do
  */
 static inline int64_t smallest_gap__keep_smaller(array_double_1d work, int64_t side, double y, double gap)
 {
-    if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) - smallest_gap__ROUNDING)
+    if (gap < AT(work, side + layout__SIDE_SEARCH_BEST) - smallest_gap__ROUNDING)
     {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
+        AT(work, side + layout__SIDE_SEARCH_BEST) = gap;
+        AT(work, side + layout__SIDE_SEARCH_BEST_Y) = y;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Keep (y, gap), a place of contact, if it is the side's smallest so far: rather than a node within
@@ -1484,152 +1442,138 @@ static inline int64_t smallest_gap__keep_smaller(array_double_1d work, int64_t s
 static inline int64_t smallest_gap__keep_refined(array_double_1d work, int64_t side, double y, double gap, double width)
 {
     double allowed;
-    allowed = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-    if (fabs(y - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y))) < width)
+    allowed = AT(work, side + layout__SIDE_SEARCH_BEST);
+    if (fabs(y - AT(work, side + layout__SIDE_SEARCH_BEST_Y)) < width)
     {
         allowed += smallest_gap__ROUNDING;
     }
     if (gap < allowed)
     {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
+        AT(work, side + layout__SIDE_SEARCH_BEST) = gap;
+        AT(work, side + layout__SIDE_SEARCH_BEST_Y) = y;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Abscissa [m] and gap [m] where the slope difference vanishes in a cell:
  * bracketed Newton's method.
  */
-static inline int64_t smallest_gap__refine_minimum(double* y, double* gap, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell)
+static inline void smallest_gap__refine_minimum(double* y_out, double* gap_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell)
 {
-    double low;
-    double high;
+    double low, high, y, gap, mismatch, rate, following, move;
     int64_t i;
-    double mismatch;
-    double rate;
-    double following;
-    double move;
-    low = (*cspan_at(&work, cell + layout__CELL_LOW));
-    high = (*cspan_at(&work, cell + layout__CELL_HIGH));
-    (*y) = low - (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)) * (high - low) / ((*cspan_at(&work, cell + layout__CELL_MISMATCH_HIGH)) - (*cspan_at(&work, cell + layout__CELL_MISMATCH_LOW)));
-    (*gap) = 0.0;
-    for (i = INT64_C(0); i < smallest_gap__REFINEMENTS; i += INT64_C(1))
+    low = AT(work, cell + layout__CELL_LOW);
+    high = AT(work, cell + layout__CELL_HIGH);
+    y = low - AT(work, cell + layout__CELL_MISMATCH_LOW) * (high - low) / (AT(work, cell + layout__CELL_MISMATCH_HIGH) - AT(work, cell + layout__CELL_MISMATCH_LOW));
+    gap = 0.0;
+    for (i = 0; i < smallest_gap__REFINEMENTS; i += 1)
     {
-        gap__vertical_gap(gap, &mismatch, &rate, tables, work, pair, at, (*y));
-        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
+        gap__vertical_gap(&gap, &mismatch, &rate, tables, work, pair, at, y);
+        AT(work, at + layout__PLACE_GAP_COUNT) += 1.0;
         if (mismatch < 0.0)
         {
-            low = (*y);
+            low = y;
         }
         else
         {
-            high = (*y);
+            high = y;
         }
         following = 0.5 * (low + high);
         if (rate > 0.0)
         {
-            move = (-mismatch) / rate;
+            move = -mismatch / rate;
             if (fabs(move) < smallest_gap__SHARP)
             {
                 break;
             }
-            if (((*y) + move > low) && ((*y) + move < high))
+            if (y + move > low && y + move < high)
             {
-                following = (*y) + move;
+                following = y + move;
             }
         }
-        if (fabs(following - (*y)) < smallest_gap__SHARP)
+        if (fabs(following - y) < smallest_gap__SHARP)
         {
             break;
         }
-        (*y) = following;
+        y = following;
     }
-    return 0;
+    *y_out = y;
+    *gap_out = gap;
 }
 
 /* Search from ``node`` on in ``direction`` (1 or -1), up to the end of rail or wheel. */
 static inline int64_t smallest_gap__walk(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t direction)
 {
-    int64_t scan;
-    int64_t at;
-    int64_t count;
-    int64_t exponent;
-    double gap_before;
-    double mismatch_before;
-    double abscissa_before;
-    bool skipped;
-    bool beside;
-    double gap;
-    double mismatch;
-    double abscissa;
-    double slope;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    int64_t scan, at, count, exponent;
+    double gap_before, mismatch_before, abscissa_before, gap, mismatch, abscissa, slope;
+    bool skipped, beside;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
     at = side + layout__SIDE_SEARCH_PLACE;
-    count = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)));
-    exponent = layout__EXPONENTS - INT64_C(1);
+    count = (int64_t)AT(tables, scan + layout__SCAN_COUNT);
+    exponent = layout__EXPONENTS - 1;
     gap_before = smallest_gap__LARGE_GAP;
     mismatch_before = 0.0;
     abscissa_before = 0.0;
-    skipped = 1;
-    beside = 0;
-    while((node >= INT64_C(0)) && (node < count))
+    skipped = true;
+    beside = false;
+    while (node >= 0 && node < count)
     {
         bounds__node_gap(&gap, &mismatch, &abscissa, tables, work, pair, at, node);
-        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
+        AT(work, at + layout__PLACE_GAP_COUNT) += 1.0;
         if (!gap__above_rail(tables, pair, abscissa))
         {
-            if ((!skipped) && (!beside))
+            if (!skipped && !beside)
             {
                 smallest_gap__search_end(tables, work, pair, side, node - direction, direction);
             }
             if (bounds__leaves_rail(tables, work, pair, at, node, direction, abscissa))
             {
-                return INT64_C(0);
+                return 0;
             }
-            beside = 1;
-            skipped = 0;
-            exponent = INT64_C(0);
+            beside = true;
+            skipped = false;
+            exponent = 0;
         }
         else
         {
-            smallest_gap__keep_smaller(work, side, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap);
+            smallest_gap__keep_smaller(work, side, AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y), gap);
             if (beside)
             {
                 smallest_gap__search_end(tables, work, pair, side, node, -direction);
             }
             else if (!skipped)
             {
-                if (direction > INT64_C(0))
+                if (direction > 0)
                 {
-                    smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node - INT64_C(1)) + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), gap_before, gap, mismatch_before, mismatch);
-                    smallest_gap__search_between(tables, work, pair, side, node - INT64_C(1), abscissa_before);
+                    smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node - 1) + layout__SCAN_NODE_Y), AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y), gap_before, gap, mismatch_before, mismatch);
+                    smallest_gap__search_between(tables, work, pair, side, node - 1, abscissa_before);
                 }
                 else
                 {
-                    smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + INT64_C(1)) + layout__SCAN_NODE_Y)), gap, gap_before, mismatch, mismatch_before);
+                    smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y), AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (node + 1) + layout__SCAN_NODE_Y), gap, gap_before, mismatch, mismatch_before);
                     smallest_gap__search_between(tables, work, pair, side, node, abscissa);
                 }
             }
-            beside = 0;
+            beside = false;
             gap_before = gap;
             mismatch_before = mismatch;
             abscissa_before = abscissa;
-            slope = (double)(direction) * mismatch;
-            exponent = bounds__clear_exponent(tables, work, scan, at, node, direction, abscissa, gap - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), slope, exponent);
-            skipped = 1;
-            if (exponent < INT64_C(0))
+            slope = (double)direction * mismatch;
+            exponent = bounds__clear_exponent(tables, work, scan, at, node, direction, abscissa, gap - AT(work, side + layout__SIDE_SEARCH_BEST), slope, exponent);
+            skipped = true;
+            if (exponent < 0)
             {
-                exponent = INT64_C(0);
-                skipped = 0;
+                exponent = 0;
+                skipped = false;
             }
         }
         node += direction * (INT64_C(1) << exponent);
-        if ((!beside) && (exponent < layout__EXPONENTS - INT64_C(1)))
+        if (!beside && exponent < layout__EXPONENTS - 1)
         {
-            exponent += INT64_C(1);
+            exponent += 1;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Search the first cell of the stack, which lies between ``node`` and the next one, if it can hold a
@@ -1639,18 +1583,16 @@ static inline int64_t smallest_gap__walk(array_double_1d tables, array_double_1d
  */
 static inline int64_t smallest_gap__search_between(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, double abscissa)
 {
-    double least;
-    double most;
+    double least, most, width;
     int64_t cell;
-    double width;
-    bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), side + layout__SIDE_SEARCH_PLACE, node, abscissa);
+    bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN), side + layout__SIDE_SEARCH_PLACE, node, abscissa);
     cell = side + layout__SIDE_SEARCH_STACK;
-    width = (*cspan_at(&work, cell + layout__CELL_HIGH)) - (*cspan_at(&work, cell + layout__CELL_LOW));
-    if (double_min(2, (*cspan_at(&work, cell + layout__CELL_GAP_LOW)), (*cspan_at(&work, cell + layout__CELL_GAP_HIGH))) - most * width * width / 8.0 < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
+    width = AT(work, cell + layout__CELL_HIGH) - AT(work, cell + layout__CELL_LOW);
+    if (double_min(AT(work, cell + layout__CELL_GAP_LOW), AT(work, cell + layout__CELL_GAP_HIGH)) - most * width * width / 8.0 < AT(work, side + layout__SIDE_SEARCH_BEST))
     {
-        smallest_gap__search_cell(tables, work, pair, side, least, most, (*cspan_at(&work, cell + layout__CELL_LOW)), (*cspan_at(&work, cell + layout__CELL_HIGH)));
+        smallest_gap__search_cell(tables, work, pair, side, least, most, AT(work, cell + layout__CELL_LOW), AT(work, cell + layout__CELL_HIGH));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Search between ``node``, above the rail, and the end of the rail, which lies before the next node
@@ -1658,27 +1600,17 @@ static inline int64_t smallest_gap__search_between(array_double_1d tables, array
  */
 static inline int64_t smallest_gap__search_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t outward)
 {
-    int64_t at;
-    double inner;
-    double end;
-    double low;
-    double high;
-    int64_t cell;
-    double gap;
-    double mismatch;
-    double abscissa;
-    double beyond;
-    double least;
-    double most;
+    int64_t at, cell;
+    double inner, end, low, high, gap, mismatch, abscissa, beyond, least, most;
     at = side + layout__SIDE_SEARCH_PLACE;
-    inner = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
+    inner = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y);
     end = bounds__above_rail_end(tables, work, pair, at, node, outward);
-    low = double_min(2, inner, end);
-    high = double_max(2, inner, end);
+    low = double_min(inner, end);
+    high = double_max(inner, end);
     cell = node;
-    if (outward < INT64_C(0))
+    if (outward < 0)
     {
-        cell = node - INT64_C(1);
+        cell = node - 1;
     }
     if (low < high)
     {
@@ -1686,12 +1618,13 @@ static inline int64_t smallest_gap__search_end(array_double_1d tables, array_dou
         bounds__node_gap(&gap, &mismatch, &beyond, tables, work, pair, at, node + outward);
         if (beyond < abscissa)
         {
-            abscissa = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
+            abscissa = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START);
         }
-        bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), at, cell, abscissa);
-        smallest_gap__search_cell(tables, work, pair, side, -1.0, most, low, high);
+        bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN), at, cell, abscissa);
+        /* a minimum is not taken for the only one: the rail's bounds are those of its last cell */
+        smallest_gap__search_cell(tables, work, pair, side, double_min(least, -1.0), most, low, high);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Write the side's smallest gap and its abscissa to ``best`` and ``best_y``; whether there is one.
@@ -1701,52 +1634,45 @@ static inline int64_t smallest_gap__search_end(array_double_1d tables, array_dou
  */
 static inline bool smallest_gap__search_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, bool known)
 {
-    int64_t scan;
-    int64_t at;
-    int64_t cell;
-    int64_t ahead;
-    int64_t behind;
-    int64_t node;
-    double gap;
-    double mismatch;
-    double abscissa;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    int64_t scan, at, cell, ahead, behind, node;
+    double gap, mismatch, abscissa;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
     at = side + layout__SIDE_SEARCH_PLACE;
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_SCAN_COUNT)) += 1.0;
+    AT(work, side + layout__SIDE_SEARCH_SCAN_COUNT) += 1.0;
     if (known)
     {
-        cell = bounds__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
-        ahead = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
-        behind = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
-        if (((ahead >= INT64_C(0)) && (behind >= INT64_C(0))) || rising_cell__rises_in_cell(tables, work, pair, at, cell))
+        cell = bounds__node_below(tables, scan, AT(work, side + layout__SIDE_SEARCH_BEST_Y));
+        ahead = bounds__rising_from_minimum(tables, work, scan, at, AT(work, side + layout__SIDE_SEARCH_BEST_Y), 1, AT(work, side + layout__SIDE_SEARCH_BEST_RAIL));
+        behind = bounds__rising_from_minimum(tables, work, scan, at, AT(work, side + layout__SIDE_SEARCH_BEST_Y), -1, AT(work, side + layout__SIDE_SEARCH_BEST_RAIL));
+        if ((ahead >= 0 && behind >= 0) || rising_cell__rises_in_cell(tables, work, pair, at, cell))
         {
-            smallest_gap__walk(tables, work, pair, side, cell + smallest_gap__first_step(ahead), INT64_C(1));
-            smallest_gap__walk(tables, work, pair, side, cell + INT64_C(1) - smallest_gap__first_step(behind), -INT64_C(1));
-            return 1;
+            smallest_gap__walk(tables, work, pair, side, cell + smallest_gap__first_step(ahead), 1);
+            smallest_gap__walk(tables, work, pair, side, cell + 1 - smallest_gap__first_step(behind), -1);
+            return true;
         }
         node = cell;
         bounds__node_gap(&gap, &mismatch, &abscissa, tables, work, pair, at, node);
         if (!gap__above_rail(tables, pair, abscissa))
         {
-            node = cell + INT64_C(1);
+            node = cell + 1;
         }
     }
     else
     {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = smallest_gap__LARGE_GAP;
+        AT(work, side + layout__SIDE_SEARCH_BEST) = smallest_gap__LARGE_GAP;
         node = smallest_gap__best_node(tables, work, pair, side, smallest_gap__PROBE_STRIDE);
-        if (node < INT64_C(0))
+        if (node < 0)
         {
-            node = smallest_gap__best_node(tables, work, pair, side, INT64_C(1));
+            node = smallest_gap__best_node(tables, work, pair, side, 1);
         }
-        if (node < INT64_C(0))
+        if (node < 0)
         {
-            return 0;
+            return false;
         }
     }
-    smallest_gap__walk(tables, work, pair, side, node, INT64_C(1));
-    smallest_gap__walk(tables, work, pair, side, node, -INT64_C(1));
-    return 1;
+    smallest_gap__walk(tables, work, pair, side, node, 1);
+    smallest_gap__walk(tables, work, pair, side, node, -1);
+    return true;
 }
 
 /* How many cells lie between the far node of a minimum's cell and the node where a walk begins: those
@@ -1754,9 +1680,9 @@ static inline bool smallest_gap__search_side(array_double_1d tables, array_doubl
  */
 static inline int64_t smallest_gap__first_step(int64_t exponent)
 {
-    if (exponent < INT64_C(0))
+    if (exponent < 0)
     {
-        return INT64_C(1);
+        return 1;
     }
     return INT64_C(1) << exponent;
 }
@@ -1766,31 +1692,26 @@ static inline int64_t smallest_gap__first_step(int64_t exponent)
  */
 static inline int64_t smallest_gap__best_node(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t stride)
 {
-    int64_t scan;
-    int64_t at;
-    int64_t node;
-    double gap;
-    double mismatch;
-    double abscissa;
-    int64_t found;
-    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    int64_t scan, at, found, node;
+    double gap, mismatch, abscissa;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
     at = side + layout__SIDE_SEARCH_PLACE;
-    found = -INT64_C(1);
-    node = INT64_C(0);
-    while(node < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))))
+    found = -1;
+    node = 0;
+    while (node < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
     {
         bounds__node_gap(&gap, &mismatch, &abscissa, tables, work, pair, at, node);
-        (*cspan_at(&work, at + layout__PLACE_GAP_COUNT)) += 1.0;
+        AT(work, at + layout__PLACE_GAP_COUNT) += 1.0;
         if (gap__above_rail(tables, pair, abscissa))
         {
-            if (gap < (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)))
+            if (gap < AT(work, side + layout__SIDE_SEARCH_BEST))
             {
-                (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) = gap;
-                (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y));
+                AT(work, side + layout__SIDE_SEARCH_BEST) = gap;
+                AT(work, side + layout__SIDE_SEARCH_BEST_Y) = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node + layout__SCAN_NODE_Y);
                 found = node;
             }
         }
-        else if ((found >= INT64_C(0)) && bounds__leaves_rail(tables, work, pair, at, node, INT64_C(1), abscissa))
+        else if (found >= 0 && bounds__leaves_rail(tables, work, pair, at, node, 1, abscissa))
         {
             return found;
         }

@@ -8,19 +8,19 @@ static inline double curvature__longitudinal_curvature(array_double_1d work, arr
 
 /* surface/gap.py */
 static inline bool gap__above_rail(array_double_1d tables, int64_t pair, double abscissa);
-static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
+static ALWAYS_INLINE void gap__vertical_gap(double* out_0, double* mismatch_out, double* out_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
 static inline double gap__gap_per_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
-static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
+static inline void gap__gap_jet(double* out_0, double* mismatch_out, double* out_2, double* out_3, double* out_4, double* abscissa_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
 
 /* surface/locus.py */
-static inline int64_t locus__set_roll(array_double_1d work, int64_t place, double sin_roll, double cos_roll);
-static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll);
 static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double height, double arm);
-static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored);
+static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll);
+static inline int64_t locus__set_roll(array_double_1d work, int64_t place, double sin_roll, double cos_roll);
 static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored, double radius);
-static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope);
-static ALWAYS_INLINE int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope);
-static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
+static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored);
+static ALWAYS_INLINE void locus__around_wheel(double* out_0, double* out_1, array_double_1d work, int64_t place, double slope);
+static ALWAYS_INLINE void locus__outline_point(double* y_track_out, double* z_track_out, double* outline_slope_out, array_double_1d work, int64_t place, double y, double z, double slope);
+static ALWAYS_INLINE void locus__outline_jet(double* y_track_out, double* z_track_out, double* outline_slope_out, double* stretch_out, double* slope_rate_out, array_double_1d work, int64_t place, double y, double z, double slope, double bend);
 static inline double locus__outline_x(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
 
 /* surface/rails.py */
@@ -30,17 +30,17 @@ static inline bool rails__on_springs(array_double_1d tables);
 static inline int64_t rails__deflect_rail(array_double_1d work, int64_t place, int64_t deflection);
 static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, double rail_y, double angle);
 static inline int64_t rails__turn_leaning(array_double_1d work, int64_t place);
-static inline int64_t rails__pitch_of_frame(double* sine, double* cosine, array_double_1d work, int64_t place);
+static inline void rails__pitch_of_frame(double* sine_out, double* cosine_out, array_double_1d work, int64_t place);
 static inline double rails__upright_share(array_double_1d work, int64_t place, double cosine, double sine);
-static inline int64_t rails__on_track(double* result_0, double* result_1, array_double_1d work, int64_t place, double rail_y, double y, double z);
+static inline void rails__on_track(double* out_0, double* out_1, array_double_1d work, int64_t place, double rail_y, double y, double z);
 
 /* surface/tables.py */
-static inline int64_t tables__table_cell(int64_t* cell, double* result_1, double u, double last);
+static inline void tables__table_cell(int64_t* cell_out, double* out_1, double u, double last);
 static inline double tables__read_cubic(array_double_1d tables, int64_t table, double at);
-static inline int64_t tables__read_cubic_jet(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at);
+static inline void tables__read_cubic_jet(double* out_0, double* out_1, array_double_1d tables, int64_t table, double at);
 static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile, double y);
-static inline int64_t tables__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y);
-static ALWAYS_INLINE int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y);
+static inline void tables__height_slope(double* out_0, double* slope_out, array_double_1d tables, int64_t profile, double y);
+static ALWAYS_INLINE void tables__height_slope_bend(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t profile, double y);
 
 
 /* ---- From surface/curvature.py; change that one.
@@ -55,13 +55,10 @@ static ALWAYS_INLINE int64_t tables__height_slope_bend(double* result_0, double*
 static inline double curvature__profile_curvature(array_double_1d tables, int64_t table, double y)
 {
     int64_t cell;
-    double share;
-    double before;
-    double result;
-    tables__table_cell(&cell, &share, (y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START))) * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0);
-    before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
-    result = before + share * ((*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before);
-    return result;
+    double share, before;
+    tables__table_cell(&cell, &share, (y - AT(tables, table + layout__CURVATURE_TABLE_START)) * AT(tables, table + layout__CURVATURE_TABLE_PER_METRE), AT(tables, table + layout__CURVATURE_TABLE_COUNT) - 1.0);
+    before = AT(tables, table + layout__CURVATURE_TABLE_CURVATURES + cell);
+    return before + share * (AT(tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + 1)) - before);
 }
 
 /* B = (kappa_wheel + kappa_rail) / 2 [1/m] at wheel abscissa ``y`` and rail abscissa ``abscissa`` [m],
@@ -69,10 +66,9 @@ static inline double curvature__profile_curvature(array_double_1d tables, int64_
  */
 static inline double curvature__relative_curvature(array_double_1d tables, int64_t pair, double y, double abscissa)
 {
-    double wheel;
-    double rail;
-    wheel = curvature__profile_curvature(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL_CURVATURE))), y);
-    rail = curvature__profile_curvature(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_CURVATURE))), abscissa);
+    double wheel, rail;
+    wheel = curvature__profile_curvature(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL_CURVATURE), y);
+    rail = curvature__profile_curvature(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_CURVATURE), abscissa);
     return 0.5 * (wheel + rail);
 }
 
@@ -85,34 +81,26 @@ static inline double curvature__relative_curvature(array_double_1d tables, int64
  */
 static inline double curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend)
 {
-    double r;
-    double sin_phi;
-    double cos_phi;
-    double e1;
-    double e2;
-    double e3;
-    double around;
-    double steep;
-    double curvature;
-    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
+    double r, curvature, sin_phi, cos_phi, e1, e2, e3, around, steep;
+    r = AT(work, place + layout__PLACE_RADIUS) + z;
     curvature = 1.0 / r;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
+    if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) == layout__LONGITUDINAL_BASIC)
     {
         return curvature;
     }
-    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
+    if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
         curvature = 1.0 / (r * sqrt(1.0 + slope * slope));
     }
     else
     {
         locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-        e1 = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        e2 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        e3 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+        e1 = AT(work, place + layout__PLACE_COS_YAW);
+        e2 = AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_COS_ROLL);
+        e3 = AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_SIN_ROLL);
         around = e1 * cos_phi - e3 * sin_phi;
         steep = sqrt(1.0 + slope * slope);
-        curvature = double_max(2, (around * around / r - bend * e2 * e2) / steep, curvature__CURVATURE_FLOOR / (r * steep));
+        curvature = double_max((around * around / r - bend * e2 * e2) / steep, curvature__CURVATURE_FLOOR / (r * steep));
     }
     return curvature;
 }
@@ -131,10 +119,8 @@ static inline double curvature__longitudinal_curvature(array_double_1d work, arr
 static inline bool gap__above_rail(array_double_1d tables, int64_t pair, double abscissa)
 {
     int64_t rail;
-    bool result;
-    rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    result = (abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP)));
-    return result;
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    return abscissa >= AT(tables, rail + layout__PROFILE_START) && abscissa <= AT(tables, rail + layout__PROFILE_STOP);
 }
 
 /* Gap [m], slope difference rail - outline [-] and its derivative along the wheel profile [1/m] at ``y``
@@ -143,30 +129,20 @@ static inline bool gap__above_rail(array_double_1d tables, int64_t pair, double 
  * Where a strongly yawed flange root folds the outline back, a point is on the wheel but no place of
  * contact: its slope difference reads FOLDED.
  */
-static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatch, double* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
+static ALWAYS_INLINE void gap__vertical_gap(double* out_0, double* mismatch_out, double* out_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
-    double z;
-    double slope;
-    double bend;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double stretch;
-    double outline_rate;
-    double z_rail;
-    double rail_slope;
-    double rail_bend;
-    tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+    double z, slope, bend, y_track, z_track, outline_slope, stretch, outline_rate, z_rail, rail_slope, rail_bend, mismatch;
+    tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
-    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)));
-    (*mismatch) = rail_slope - outline_slope;
+    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), y_track - AT(tables, pair + layout__PAIR_RAIL_Y));
+    mismatch = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
-        (*mismatch) = gap__FOLDED;
+        mismatch = gap__FOLDED;
     }
-    (*result_0) = z_rail - z_track;
-    (*result_2) = rail_bend * stretch - outline_rate;
-    return 0;
+    *out_0 = z_rail - z_track;
+    *mismatch_out = mismatch;
+    *out_2 = rail_bend * stretch - outline_rate;
 }
 
 /* Derivative of the smallest gap with respect to roll [m], at its place ``y`` [m].
@@ -177,30 +153,16 @@ static ALWAYS_INLINE int64_t gap__vertical_gap(double* result_0, double* mismatc
  */
 static inline double gap__gap_per_roll(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
-    double z;
-    double slope;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double z_rail;
-    double rail_slope;
-    double sin_phi;
-    double cos_phi;
-    double arm;
-    double height;
-    double sin_roll;
-    double cos_roll;
-    double lateral;
-    double vertical;
-    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+    double z, slope, y_track, z_track, outline_slope, z_rail, rail_slope, sin_phi, cos_phi, arm, height, sin_roll, cos_roll, lateral, vertical;
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, z, slope);
-    tables__height_slope(&z_rail, &rail_slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)));
+    tables__height_slope(&z_rail, &rail_slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), y_track - AT(tables, pair + layout__PAIR_RAIL_Y));
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
-    height = ((*cspan_at(&work, place + layout__PLACE_RADIUS)) + z) * cos_phi;
-    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    lateral = (-(*cspan_at(&work, place + layout__PLACE_COS_YAW))) * (arm * sin_roll + height * cos_roll);
+    arm = AT(work, place + layout__PLACE_ARM) + y;
+    height = (AT(work, place + layout__PLACE_RADIUS) + z) * cos_phi;
+    sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
+    cos_roll = AT(work, place + layout__PLACE_COS_ROLL);
+    lateral = -AT(work, place + layout__PLACE_COS_YAW) * (arm * sin_roll + height * cos_roll);
     vertical = arm * cos_roll - height * sin_roll;
     return rail_slope * lateral - vertical;
 }
@@ -211,44 +173,31 @@ static inline double gap__gap_per_roll(array_double_1d tables, array_double_1d w
  * The derivative of the outline's slope is the one without yaw: it sets how fast a Newton method converges,
  * not where.
  */
-static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* result_2, double* result_3, double* result_4, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
+static inline void gap__gap_jet(double* out_0, double* mismatch_out, double* out_2, double* out_3, double* out_4, double* abscissa_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
-    double z;
-    double slope;
-    double bend;
-    double y_track;
-    double z_track;
-    double outline_slope;
-    double stretch;
-    double outline_rate;
-    double z_rail;
-    double rail_slope;
-    double rail_bend;
-    double lateral;
-    double vertical;
-    double sin_phi;
-    double cos_phi;
-    tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+    double z, slope, bend, y_track, z_track, outline_slope, stretch, outline_rate, abscissa, z_rail, rail_slope, rail_bend, mismatch, lateral, vertical, sin_phi, cos_phi;
+    tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
     locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, z, slope, bend);
-    (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
-    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
-    (*mismatch) = rail_slope - outline_slope;
+    abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
+    tables__height_slope_bend(&z_rail, &rail_slope, &rail_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
+    mismatch = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
-        (*mismatch) = gap__FOLDED;
+        mismatch = gap__FOLDED;
     }
-    lateral = (-(*cspan_at(&work, place + layout__PLACE_COS_YAW))) * (z_track + (*cspan_at(&work, place + layout__PLACE_HEIGHT)));
-    vertical = y_track - (*cspan_at(&work, place + layout__PLACE_SHIFT));
-    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
+    lateral = -AT(work, place + layout__PLACE_COS_YAW) * (z_track + AT(work, place + layout__PLACE_HEIGHT));
+    vertical = y_track - AT(work, place + layout__PLACE_SHIFT);
+    if (AT(work, place + layout__PLACE_YAWED) == 1.0)
     {
         locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-        vertical = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - ((*cspan_at(&work, place + layout__PLACE_RADIUS)) + z) * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
+        vertical = (AT(work, place + layout__PLACE_ARM) + y) * AT(work, place + layout__PLACE_COS_ROLL) - (AT(work, place + layout__PLACE_RADIUS) + z) * cos_phi * AT(work, place + layout__PLACE_SIN_ROLL);
     }
-    (*result_0) = z_rail - z_track;
-    (*result_2) = rail_bend * stretch - outline_rate;
-    (*result_3) = rail_slope * lateral - vertical;
-    (*result_4) = rail_bend * lateral - 1.0 - outline_slope * outline_slope;
-    return 0;
+    *out_0 = z_rail - z_track;
+    *mismatch_out = mismatch;
+    *out_2 = rail_bend * stretch - outline_rate;
+    *out_3 = rail_slope * lateral - vertical;
+    *out_4 = rail_bend * lateral - 1.0 - outline_slope * outline_slope;
+    *abscissa_out = abscissa;
 }
 
 
@@ -271,63 +220,58 @@ static inline int64_t gap__gap_jet(double* result_0, double* mismatch, double* r
  */
 static inline int64_t locus__place_wheelset(array_double_1d work, int64_t place, double lateral_shift, double yaw, double roll, double radius, double height, double arm)
 {
-    double sine;
-    double cosine;
-    (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
-    (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = 0.0;
-    (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = 1.0;
-    (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(0);
+    double sine, cosine;
+    AT(work, place + layout__PLACE_SHIFT) = lateral_shift;
+    AT(work, place + layout__PLACE_SIN_YAW) = 0.0;
+    AT(work, place + layout__PLACE_COS_YAW) = 1.0;
+    AT(work, place + layout__PLACE_YAWED) = (double)false;
     if (yaw != 0.0)
     {
         circle__sine_cosine(&sine, &cosine, yaw);
-        (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = sine;
-        (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = cosine;
-        (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(1);
+        AT(work, place + layout__PLACE_SIN_YAW) = sine;
+        AT(work, place + layout__PLACE_COS_YAW) = cosine;
+        AT(work, place + layout__PLACE_YAWED) = (double)true;
     }
-    (*cspan_at(&work, place + layout__PLACE_RADIUS)) = radius;
-    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = height;
-    (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
-    (*cspan_at(&work, place + layout__PLACE_LEANING)) = (double)(0);
-    (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) = 0.0;
+    AT(work, place + layout__PLACE_RADIUS) = radius;
+    AT(work, place + layout__PLACE_HEIGHT) = height;
+    AT(work, place + layout__PLACE_ARM) = arm;
+    AT(work, place + layout__PLACE_RAIL_LATERAL) = 0.0;
+    AT(work, place + layout__PLACE_RAIL_VERTICAL) = 0.0;
+    AT(work, place + layout__PLACE_LEANING) = (double)false;
+    AT(work, place + layout__PLACE_RAIL_SIN) = 0.0;
     locus__turn_wheelset(work, place, roll);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Give a placed wheelset another roll [rad]. */
 static inline int64_t locus__turn_wheelset(array_double_1d work, int64_t place, double roll)
 {
-    double sine;
-    double cosine;
+    double sine, cosine;
     circle__sine_cosine(&sine, &cosine, roll);
     locus__set_roll(work, place, sine, cosine);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Give a placed wheelset the roll with this sine and cosine, and what (2.2) needs of it. */
 static inline int64_t locus__set_roll(array_double_1d work, int64_t place, double sin_roll, double cos_roll)
 {
-    double t;
-    double cos_t;
-    double w_per_slope;
-    double tan_yaw;
+    double t, cos_t, w_per_slope, tan_yaw;
     t = 0.0;
     cos_t = 1.0;
     w_per_slope = 0.0;
-    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
+    if (AT(work, place + layout__PLACE_YAWED) == 1.0)
     {
-        tan_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        tan_yaw = AT(work, place + layout__PLACE_SIN_YAW) / AT(work, place + layout__PLACE_COS_YAW);
         t = tan_yaw * sin_roll;
         cos_t = 1.0 / sqrt(1.0 + t * t);
         w_per_slope = tan_yaw * cos_roll * cos_t;
     }
-    (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) = sin_roll;
-    (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) = cos_roll;
-    (*cspan_at(&work, place + layout__PLACE_T)) = t;
-    (*cspan_at(&work, place + layout__PLACE_COS_T)) = cos_t;
-    (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope;
-    return INT64_C(0);
+    AT(work, place + layout__PLACE_SIN_ROLL) = sin_roll;
+    AT(work, place + layout__PLACE_COS_ROLL) = cos_roll;
+    AT(work, place + layout__PLACE_T) = t;
+    AT(work, place + layout__PLACE_COS_T) = cos_t;
+    AT(work, place + layout__PLACE_W_PER_SLOPE) = w_per_slope;
+    return 0;
 }
 
 /* The left wheel of the wheelset at ``place``, with its nominal ``radius`` [m], as a right wheel at
@@ -335,28 +279,28 @@ static inline int64_t locus__set_roll(array_double_1d work, int64_t place, doubl
  */
 static inline int64_t locus__mirror_place(array_double_1d work, int64_t place, int64_t mirrored, double radius)
 {
-    (*cspan_at(&work, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work, place + layout__PLACE_SHIFT));
-    (*cspan_at(&work, mirrored + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-    (*cspan_at(&work, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-    (*cspan_at(&work, mirrored + layout__PLACE_RADIUS)) = radius;
-    (*cspan_at(&work, mirrored + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT));
-    (*cspan_at(&work, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work, place + layout__PLACE_ARM));
-    (*cspan_at(&work, mirrored + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0);
-    (*cspan_at(&work, mirrored + layout__PLACE_LEANING)) = (double)(0);
-    (*cspan_at(&work, mirrored + layout__PLACE_RAIL_SIN)) = 0.0;
+    AT(work, mirrored + layout__PLACE_SHIFT) = -AT(work, place + layout__PLACE_SHIFT);
+    AT(work, mirrored + layout__PLACE_SIN_YAW) = -AT(work, place + layout__PLACE_SIN_YAW);
+    AT(work, mirrored + layout__PLACE_COS_YAW) = AT(work, place + layout__PLACE_COS_YAW);
+    AT(work, mirrored + layout__PLACE_RADIUS) = radius;
+    AT(work, mirrored + layout__PLACE_HEIGHT) = AT(work, place + layout__PLACE_HEIGHT);
+    AT(work, mirrored + layout__PLACE_ARM) = AT(work, place + layout__PLACE_ARM);
+    AT(work, mirrored + layout__PLACE_YAWED) = (double)(AT(work, place + layout__PLACE_YAWED) == 1.0);
+    AT(work, mirrored + layout__PLACE_LEANING) = (double)false;
+    AT(work, mirrored + layout__PLACE_RAIL_SIN) = 0.0;
     locus__mirror_roll(work, place, mirrored);
-    return INT64_C(0);
+    return 0;
 }
 
 /* What ``turn_wheelset`` has changed, mirrored. */
 static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, int64_t mirrored)
 {
-    (*cspan_at(&work, mirrored + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    (*cspan_at(&work, mirrored + layout__PLACE_COS_ROLL)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    (*cspan_at(&work, mirrored + layout__PLACE_T)) = (*cspan_at(&work, place + layout__PLACE_T));
-    (*cspan_at(&work, mirrored + layout__PLACE_COS_T)) = (*cspan_at(&work, place + layout__PLACE_COS_T));
-    (*cspan_at(&work, mirrored + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE));
-    return INT64_C(0);
+    AT(work, mirrored + layout__PLACE_SIN_ROLL) = -AT(work, place + layout__PLACE_SIN_ROLL);
+    AT(work, mirrored + layout__PLACE_COS_ROLL) = AT(work, place + layout__PLACE_COS_ROLL);
+    AT(work, mirrored + layout__PLACE_T) = AT(work, place + layout__PLACE_T);
+    AT(work, mirrored + layout__PLACE_COS_T) = AT(work, place + layout__PLACE_COS_T);
+    AT(work, mirrored + layout__PLACE_W_PER_SLOPE) = -AT(work, place + layout__PLACE_W_PER_SLOPE);
+    return 0;
 }
 
 /* sin and cos of the angle around the wheel where the normal of a profile point with ``slope`` has no x
@@ -364,19 +308,15 @@ static inline int64_t locus__mirror_roll(array_double_1d work, int64_t place, in
  *
  * Where the yaw is too large for that (|w| > 1) the nearest angle, w = +-1, is taken.
  */
-static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* result_1, array_double_1d work, int64_t place, double slope)
+static ALWAYS_INLINE void locus__around_wheel(double* out_0, double* out_1, array_double_1d work, int64_t place, double slope)
 {
-    double w;
-    double root;
-    double t;
-    double cos_t;
-    w = double_max(2, double_min(2, (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope, 1.0), -1.0);
+    double w, root, t, cos_t;
+    w = double_max(double_min(AT(work, place + layout__PLACE_W_PER_SLOPE) * slope, 1.0), -1.0);
     root = sqrt(1.0 - w * w);
-    t = (*cspan_at(&work, place + layout__PLACE_T));
-    cos_t = (*cspan_at(&work, place + layout__PLACE_COS_T));
-    (*result_0) = (-(t * root + w)) * cos_t;
-    (*result_1) = (root - t * w) * cos_t;
-    return 0;
+    t = AT(work, place + layout__PLACE_T);
+    cos_t = AT(work, place + layout__PLACE_COS_T);
+    *out_0 = -(t * root + w) * cos_t;
+    *out_1 = (root - t * w) * cos_t;
 }
 
 /* Lateral and vertical track coordinate [m] and slope dz/dy [-] of the outline at the wheel's profile
@@ -385,117 +325,93 @@ static ALWAYS_INLINE int64_t locus__around_wheel(double* result_0, double* resul
  * They are those of a rail that is not moved. The vertical shift of the wheelset is not included: its centre
  * is at minus ``place.height``.
  */
-static ALWAYS_INLINE int64_t locus__outline_point(double* y_track, double* z_track, double* outline_slope, array_double_1d work, int64_t place, double y, double z, double slope)
+static ALWAYS_INLINE void locus__outline_point(double* y_track_out, double* z_track_out, double* outline_slope_out, array_double_1d work, int64_t place, double y, double z, double slope)
 {
-    double sin_roll;
-    double cos_roll;
-    double arm;
-    double r;
-    double sin_yaw;
-    double cos_yaw;
-    double sin_phi;
-    double cos_phi;
-    double normal_y;
-    double normal_z;
-    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
-    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
-    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
+    double sin_roll, cos_roll, arm, r, y_track, z_track, outline_slope, sin_yaw, cos_yaw, sin_phi, cos_phi, normal_y, normal_z;
+    sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
+    cos_roll = AT(work, place + layout__PLACE_COS_ROLL);
+    arm = AT(work, place + layout__PLACE_ARM) + y;
+    r = AT(work, place + layout__PLACE_RADIUS) + z;
+    if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
-        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
-        (*outline_slope) = (slope * cos_roll + sin_roll) / (cos_roll - slope * sin_roll);
+        y_track = AT(work, place + layout__PLACE_SHIFT) + arm * cos_roll - r * sin_roll;
+        z_track = arm * sin_roll + r * cos_roll - AT(work, place + layout__PLACE_HEIGHT);
+        outline_slope = (slope * cos_roll + sin_roll) / (cos_roll - slope * sin_roll);
     }
     else
     {
-        sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-        cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        sin_yaw = AT(work, place + layout__PLACE_SIN_YAW);
+        cos_yaw = AT(work, place + layout__PLACE_COS_YAW);
         locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
-        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
+        y_track = AT(work, place + layout__PLACE_SHIFT) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - AT(work, place + layout__PLACE_HEIGHT);
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
         normal_z = cos_phi * cos_roll - slope * sin_roll;
-        (*outline_slope) = (-normal_y) / normal_z;
+        outline_slope = -normal_y / normal_z;
     }
-    return 0;
+    *y_track_out = y_track;
+    *z_track_out = z_track;
+    *outline_slope_out = outline_slope;
 }
 
 /* ``outline_point``, and along the wheel's profile the derivatives of the lateral coordinate [-] and
  * slope [1/m]. (Both are written out: a search calls the shorter one most.)
  */
-static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track, double* outline_slope, double* stretch, double* slope_rate, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
+static ALWAYS_INLINE void locus__outline_jet(double* y_track_out, double* z_track_out, double* outline_slope_out, double* stretch_out, double* slope_rate_out, array_double_1d work, int64_t place, double y, double z, double slope, double bend)
 {
-    double sin_roll;
-    double cos_roll;
-    double arm;
-    double r;
-    double sin_yaw;
-    double cos_yaw;
-    double w;
-    double root;
-    double sin_phi;
-    double cos_phi;
-    double phi_rate;
-    double normal_y;
-    double normal_z;
-    double normal_y_rate;
-    double normal_z_rate;
-    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
-    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
-    if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
+    double sin_roll, cos_roll, arm, r, y_track, z_track, stretch, outline_slope, slope_rate, sin_yaw, cos_yaw, w, root, sin_phi, cos_phi, phi_rate, normal_y, normal_z, normal_y_rate, normal_z_rate;
+    sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
+    cos_roll = AT(work, place + layout__PLACE_COS_ROLL);
+    arm = AT(work, place + layout__PLACE_ARM) + y;
+    r = AT(work, place + layout__PLACE_RADIUS) + z;
+    if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
-        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
-        (*stretch) = cos_roll - slope * sin_roll;
-        (*outline_slope) = (slope * cos_roll + sin_roll) / (*stretch);
-        (*slope_rate) = bend / ((*stretch) * (*stretch));
+        y_track = AT(work, place + layout__PLACE_SHIFT) + arm * cos_roll - r * sin_roll;
+        z_track = arm * sin_roll + r * cos_roll - AT(work, place + layout__PLACE_HEIGHT);
+        stretch = cos_roll - slope * sin_roll;
+        outline_slope = (slope * cos_roll + sin_roll) / stretch;
+        slope_rate = bend / (stretch * stretch);
     }
     else
     {
-        sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-        cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        sin_yaw = AT(work, place + layout__PLACE_SIN_YAW);
+        cos_yaw = AT(work, place + layout__PLACE_COS_YAW);
         /* around_wheel, whose root the angle's rate needs too */
-        w = double_max(2, double_min(2, (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope, 1.0), -1.0);
+        w = double_max(double_min(AT(work, place + layout__PLACE_W_PER_SLOPE) * slope, 1.0), -1.0);
         root = sqrt(1.0 - w * w);
-        sin_phi = (-((*cspan_at(&work, place + layout__PLACE_T)) * root + w)) * (*cspan_at(&work, place + layout__PLACE_COS_T));
-        cos_phi = (root - (*cspan_at(&work, place + layout__PLACE_T)) * w) * (*cspan_at(&work, place + layout__PLACE_COS_T));
+        sin_phi = -(AT(work, place + layout__PLACE_T) * root + w) * AT(work, place + layout__PLACE_COS_T);
+        cos_phi = (root - AT(work, place + layout__PLACE_T) * w) * AT(work, place + layout__PLACE_COS_T);
         phi_rate = 0.0;
         if (root > 0.0)
         {
-            phi_rate = (-(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE))) * bend / root;
+            phi_rate = -AT(work, place + layout__PLACE_W_PER_SLOPE) * bend / root;
         }
-        (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
-        (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
-        (*stretch) = sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate) + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate));
+        y_track = AT(work, place + layout__PLACE_SHIFT) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
+        z_track = arm * sin_roll + r * cos_phi * cos_roll - AT(work, place + layout__PLACE_HEIGHT);
+        stretch = sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate) + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate));
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll);
         normal_z = cos_phi * cos_roll - slope * sin_roll;
         normal_y_rate = sin_yaw * cos_phi * phi_rate - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll);
-        normal_z_rate = (-sin_phi) * phi_rate * cos_roll - bend * sin_roll;
-        (*outline_slope) = (-normal_y) / normal_z;
-        (*slope_rate) = (-(normal_y_rate + (*outline_slope) * normal_z_rate)) / normal_z;
+        normal_z_rate = -sin_phi * phi_rate * cos_roll - bend * sin_roll;
+        outline_slope = -normal_y / normal_z;
+        slope_rate = -(normal_y_rate + outline_slope * normal_z_rate) / normal_z;
     }
-    return 0;
+    *y_track_out = y_track;
+    *z_track_out = z_track;
+    *outline_slope_out = outline_slope;
+    *stretch_out = stretch;
+    *slope_rate_out = slope_rate;
 }
 
 /* Track coordinate x [m] of the outline at wheel abscissa ``y`` [m], from the middle of the wheelset. */
 static inline double locus__outline_x(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
-    double z;
-    double slope;
-    double sin_phi;
-    double cos_phi;
-    double r;
-    double lateral;
-    double result;
-    tables__height_slope(&z, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
+    double z, slope, sin_phi, cos_phi, r, lateral;
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-    r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
-    lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    result = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    return result;
+    r = AT(work, place + layout__PLACE_RADIUS) + z;
+    lateral = (AT(work, place + layout__PLACE_ARM) + y) * AT(work, place + layout__PLACE_COS_ROLL) - r * cos_phi * AT(work, place + layout__PLACE_SIN_ROLL);
+    return AT(work, place + layout__PLACE_COS_YAW) * r * sin_phi - AT(work, place + layout__PLACE_SIN_YAW) * lateral;
 }
 
 
@@ -518,39 +434,35 @@ static inline double locus__outline_x(array_double_1d tables, array_double_1d wo
  */
 static inline int64_t rails__move_rail(array_double_1d work, int64_t place, double lateral, double vertical)
 {
-    (*cspan_at(&work, place + layout__PLACE_SHIFT)) -= lateral;
-    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) += vertical;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
-    return INT64_C(0);
+    AT(work, place + layout__PLACE_SHIFT) -= lateral;
+    AT(work, place + layout__PLACE_HEIGHT) += vertical;
+    AT(work, place + layout__PLACE_RAIL_LATERAL) = lateral;
+    AT(work, place + layout__PLACE_RAIL_VERTICAL) = vertical;
+    return 0;
 }
 
 /* Whether the rail of side ``index`` stands on springs. */
 static inline bool rails__is_sprung(array_double_1d tables, int64_t index)
 {
     int64_t spring;
-    bool result;
     spring = layout__TABLES_SPRINGS + layout__SPRING_SIZE * index;
-    result = ((*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) > 0.0) || ((*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) > 0.0);
-    return result;
+    return AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) > 0.0 || AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) > 0.0;
 }
 
 /* Whether a rail stands on springs in this contact mode; only then deflections are known. */
 static inline bool rails__on_springs(array_double_1d tables)
 {
-    bool result;
-    result = ((*cspan_at(&tables, layout__TABLES_SPRUNG)) == 1.0) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT);
-    return result;
+    return AT(tables, layout__TABLES_SPRUNG) == 1.0 && (int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_COMPLIANT;
 }
 
 /* Let the springs of a rail below a placed wheel have this deflection, on top of its displacement. */
 static inline int64_t rails__deflect_rail(array_double_1d work, int64_t place, int64_t deflection)
 {
-    (*cspan_at(&work, place + layout__PLACE_SHIFT)) -= (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
-    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) += (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
-    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) += (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
-    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) += (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
-    return INT64_C(0);
+    AT(work, place + layout__PLACE_SHIFT) -= AT(work, deflection + layout__DEFLECTION_LATERAL);
+    AT(work, place + layout__PLACE_HEIGHT) += AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    AT(work, place + layout__PLACE_RAIL_LATERAL) += AT(work, deflection + layout__DEFLECTION_LATERAL);
+    AT(work, place + layout__PLACE_RAIL_VERTICAL) += AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    return 0;
 }
 
 /* Let the rail below a placed wheel roll by ``angle`` [rad], field side down, about its highest point,
@@ -558,22 +470,19 @@ static inline int64_t rails__deflect_rail(array_double_1d work, int64_t place, i
  */
 static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, double rail_y, double angle)
 {
-    double sine;
-    double cosine;
-    double across;
-    double down;
+    double sine, cosine, across, down;
     circle__sine_cosine(&sine, &cosine, angle);
-    across = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - rail_y;
-    down = (*cspan_at(&work, place + layout__PLACE_REFERENCE)) - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
-    (*cspan_at(&work, place + layout__PLACE_SHIFT)) = rail_y + cosine * across + sine * down;
-    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_REFERENCE)) - (cosine * down - sine * across);
-    (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL)) = angle;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) = sine;
-    (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) = cosine;
-    (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-    (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-    (*cspan_at(&work, place + layout__PLACE_LEANING)) = (double)(1);
-    return INT64_C(0);
+    across = AT(work, place + layout__PLACE_SHIFT) - rail_y;
+    down = AT(work, place + layout__PLACE_REFERENCE) - AT(work, place + layout__PLACE_HEIGHT);
+    AT(work, place + layout__PLACE_SHIFT) = rail_y + cosine * across + sine * down;
+    AT(work, place + layout__PLACE_HEIGHT) = AT(work, place + layout__PLACE_REFERENCE) - (cosine * down - sine * across);
+    AT(work, place + layout__PLACE_RAIL_ROLL) = angle;
+    AT(work, place + layout__PLACE_RAIL_SIN) = sine;
+    AT(work, place + layout__PLACE_RAIL_COS) = cosine;
+    AT(work, place + layout__PLACE_TRACK_SIN_YAW) = AT(work, place + layout__PLACE_SIN_YAW);
+    AT(work, place + layout__PLACE_TRACK_COS_YAW) = AT(work, place + layout__PLACE_COS_YAW);
+    AT(work, place + layout__PLACE_LEANING) = (double)true;
+    return 0;
 }
 
 /* Yaw and roll that a placed wheelset has in the frame of its rolled rail: those of its axle, since a
@@ -581,38 +490,32 @@ static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, doub
  */
 static inline int64_t rails__turn_leaning(array_double_1d work, int64_t place)
 {
-    double sin_roll;
-    double cos_roll;
-    double along;
-    double level;
-    double across;
-    double sine;
-    double cosine;
-    sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    along = (-(*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW))) * cos_roll;
-    level = (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * cos_roll;
-    across = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * level + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * sin_roll;
-    sine = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * sin_roll - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * level;
+    double sin_roll, cos_roll, along, level, across, sine, cosine;
+    sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
+    cos_roll = AT(work, place + layout__PLACE_COS_ROLL);
+    along = -AT(work, place + layout__PLACE_TRACK_SIN_YAW) * cos_roll;
+    level = AT(work, place + layout__PLACE_TRACK_COS_YAW) * cos_roll;
+    across = AT(work, place + layout__PLACE_RAIL_COS) * level + AT(work, place + layout__PLACE_RAIL_SIN) * sin_roll;
+    sine = AT(work, place + layout__PLACE_RAIL_COS) * sin_roll - AT(work, place + layout__PLACE_RAIL_SIN) * level;
     cosine = sqrt(along * along + across * across);
-    (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = (-along) / cosine;
-    (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = across / cosine;
+    AT(work, place + layout__PLACE_SIN_YAW) = -along / cosine;
+    AT(work, place + layout__PLACE_COS_YAW) = across / cosine;
     locus__set_roll(work, place, sine, cosine);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Sine and cosine of the angle about the axle by which the wheelset's axes lie before those that yaw and
  * roll in the rail's frame give it.
  */
-static inline int64_t rails__pitch_of_frame(double* sine, double* cosine, array_double_1d work, int64_t place)
+static inline void rails__pitch_of_frame(double* sine_out, double* cosine_out, array_double_1d work, int64_t place)
 {
-    double forward;
-    double down;
-    forward = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW));
-    down = (-(*cspan_at(&work, place + layout__PLACE_RAIL_SIN))) * (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW));
-    (*sine) = -(((*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) - forward * (*cspan_at(&work, place + layout__PLACE_COS_YAW))) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + down * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)));
-    (*cosine) = (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_YAW)) + forward * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-    return 0;
+    double forward, down, sine, cosine;
+    forward = AT(work, place + layout__PLACE_RAIL_COS) * AT(work, place + layout__PLACE_TRACK_SIN_YAW);
+    down = -AT(work, place + layout__PLACE_RAIL_SIN) * AT(work, place + layout__PLACE_TRACK_SIN_YAW);
+    sine = -((AT(work, place + layout__PLACE_TRACK_COS_YAW) * AT(work, place + layout__PLACE_SIN_YAW) - forward * AT(work, place + layout__PLACE_COS_YAW)) * AT(work, place + layout__PLACE_SIN_ROLL) + down * AT(work, place + layout__PLACE_COS_ROLL));
+    cosine = AT(work, place + layout__PLACE_TRACK_COS_YAW) * AT(work, place + layout__PLACE_COS_YAW) + forward * AT(work, place + layout__PLACE_SIN_YAW);
+    *sine_out = sine;
+    *cosine_out = cosine;
 }
 
 /* The vertical share, in the track, of a force along a normal with this cosine and sine in the rail's
@@ -622,9 +525,9 @@ static inline double rails__upright_share(array_double_1d work, int64_t place, d
 {
     double share;
     share = cosine;
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
-        share = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * cosine - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * sine;
+        share = AT(work, place + layout__PLACE_RAIL_COS) * cosine - AT(work, place + layout__PLACE_RAIL_SIN) * sine;
     }
     return share;
 }
@@ -632,18 +535,17 @@ static inline double rails__upright_share(array_double_1d work, int64_t place, d
 /* Coordinates to the field side and down [m], in the track, of a point at ``y``, ``z`` in the frame of
  * the moved rail whose nominal place is ``rail_y``.
  */
-static inline int64_t rails__on_track(double* result_0, double* result_1, array_double_1d work, int64_t place, double rail_y, double y, double z)
+static inline void rails__on_track(double* out_0, double* out_1, array_double_1d work, int64_t place, double rail_y, double y, double z)
 {
     double across;
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
         across = y - rail_y;
-        y = rail_y + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * across - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * z;
-        z = (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * z;
+        y = rail_y + AT(work, place + layout__PLACE_RAIL_COS) * across - AT(work, place + layout__PLACE_RAIL_SIN) * z;
+        z = AT(work, place + layout__PLACE_RAIL_SIN) * across + AT(work, place + layout__PLACE_RAIL_COS) * z;
     }
-    (*result_0) = y + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL));
-    (*result_1) = z + (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL));
-    return 0;
+    *out_0 = y + AT(work, place + layout__PLACE_RAIL_LATERAL);
+    *out_1 = z + AT(work, place + layout__PLACE_RAIL_VERTICAL);
 }
 
 
@@ -660,59 +562,52 @@ static inline int64_t rails__on_track(double* result_0, double* result_1, array_
  *
  * ``u`` is clamped to 0 ... ``last``, and is 0 if it is not a number.
  */
-static inline int64_t tables__table_cell(int64_t* cell, double* result_1, double u, double last)
+static inline void tables__table_cell(int64_t* cell_out, double* out_1, double u, double last)
 {
-    u = double_min(2, double_max(2, 0.0, u), last);
-    (*cell) = (int64_t)(u);
-    if ((*cell) > (int64_t)(last) - INT64_C(1))
+    int64_t cell;
+    u = double_min(double_max(0.0, u), last);
+    cell = (int64_t)u;
+    if (cell > (int64_t)last - 1)
     {
-        (*cell) = (int64_t)(last) - INT64_C(1);
+        cell = (int64_t)last - 1;
     }
-    (*result_1) = u - (double)((*cell));
-    return 0;
+    *cell_out = cell;
+    *out_1 = u - (double)cell;
 }
 
 /* Value of the function; outside the table, that at its end. */
 static inline double tables__read_cubic(array_double_1d tables, int64_t table, double at)
 {
-    int64_t cell;
+    int64_t cell, cubic;
     double x;
-    int64_t cubic;
-    double result;
-    tables__table_cell(&cell, &x, (at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)));
+    tables__table_cell(&cell, &x, (at - AT(tables, table + layout__CUBIC_TABLE_START)) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT), AT(tables, table + layout__CUBIC_TABLE_COUNT));
     cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    result = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * ((*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * ((*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
-    return result;
+    return AT(tables, cubic + layout__CUBIC_VALUE) + x * (AT(tables, cubic + layout__CUBIC_SLOPE) + x * (AT(tables, cubic + layout__CUBIC_BEND) + x * AT(tables, cubic + layout__CUBIC_THIRD)));
 }
 
 /* Value of the function and its derivative; outside the table, those at its end. */
-static inline int64_t tables__read_cubic_jet(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at)
+static inline void tables__read_cubic_jet(double* out_0, double* out_1, array_double_1d tables, int64_t table, double at)
 {
-    int64_t cell;
-    double x;
-    int64_t cubic;
-    double q2;
-    double q1;
-    tables__table_cell(&cell, &x, (at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)));
+    int64_t cell, cubic;
+    double x, q2, q1;
+    tables__table_cell(&cell, &x, (at - AT(tables, table + layout__CUBIC_TABLE_START)) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT), AT(tables, table + layout__CUBIC_TABLE_COUNT));
     cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    q2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
-    q1 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * q2;
-    (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * q1;
-    (*result_1) = (q1 + x * (q2 + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD)))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
-    return 0;
+    q2 = AT(tables, cubic + layout__CUBIC_BEND) + x * AT(tables, cubic + layout__CUBIC_THIRD);
+    q1 = AT(tables, cubic + layout__CUBIC_SLOPE) + x * q2;
+    *out_0 = AT(tables, cubic + layout__CUBIC_VALUE) + x * q1;
+    *out_1 = (q1 + x * (q2 + x * AT(tables, cubic + layout__CUBIC_THIRD))) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT);
 }
 
 /* The piece that holds ``y`` [m]. */
 static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile, double y)
 {
-    double u;
-    double last;
+    double u, last;
     int64_t piece;
-    u = (y - (*cspan_at(&tables, profile + layout__PROFILE_START))) * (*cspan_at(&tables, profile + layout__PROFILE_BINS_PER_METRE));
-    last = (*cspan_at(&tables, profile + layout__PROFILE_BIN_COUNT)) - 1.0;
-    u = double_min(2, double_max(2, 0.0, u), last);
-    piece = profile + (int64_t)((*cspan_at(&tables, profile + layout__PROFILE_BINS + (int64_t)(u))));
-    while(y >= (*cspan_at(&tables, piece + layout__PIECE_SIZE + layout__PIECE_START)))
+    u = (y - AT(tables, profile + layout__PROFILE_START)) * AT(tables, profile + layout__PROFILE_BINS_PER_METRE);
+    last = AT(tables, profile + layout__PROFILE_BIN_COUNT) - 1.0;
+    u = double_min(double_max(0.0, u), last);
+    piece = profile + (int64_t)AT(tables, profile + layout__PROFILE_BINS + (int64_t)u);
+    while (y >= AT(tables, piece + layout__PIECE_SIZE + layout__PIECE_START))
     {
         piece = piece + layout__PIECE_SIZE;
     }
@@ -720,52 +615,39 @@ static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile
 }
 
 /* Height [m] and slope [-] of the profile at ``y`` [m]. */
-static inline int64_t tables__height_slope(double* result_0, double* slope, array_double_1d tables, int64_t profile, double y)
+static inline void tables__height_slope(double* out_0, double* slope_out, array_double_1d tables, int64_t profile, double y)
 {
     int64_t piece;
-    double u;
-    double p4;
-    double p3;
-    double p2;
-    double p1;
+    double u, p4, p3, p2, p1, slope;
     piece = tables__find_piece(tables, profile, y);
-    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
+    u = y - AT(tables, piece + layout__PIECE_START);
     /* Horner's scheme, and again on the quotient that it leaves */
-    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
-    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
-    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
-    (*slope) = p1 + u * (p2 + u * (p3 + u * (p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5)))));
-    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
-    return 0;
+    p4 = AT(tables, piece + layout__PIECE_C4) + u * AT(tables, piece + layout__PIECE_C5);
+    p3 = AT(tables, piece + layout__PIECE_C3) + u * p4;
+    p2 = AT(tables, piece + layout__PIECE_C2) + u * p3;
+    p1 = AT(tables, piece + layout__PIECE_C1) + u * p2;
+    slope = p1 + u * (p2 + u * (p3 + u * (p4 + u * AT(tables, piece + layout__PIECE_C5))));
+    *out_0 = AT(tables, piece + layout__PIECE_C0) + u * p1;
+    *slope_out = slope;
 }
 
 /* Height [m], slope [-] and second derivative [1/m] of the profile at ``y`` [m]. */
-static ALWAYS_INLINE int64_t tables__height_slope_bend(double* result_0, double* result_1, double* result_2, array_double_1d tables, int64_t profile, double y)
+static ALWAYS_INLINE void tables__height_slope_bend(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t profile, double y)
 {
     int64_t piece;
-    double u;
-    double p4;
-    double p3;
-    double p2;
-    double p1;
-    double q4;
-    double q3;
-    double q2;
-    double half_bend;
+    double u, p4, p3, p2, p1, q4, q3, q2, half_bend;
     piece = tables__find_piece(tables, profile, y);
-    u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
+    u = y - AT(tables, piece + layout__PIECE_START);
     /* Horner's scheme as in height_slope, which is called most, and twice again on the quotient that it leaves */
-    p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
-    p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
-    p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
-    q4 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    p4 = AT(tables, piece + layout__PIECE_C4) + u * AT(tables, piece + layout__PIECE_C5);
+    p3 = AT(tables, piece + layout__PIECE_C3) + u * p4;
+    p2 = AT(tables, piece + layout__PIECE_C2) + u * p3;
+    p1 = AT(tables, piece + layout__PIECE_C1) + u * p2;
+    q4 = p4 + u * AT(tables, piece + layout__PIECE_C5);
     q3 = p3 + u * q4;
     q2 = p2 + u * q3;
-    half_bend = q2 + u * (q3 + u * (q4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5))));
-    (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
-    (*result_1) = p1 + u * q2;
-    (*result_2) = 2.0 * half_bend;
-    return 0;
+    half_bend = q2 + u * (q3 + u * (q4 + u * AT(tables, piece + layout__PIECE_C5)));
+    *out_0 = AT(tables, piece + layout__PIECE_C0) + u * p1;
+    *out_1 = p1 + u * q2;
+    *out_2 = 2.0 * half_bend;
 }

@@ -3,61 +3,85 @@
 
 /* wheelset/at_height.py */
 static OUT_OF_LINE bool at_height__search_near(array_double_1d tables, array_double_1d work, int64_t index, int64_t row);
+static OUT_OF_LINE int64_t at_height__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE bool at_height__is_damped(array_double_1d tables);
+static OUT_OF_LINE int64_t at_height__damp_patches(array_double_1d work, array_double_1d tables, int64_t side);
 static OUT_OF_LINE double at_height__pressing_power(array_double_1d work, int64_t motion, int64_t patch);
 static OUT_OF_LINE int64_t at_height__damp_patch(array_double_1d work, int64_t patch, double factor);
-static OUT_OF_LINE int64_t at_height__damp_patches(array_double_1d work, array_double_1d tables, int64_t side);
-static OUT_OF_LINE int64_t at_height__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height);
 
 /* wheelset/brackets.py */
 static OUT_OF_LINE double brackets__next_in_bracket(array_double_1d work, int64_t bracket, int64_t i);
 static OUT_OF_LINE int64_t brackets__narrow_bracket(array_double_1d work, int64_t bracket, double place, double value);
 static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t count);
-static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
+static OUT_OF_LINE void brackets__height_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
 static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, int64_t index, double force);
 static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work);
-static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t flat, double flat_force, double steep_force);
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE void brackets__roll_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat);
+static OUT_OF_LINE void brackets__level_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t flat, double flat_force, double steep_force);
 static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat);
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, double roll, double left, double right);
+static OUT_OF_LINE void brackets__bracket_roll(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right);
 
 /* wheelset/compliant.py */
+static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, array_double_1d work, int64_t index, double height);
-static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work);
 
 /* wheelset/depth_rates.py */
-static inline double depth_rates__motion_size(array_double_1d work, array_double_1d tables, int64_t inputs);
-static inline int64_t depth_rates__keep_sides(array_double_1d work);
-static inline int64_t depth_rates__displace_inputs(array_double_1d work, double time);
-static OUT_OF_LINE bool depth_rates__displace(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time);
-static OUT_OF_LINE bool depth_rates__find_residuals(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time, bool central);
-static OUT_OF_LINE int64_t depth_rates__settle_rates(array_double_1d tables, array_double_1d work, double speed);
-static inline int64_t depth_rates__restore_sides(array_double_1d work);
 static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_double_1d work);
+static inline double depth_rates__motion_size(array_double_1d work, array_double_1d tables, int64_t inputs);
+static OUT_OF_LINE int64_t depth_rates__settle_rates(array_double_1d tables, array_double_1d work, double speed);
+static OUT_OF_LINE bool depth_rates__find_residuals(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time, bool central);
+static OUT_OF_LINE bool depth_rates__displace(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time);
+static inline int64_t depth_rates__displace_inputs(array_double_1d work, double time);
+static inline int64_t depth_rates__keep_sides(array_double_1d work);
+static inline int64_t depth_rates__restore_sides(array_double_1d work);
 
 /* wheelset/elastic.py */
-static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work);
+static OUT_OF_LINE void elastic__solve_elastic(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right);
+static OUT_OF_LINE void elastic__first_estimate(double* height_out, double* move_out, array_double_1d tables, array_double_1d work);
+static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
+static OUT_OF_LINE int64_t elastic__note_best(array_double_1d work, double height, double roll);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm, double rate);
-static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change, bool near);
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right, bool near);
+static OUT_OF_LINE void elastic__renewed(double* out_0, double* out_1, array_double_1d work, double by_height, double by_roll, double change, bool near);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate);
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, double roll, double left, double right);
+
+/* wheelset/enclosing.py */
+static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height);
+static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
+static OUT_OF_LINE void enclosing__stand_at_jump(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t steady, double left, double right);
+static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double height);
+static OUT_OF_LINE bool enclosing__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
 
 /* wheelset/fatigue.py */
 static inline double fatigue__wear_number_damage(double wear_number);
 static inline double fatigue__shakedown_ratio(array_double_1d work, int64_t patch, double yield_shear);
 
 /* wheelset/forces.py */
-static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch);
-static inline double forces__about_axle(array_double_1d work, int64_t motion, double moment_x, double moment_y, double moment_z);
-static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, int64_t patch);
-static inline int64_t forces__add_vector(array_double_1d work, int64_t total, int64_t part, double plane, double across);
-static inline int64_t forces__add_forces(array_double_1d work, int64_t total, int64_t part, double mirror);
-static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool rubbing);
 static inline int64_t forces__sum_forces(array_double_1d tables, array_double_1d work);
+static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool rubbing);
+static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, int64_t patch);
+static inline double forces__about_axle(array_double_1d work, int64_t motion, double moment_x, double moment_y, double moment_z);
+static inline int64_t forces__add_forces(array_double_1d work, int64_t total, int64_t part, double mirror);
+static inline int64_t forces__add_vector(array_double_1d work, int64_t total, int64_t part, double plane, double across);
+
+/* wheelset/free_rolling.py */
+static inline int64_t free_rolling__release_rates(array_double_1d tables, array_double_1d work);
+static inline double free_rolling__nominal_rate(array_double_1d tables, array_double_1d work, int64_t index);
+static inline bool free_rolling__turns_freely(array_double_1d tables, array_double_1d work);
+static inline int64_t free_rolling__roll_freely(array_double_1d tables, array_double_1d work);
+static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d work, int64_t first, int64_t last);
+static inline bool free_rolling__is_known_model(array_double_1d tables);
+static inline bool free_rolling__open_turning(array_double_1d tables, array_double_1d work, int64_t first, int64_t last);
+static inline void free_rolling__torque_at(double* out_0, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate);
+static inline double free_rolling__rub_at(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate);
+static inline int64_t free_rolling__seek(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start);
+static inline int64_t free_rolling__try_rate(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate);
+static inline int64_t free_rolling__seek_falling(array_double_1d tables, array_double_1d work, int64_t first, int64_t last);
+static inline int64_t free_rolling__leave_rest(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start);
+static inline int64_t free_rolling__seek_between(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double one, double other);
+static inline int64_t free_rolling__seek_peak(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double near, double far);
 
 /* wheelset/leaning.py */
 static inline int64_t leaning__set_reference(array_double_1d work, double height);
@@ -67,86 +91,117 @@ static inline double leaning__next_reference(array_double_1d work, double met);
 static inline bool leaning__note_reference(array_double_1d work, double height, double found, double met);
 
 /* wheelset/report.py */
-static inline int64_t report__write_vector(array_double_1d work, int64_t out, int64_t vector, double plane, double across);
+static inline int64_t report__report(array_double_1d tables, array_double_1d work);
+static inline double report__found_rate(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t report__report_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__first_omitted(array_double_1d tables, int64_t index);
 static inline int64_t report__report_point(array_double_1d work, int64_t point, int64_t out, double mirror);
-static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror);
+static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling);
 static inline int64_t report__report_deflection(array_double_1d work, array_double_1d tables, int64_t side, int64_t out, double mirror);
-static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror);
-static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror);
-static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear);
+static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling);
+static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror, bool rolling);
+static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear, bool rolling);
+static inline int64_t report__write_vector(array_double_1d work, int64_t out, int64_t vector, double plane, double across);
 static inline int64_t report__outline_place(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report_outline(array_double_1d work, int64_t side, int64_t outline, int64_t stations, bool rubbing);
-static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t patch, int64_t worn, bool rubbing);
 static OUT_OF_LINE int64_t report__report_wear(array_double_1d tables, array_double_1d work, int64_t index, bool requested);
-static inline int64_t report__report_side(array_double_1d tables, array_double_1d work, int64_t index);
-static inline int64_t report__report(array_double_1d tables, array_double_1d work);
+static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t patch, int64_t worn, bool rubbing);
 
 /* wheelset/requested.py */
-static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs);
 static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables, int64_t inputs);
+static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs);
 static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
+static inline bool requested__is_needed(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
+static inline int64_t requested__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t outcome);
 static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
+static inline bool requested__is_free(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
+static inline double requested__outer_torque(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
+static inline bool requested__is_driven(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
 static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs);
+static inline bool requested__is_moving(array_double_1d work, array_double_1d tables, int64_t inputs);
+static inline bool requested__is_rail_moving(array_double_1d work, int64_t inputs);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline bool requested__has_wear(array_double_1d tables);
 
 /* wheelset/rigid.py */
-static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll);
-static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline void rigid__find_roll(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline void rigid__find_leaning_roll(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll);
 static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, double roll);
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 
 /* wheelset/rubbing.py */
 static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_double_1d work);
-static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_double_1d work);
-static inline int64_t rubbing__move_side(array_double_1d work, array_double_1d tables, int64_t side);
 static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work);
-static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
-static inline double rubbing__strip_power(array_double_1d work, int64_t patch, int64_t strip);
-static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
-static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
+static inline int64_t rubbing__move_side(array_double_1d work, array_double_1d tables, int64_t side);
+static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t rubbing__write_wear(array_double_1d work, int64_t side, int64_t stations);
+static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
+static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
+static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
+static inline double rubbing__strip_power(array_double_1d work, int64_t patch, int64_t strip);
+static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_1d work);
+static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t rubbing__write_side_wear(array_double_1d work, array_double_1d tables, int64_t side);
+static inline double rubbing__side_friction(array_double_1d work, int64_t index);
+static inline int64_t rubbing__rub_wheel(array_double_1d tables, array_double_1d work, int64_t index);
 static inline double rubbing__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, double friction);
 static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch, double factor);
-static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index);
-static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_1d work);
 
 /* wheelset/settling.py */
-static OUT_OF_LINE int64_t settling__one_contact(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t index, double approach, bool sideways);
-static OUT_OF_LINE bool settling__estimate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
-static OUT_OF_LINE int64_t settling__begin_slopes(array_double_1d work, int64_t side);
-static OUT_OF_LINE int64_t settling__update_slopes(array_double_1d work, double before_lateral, double before_vertical);
-static OUT_OF_LINE bool settling__find_settling(array_double_1d work, int64_t side);
-static OUT_OF_LINE int64_t settling__shorten_settling(array_double_1d work);
-static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE bool settling__estimate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE void settling__one_contact(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t index, double approach, bool sideways);
+static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling__update_slopes(array_double_1d work, double before_lateral, double before_vertical);
 
 /* wheelset/settling_brackets.py */
 static OUT_OF_LINE bool settling_brackets__stand_on(array_double_1d tables, array_double_1d work, int64_t index, double lateral, double vertical);
 static OUT_OF_LINE int64_t settling_brackets__press_rail(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical);
+static OUT_OF_LINE bool settling_brackets__encloses_jump(array_double_1d work, int64_t bracket);
 static OUT_OF_LINE double settling_brackets__nearer_end(array_double_1d work, int64_t bracket);
-static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral);
+static OUT_OF_LINE int64_t settling_brackets__half_way(int64_t i, double fall, double before);
+static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double near, double reach);
+static OUT_OF_LINE int64_t settling_brackets__narrow_beside(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical);
 static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
 
+/* wheelset/settling_enclosing.py */
+static OUT_OF_LINE int64_t settling_enclosing__enclose_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_enclosing__shorten_settling(array_double_1d work);
+static OUT_OF_LINE int64_t settling_enclosing__let_down(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE double settling_enclosing__scaled(double stiffness, double residual);
+static OUT_OF_LINE double settling_enclosing__residual_size(array_double_1d work);
+static OUT_OF_LINE int64_t settling_enclosing__keep_settled(array_double_1d work, int64_t place, double lateral, double vertical);
+static OUT_OF_LINE double settling_enclosing__distance_to(array_double_1d work, int64_t place);
+static OUT_OF_LINE int64_t settling_enclosing__note_settling(array_double_1d work, double lateral, double vertical, int64_t places);
+static OUT_OF_LINE bool settling_enclosing__move_between(array_double_1d tables, array_double_1d work, int64_t index, double height, bool reduced);
+static OUT_OF_LINE bool settling_enclosing__is_at_jump(array_double_1d work, double lateral, double vertical);
+static OUT_OF_LINE int64_t settling_enclosing__stand_nearer(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_enclosing__move_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
+
+/* wheelset/settling_slopes.py */
+static OUT_OF_LINE int64_t settling_slopes__begin_slopes(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_slopes__add_rates(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE bool settling_slopes__weigh_anew(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE bool settling_slopes__find_settling(array_double_1d tables, array_double_1d work, int64_t index, double height);
+
 /* wheelset/shared_power.py */
+static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64_t side, int64_t stations);
 static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work, int64_t patch, int64_t worn);
 static OUT_OF_LINE double shared_power__cell_width(array_double_1d work, int64_t outline, int64_t stations);
-static OUT_OF_LINE double shared_power__own_share(array_double_1d work, int64_t wear, int64_t stations, int64_t cell, double owner, double share);
 static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t wear, int64_t outline, int64_t stations, double owner, int64_t strip, double power);
-static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64_t side, int64_t stations);
+static OUT_OF_LINE double shared_power__own_share(array_double_1d work, int64_t wear, int64_t stations, int64_t cell, double owner, double share);
 
 /* wheelset/side.py */
-static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
 static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, int64_t index, double y, double aside, double shift);
+static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
 static inline int64_t side__clear_side(array_double_1d work, int64_t side);
-static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed);
+static inline void side__load_side(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed);
 static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, int64_t index, double force);
-static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, int64_t side, int64_t index, double height);
 static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, int64_t index, double approach);
+static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, int64_t side, int64_t index, double height);
 static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count);
 
 /* wheelset/springs.py */
@@ -159,13 +214,13 @@ static inline int64_t springs__weigh_rail(array_double_1d tables, array_double_1
 static inline bool springs__has_settled(array_double_1d work, int64_t side, double share);
 
 /* wheelset/step.py */
-static inline double step__support_height(array_double_1d work);
-static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double rigid_roll);
-static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_double_1d work, double rigid_roll);
-static inline int64_t step__stand(array_double_1d tables, array_double_1d work, array_double_1d state);
-static inline int64_t step__solve_wheelset(array_double_1d tables, array_double_1d work, array_double_1d state);
-static inline int64_t step__solve_with_friction(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t status);
 static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__solve_with_friction(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t status);
+static inline int64_t step__solve_wheelset(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__stand(array_double_1d tables, array_double_1d work, array_double_1d state);
+static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_double_1d work, double rigid_roll);
+static inline double step__support_height(array_double_1d work);
+static inline void step__meet_leaning(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double rigid_roll);
 static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
 static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);
 static inline int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
@@ -183,11 +238,11 @@ static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t st
 static inline int64_t vertical_load__release_friction(array_double_1d work);
 static inline bool vertical_load__carries_friction(array_double_1d tables, array_double_1d work);
 static inline double vertical_load__carried_share(array_double_1d work, int64_t index);
-static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support);
 static inline bool vertical_load__is_load_met(array_double_1d work);
+static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support);
+static inline int64_t vertical_load__share_load(array_double_1d work);
 static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t support, double share);
 static inline double vertical_load__next_load(array_double_1d work, int64_t support, double share);
-static inline int64_t vertical_load__share_load(array_double_1d work);
 
 
 /* ---- From wheelset/at_height.py; change that one.
@@ -206,24 +261,21 @@ static inline int64_t vertical_load__share_load(array_double_1d work);
  */
 static OUT_OF_LINE bool at_height__search_near(array_double_1d tables, array_double_1d work, int64_t index, int64_t row)
 {
-    int64_t side;
+    int64_t side, start;
     bool known;
-    int64_t start;
-    bool result;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    known = row >= INT64_C(0);
+    known = row >= 0;
     if (known)
     {
-        start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
-        if (index == INT64_C(1))
+        start = (int64_t)AT(tables, layout__TABLES_STARTS) + layout__STARTS_ROWS + layout__START_SIZE * row;
+        AT(work, side + layout__SIDE_SEARCH_BEST_Y) = AT(tables, start + layout__START_LEFT);
+        if (index == 1)
         {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
+            AT(work, side + layout__SIDE_SEARCH_BEST_Y) = AT(tables, start + layout__START_RIGHT);
         }
         known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side);
     }
-    result = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side, known);
-    return result;
+    return smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side, known);
 }
 
 /* The load of a side whose wheelset has the vertical shift ``height`` [m], if it is requested; its
@@ -232,29 +284,26 @@ static OUT_OF_LINE bool at_height__search_near(array_double_1d tables, array_dou
 static OUT_OF_LINE int64_t at_height__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
     double approach;
-    int64_t status;
-    int64_t count;
-    int64_t result;
-    approach = height - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
+    int64_t status, count;
+    approach = height - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST);
     if (!(approach > at_height__GRAZING))
     {
-        result = side__touch_side(tables, work, index);
-        return result;
+        return side__touch_side(tables, work, index);
     }
     if (approach > trial__DEEPEST)
     {
         return layout__OFF_PROFILE;
     }
     status = side__press_side(tables, work, index, approach);
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY) && (!rails__is_sprung(tables, index)))
+    if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_GEOMETRY && !rails__is_sprung(tables, index))
     {
         return status;
     }
     if (status == layout__VALID)
     {
-        side__load_side(&count, &status, tables, work, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+        side__load_side(&count, &status, tables, work, index, 0.0, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     }
-    if ((status == layout__VALID) && at_height__is_damped(tables))
+    if (status == layout__VALID && at_height__is_damped(tables))
     {
         at_height__damp_patches(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
     }
@@ -264,28 +313,24 @@ static OUT_OF_LINE int64_t at_height__load_at_height(array_double_1d tables, arr
 /* Whether contact is damped. */
 static OUT_OF_LINE bool at_height__is_damped(array_double_1d tables)
 {
-    bool result;
-    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT) && ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) > 0.0);
-    return result;
+    return (int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_COMPLIANT && AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) > 0.0;
 }
 
 /* Damp the patches of a side. */
 static OUT_OF_LINE int64_t at_height__damp_patches(array_double_1d work, array_double_1d tables, int64_t side)
 {
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
+    int64_t number, patch, number_end;
     double factor;
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        factor = double_max(2, 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch), 0.0);
-        (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER)) = (factor - 1.0) * at_height__pressing_power(work, side + layout__SIDE_SEARCH_MOTION, patch);
+        factor = double_max(1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch), 0.0);
+        AT(work, patch + layout__PATCH_DAMPING_POWER) = (factor - 1.0) * at_height__pressing_power(work, side + layout__SIDE_SEARCH_MOTION, patch);
         at_height__damp_patch(work, patch, factor);
     }
     filling__total_patches(work, side);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Power [W] that the pressures of a patch take from the motion of wheel and rail towards each other, all
@@ -294,39 +339,33 @@ static OUT_OF_LINE int64_t at_height__damp_patches(array_double_1d work, array_d
 static OUT_OF_LINE double at_height__pressing_power(array_double_1d work, int64_t motion, int64_t patch)
 {
     int64_t rail;
-    double force_y;
-    double force_z;
-    double moment_x;
-    double rail_moment;
-    double result;
+    double force_y, force_z, moment_x, rail_moment;
     rail = motion + layout__MOTION_RAIL;
-    force_y = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-    force_z = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
-    moment_x = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * force_z - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * force_y);
-    rail_moment = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) * force_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) * force_y);
-    result = rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) - force_y * ((*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL))) - force_z * ((*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL))) - moment_x * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z));
-    return result;
+    force_y = AT(work, patch + layout__PATCH_NORMAL_Y);
+    force_z = AT(work, patch + layout__PATCH_NORMAL_Z);
+    moment_x = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, motion + layout__MOTION_CENTRE_Y) * force_z - AT(work, motion + layout__MOTION_CENTRE_Z) * force_y);
+    rail_moment = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, rail + layout__RAIL_MOTION_Y) * force_z - AT(work, rail + layout__RAIL_MOTION_Z) * force_y);
+    return rail_moment * AT(work, rail + layout__RAIL_MOTION_ROLL) - force_y * (AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL)) - force_z * (AT(work, motion + layout__MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_VERTICAL)) - moment_x * AT(work, motion + layout__MOTION_TURN_X) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * AT(work, motion + layout__MOTION_TURN_Y) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * AT(work, motion + layout__MOTION_TURN_Z);
 }
 
 /* Multiply load, force and moments of a patch by ``factor``. */
 static OUT_OF_LINE int64_t at_height__damp_patch(array_double_1d work, int64_t patch, double factor)
 {
-    int64_t i;
-    int64_t strip;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) *= factor;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) *= factor;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) *= factor;
-    (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) *= factor;
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    int64_t i, strip;
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) *= factor;
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) *= factor;
+    AT(work, patch + layout__PATCH_NORMAL_Y) *= factor;
+    AT(work, patch + layout__PATCH_NORMAL_Z) *= factor;
+    for (i = 0; i < 3; i += 1)
     {
-        (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) *= factor;
+        AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) *= factor;
     }
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) *= factor;
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) *= factor;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -346,17 +385,14 @@ static OUT_OF_LINE int64_t at_height__damp_patch(array_double_1d work, int64_t p
  */
 static OUT_OF_LINE double brackets__next_in_bracket(array_double_1d work, int64_t bracket, int64_t i)
 {
-    double low;
-    double high;
-    double chord;
-    double place;
-    low = (*cspan_at(&work, bracket + layout__BRACKET_LOW));
-    high = (*cspan_at(&work, bracket + layout__BRACKET_HIGH));
+    double low, high, place, chord;
+    low = AT(work, bracket + layout__BRACKET_LOW);
+    high = AT(work, bracket + layout__BRACKET_HIGH);
     place = 0.5 * (low + high);
-    if (pyc_modulo(i, INT64_C(2)) == INT64_C(0))
+    if (modulo(i, 2) == 0)
     {
-        chord = low - (*cspan_at(&work, bracket + layout__BRACKET_AT_LOW)) * (high - low) / ((*cspan_at(&work, bracket + layout__BRACKET_AT_HIGH)) - (*cspan_at(&work, bracket + layout__BRACKET_AT_LOW)));
-        if ((chord > low) && (chord < high))
+        chord = low - AT(work, bracket + layout__BRACKET_AT_LOW) * (high - low) / (AT(work, bracket + layout__BRACKET_AT_HIGH) - AT(work, bracket + layout__BRACKET_AT_LOW));
+        if (chord > low && chord < high)
         {
             place = chord;
         }
@@ -369,28 +405,27 @@ static OUT_OF_LINE int64_t brackets__narrow_bracket(array_double_1d work, int64_
 {
     if (value > 0.0)
     {
-        (*cspan_at(&work, bracket + layout__BRACKET_LOW)) = place;
-        (*cspan_at(&work, bracket + layout__BRACKET_AT_LOW)) = value;
+        AT(work, bracket + layout__BRACKET_LOW) = place;
+        AT(work, bracket + layout__BRACKET_AT_LOW) = value;
     }
     else
     {
-        (*cspan_at(&work, bracket + layout__BRACKET_HIGH)) = place;
-        (*cspan_at(&work, bracket + layout__BRACKET_AT_HIGH)) = value;
+        AT(work, bracket + layout__BRACKET_HIGH) = place;
+        AT(work, bracket + layout__BRACKET_AT_HIGH) = value;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* What ``count`` regions carry [N], vertically where the prescribed load is vertical. */
 static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t count)
 {
-    int64_t index;
-    int64_t region;
     double total;
+    int64_t index, region;
     total = 0.0;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        total += (*cspan_at(&work, region + layout__REGION_SHARE)) * (*cspan_at(&work, region + layout__REGION_CARRIED));
+        total += AT(work, region + layout__REGION_SHARE) * AT(work, region + layout__REGION_CARRIED);
     }
     return total;
 }
@@ -401,32 +436,34 @@ static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t c
  * The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry
  * at ``height`` shows whether that is too low or too high, and the residual counts as the whole approach.
  */
-static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t index, double force, double height)
+static OUT_OF_LINE void brackets__height_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t index, double force, double height)
 {
-    int64_t support;
-    double approach;
-    int64_t count;
+    int64_t support, status, count;
+    double residual, approach;
+    bool satisfied;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-    (*status) = trial__balance_side(tables, work, index, force, height);
-    (*residual) = (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) - height;
-    (*satisfied) = 1;
-    if ((*status) == layout__NOT_CONVERGED)
+    status = trial__balance_side(tables, work, index, force, height);
+    residual = AT(work, support + layout__SUPPORT_HEIGHT) - height;
+    satisfied = true;
+    if (status == layout__NOT_CONVERGED)
     {
-        (*satisfied) = 0;
+        satisfied = false;
         approach = trial__permitted_approach(work, support, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, height);
-        (*status) = side__press_side(tables, work, index, approach);
-        if ((*status) == layout__VALID)
+        status = side__press_side(tables, work, index, approach);
+        if (status == layout__VALID)
         {
-            side__load_side(&count, status, tables, work, index, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
-            (*residual) = approach;
+            side__load_side(&count, &status, tables, work, index, 0.0, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+            residual = approach;
             if (brackets__carried_load(work, count) > force)
             {
-                (*residual) = -approach;
+                residual = -approach;
             }
-            (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = height + (*residual);
+            AT(work, support + layout__SUPPORT_HEIGHT) = height + residual;
         }
     }
-    return 0;
+    *residual_out = residual;
+    *satisfied_out = satisfied;
+    *status_out = status;
 }
 
 /* Find the height at which a side carries ``force`` [N] with regions and nodes as they
@@ -439,21 +476,16 @@ static OUT_OF_LINE int64_t brackets__height_residual(double* residual, bool* sat
  */
 static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
-    int64_t support;
-    double best;
-    double height;
-    double residual;
+    int64_t support, status, i;
+    double best, height, residual;
     bool satisfied;
-    int64_t i;
-    int64_t status;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-    best = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
+    best = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST);
     if (!(force > 0.0))
     {
-        status = trial__balance_side(tables, work, index, force, best);
-        return status;
+        return trial__balance_side(tables, work, index, force, best);
     }
-    height = best + trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
+    height = best + trial__SHALLOWEST * AT(work, support + layout__SUPPORT_APPROACH);
     brackets__height_residual(&residual, &satisfied, &status, tables, work, index, force, height);
     if (status > layout__UNLOADED)
     {
@@ -467,45 +499,45 @@ static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, arra
         }
         return status;
     }
-    (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) = height;
-    (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH)) = residual;
-    while((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH)) > 0.0)
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) = height;
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) = residual;
+    while (AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) > 0.0)
     {
-        if ((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) >= best + trial__DEEPEST)
+        if (AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) >= best + trial__DEEPEST)
         {
             return status;
         }
-        (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)) = (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH));
-        (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW)) = (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH));
-        height = double_min(2, best + brackets__DEEPER * ((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) - best), best + trial__DEEPEST);
+        AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH);
+        AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH);
+        height = double_min(best + brackets__DEEPER * (AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - best), best + trial__DEEPEST);
         brackets__height_residual(&residual, &satisfied, &status, tables, work, index, force, height);
-        (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) = height;
-        (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH)) = residual;
+        AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) = height;
+        AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) = residual;
         if (status > layout__UNLOADED)
         {
             return status;
         }
     }
-    for (i = INT64_C(0); i < brackets__BRACKETINGS; i += INT64_C(1))
+    for (i = 0; i < brackets__BRACKETINGS; i += 1)
     {
         height = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, i);
         brackets__height_residual(&residual, &satisfied, &status, tables, work, index, force, height);
-        if ((status > layout__UNLOADED) || (fabs(residual) < brackets__BRACKET_SHARP))
+        if (status > layout__UNLOADED || fabs(residual) < brackets__BRACKET_SHARP)
         {
             return status;
         }
         brackets__narrow_bracket(work, layout__WORK_HEIGHT_BRACKET, height, residual);
-        if ((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)) < brackets__BRACKET_SHARP)
+        if (AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP)
         {
             break;
         }
     }
-    status = trial__balance_side(tables, work, index, force, (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)));
+    status = trial__balance_side(tables, work, index, force, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH));
     if (status == layout__NOT_CONVERGED)
     {
-        status = trial__balance_side(tables, work, index, force, (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)));
+        status = trial__balance_side(tables, work, index, force, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW));
     }
-    (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH));
+    AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH);
     return status;
 }
 
@@ -513,10 +545,10 @@ static OUT_OF_LINE int64_t brackets__bracket_height(array_double_1d tables, arra
 static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work)
 {
     int64_t flat;
-    flat = INT64_C(0);
-    if (fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_POINT + layout__CONTACT_POINT_CONTACT_ANGLE))) < fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_POINT + layout__CONTACT_POINT_CONTACT_ANGLE))))
+    flat = 0;
+    if (fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_POINT + layout__CONTACT_POINT_CONTACT_ANGLE)) < fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_POINT + layout__CONTACT_POINT_CONTACT_ANGLE)))
     {
-        flat = INT64_C(1);
+        flat = 1;
     }
     return flat;
 }
@@ -525,49 +557,56 @@ static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work)
  * how much lower the right one carries its load than the left one [m], whether both can carry
  * their loads, and the outcome.
  */
-static OUT_OF_LINE int64_t brackets__roll_residual(double* residual, bool* satisfied, int64_t* result_2, array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat)
+static OUT_OF_LINE void brackets__roll_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat)
 {
+    double residual;
+    bool satisfied;
     int64_t status;
     if (!trial__turn_to(tables, work, roll))
     {
-        (*residual) = 0.0;
-        (*satisfied) = 0;
-        (*result_2) = layout__OFF_PROFILE;
-        return 0;
+        *residual_out = 0.0;
+        *satisfied_out = false;
+        *status_out = layout__OFF_PROFILE;
+        return;
     }
-    (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_ROLL_COUNT)) += 1.0;
-    if (flat == INT64_C(1))
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_ROLL_COUNT) += 1.0;
+    if (flat == 1)
     {
-        brackets__level_residual(residual, satisfied, &status, tables, work, INT64_C(1), right, left);
-        (*residual) = -(*residual);
+        brackets__level_residual(&residual, &satisfied, &status, tables, work, 1, right, left);
+        residual = -residual;
     }
     else
     {
-        brackets__level_residual(residual, satisfied, &status, tables, work, INT64_C(0), left, right);
+        brackets__level_residual(&residual, &satisfied, &status, tables, work, 0, left, right);
     }
-    (*result_2) = status;
-    return 0;
+    *residual_out = residual;
+    *satisfied_out = satisfied;
+    *status_out = status;
 }
 
 /* Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
  * other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the outcome.
  */
-static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* satisfied, int64_t* status, array_double_1d tables, array_double_1d work, int64_t flat, double flat_force, double steep_force)
+static OUT_OF_LINE void brackets__level_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t flat, double flat_force, double steep_force)
 {
-    double height;
-    int64_t outcome;
-    (*status) = brackets__bracket_height(tables, work, flat, flat_force);
-    if ((*status) > layout__UNLOADED)
+    int64_t status, outcome;
+    double height, residual;
+    bool satisfied;
+    status = brackets__bracket_height(tables, work, flat, flat_force);
+    if (status > layout__UNLOADED)
     {
-        (*residual) = 0.0;
-        (*satisfied) = 0;
-        return 0;
+        *residual_out = 0.0;
+        *satisfied_out = false;
+        *status_out = status;
+        return;
     }
-    height = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * flat + layout__SUPPORT_HEIGHT));
-    brackets__height_residual(residual, satisfied, &outcome, tables, work, INT64_C(1) - flat, steep_force, height);
-    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * (INT64_C(1) - flat) + layout__SUPPORT_HEIGHT)) = height;
-    (*status) = int64_t_max(2, (*status), outcome);
-    return 0;
+    height = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * flat + layout__SUPPORT_HEIGHT);
+    brackets__height_residual(&residual, &satisfied, &outcome, tables, work, 1 - flat, steep_force, height);
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * (1 - flat) + layout__SUPPORT_HEIGHT) = height;
+    status = int64_max(status, outcome);
+    *residual_out = residual;
+    *satisfied_out = satisfied;
+    *status_out = status;
 }
 
 /* Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
@@ -575,22 +614,20 @@ static OUT_OF_LINE int64_t brackets__level_residual(double* residual, bool* sati
  */
 static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat)
 {
-    double residual;
+    double residual, reach, value;
     bool satisfied;
     int64_t status;
-    double reach;
-    double value;
     brackets__roll_residual(&residual, &satisfied, &status, tables, work, roll, left, right, flat);
     if (status > layout__UNLOADED)
     {
         return status;
     }
-    (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = roll;
-    (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = roll;
-    (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = residual;
-    (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = residual;
+    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = roll;
+    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = roll;
+    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = residual;
+    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = residual;
     reach = brackets__FIRST_REACH;
-    while((*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) * (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) > 0.0)
+    while (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) * AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) > 0.0)
     {
         if (reach > layout__ROLL_LIMIT)
         {
@@ -598,19 +635,19 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_
         }
         if (residual > 0.0)
         {
-            (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
-            (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH));
-            (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = roll + reach;
-            brackets__roll_residual(&value, &satisfied, &status, tables, work, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)), left, right, flat);
-            (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = value;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = roll + reach;
+            brackets__roll_residual(&value, &satisfied, &status, tables, work, AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH), left, right, flat);
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = value;
         }
         else
         {
-            (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
-            (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW));
-            (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = roll - reach;
-            brackets__roll_residual(&value, &satisfied, &status, tables, work, (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)), left, right, flat);
-            (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = value;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW);
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = roll - reach;
+            brackets__roll_residual(&value, &satisfied, &status, tables, work, AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW), left, right, flat);
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = value;
         }
         if (status > layout__UNLOADED)
         {
@@ -624,34 +661,33 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
  * from the rigid ``roll``.
  */
-static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* status, array_double_1d tables, array_double_1d work, double roll, double left, double right)
+static OUT_OF_LINE void brackets__bracket_roll(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right)
 {
-    int64_t flat;
-    double residual;
+    int64_t flat, status, i;
+    double residual, end, other;
     bool satisfied;
-    int64_t i;
-    double end;
-    double other;
     flat = brackets__flatter_side(work);
-    (*status) = brackets__enclose_roll(tables, work, roll, left, right, flat);
-    if ((*status) > layout__UNLOADED)
+    status = brackets__enclose_roll(tables, work, roll, left, right, flat);
+    if (status > layout__UNLOADED)
     {
-        (*result_0) = roll;
-        return 0;
+        *roll_out = roll;
+        *status_out = status;
+        return;
     }
     residual = 0.0;
-    satisfied = 0;
-    for (i = INT64_C(0); i < brackets__BRACKETINGS; i += INT64_C(1))
+    satisfied = false;
+    for (i = 0; i < brackets__BRACKETINGS; i += 1)
     {
         roll = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, i);
-        brackets__roll_residual(&residual, &satisfied, status, tables, work, roll, left, right, flat);
-        if ((*status) > layout__UNLOADED)
+        brackets__roll_residual(&residual, &satisfied, &status, tables, work, roll, left, right, flat);
+        if (status > layout__UNLOADED)
         {
-            (*result_0) = roll;
-            return 0;
+            *roll_out = roll;
+            *status_out = status;
+            return;
         }
         brackets__narrow_bracket(work, layout__WORK_ROLL_BRACKET, roll, residual);
-        if ((fabs(residual) < brackets__BRACKET_SHARP) || ((*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) < brackets__BRACKET_SHARP))
+        if (fabs(residual) < brackets__BRACKET_SHARP || AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP)
         {
             break;
         }
@@ -659,38 +695,38 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
     if (fabs(residual) >= brackets__BRACKET_SHARP)
     {
         /* of both ends of a jump always the same, at which the steeper wheel carries no less than its load */
-        end = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
-        if (flat == INT64_C(1))
+        end = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
+        if (flat == 1)
         {
-            end = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
+            end = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
         }
         if (roll != end)
         {
             roll = end;
-            brackets__roll_residual(&residual, &satisfied, status, tables, work, roll, left, right, flat);
+            brackets__roll_residual(&residual, &satisfied, &status, tables, work, roll, left, right, flat);
         }
     }
     if (!satisfied)
     {
         /* or the one whose nodes can carry the force */
-        other = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
-        if (roll == (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)))
+        other = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
+        if (roll == AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW))
         {
-            other = (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
+            other = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
         }
         roll = other;
-        brackets__roll_residual(&residual, &satisfied, status, tables, work, roll, left, right, flat);
+        brackets__roll_residual(&residual, &satisfied, &status, tables, work, roll, left, right, flat);
     }
-    if ((*status) <= layout__UNLOADED)
+    if (status <= layout__UNLOADED)
     {
         if (!satisfied)
         {
-            (*status) = layout__NOT_CONVERGED;
+            status = layout__NOT_CONVERGED;
         }
-        (*status) = trial__depth_outcome(work, (*status));
+        status = trial__depth_outcome(work, status);
     }
-    (*result_0) = roll;
-    return 0;
+    *roll_out = roll;
+    *status_out = status;
 }
 
 
@@ -703,21 +739,19 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
 /* The requested sides of the wheelset at the height and roll of the inputs; the outcome. */
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work)
 {
-    double roll;
-    double height;
-    int64_t status;
-    int64_t outcome;
-    roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-    height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    double roll, height;
+    int64_t status, index, outcome;
+    roll = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL);
+    height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
     leaning__set_reference(work, height);
-    if ((*cspan_at(&tables, layout__TABLES_SPRUNG)) == 1.0)
+    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
     {
-        springs__rest_rail(tables, work, INT64_C(0));
-        springs__rest_rail(tables, work, INT64_C(1));
+        springs__rest_rail(tables, work, 0);
+        springs__rest_rail(tables, work, 1);
     }
     roll__place_both(work, tables, layout__WORK_INPUTS, roll);
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
     if (at_height__is_damped(tables))
     {
         rubbing__open_given_motion(tables, work);
@@ -728,15 +762,14 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     }
     status = layout__VALID;
     side__clear_side(work, layout__WORK_SIDES);
-    side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
-    if (requested__is_requested(tables, INT64_C(0)))
+    side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
+    for (index = 0; index < 2; index += 1)
     {
-        status = compliant__load_standing(tables, work, INT64_C(0), height);
-    }
-    if (requested__is_requested(tables, INT64_C(1)))
-    {
-        outcome = compliant__load_standing(tables, work, INT64_C(1), height);
-        status = int64_t_max(2, status, outcome);
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        {
+            outcome = compliant__load_standing(tables, work, index, height);
+            status = requested__counted_outcome(tables, index, status, outcome);
+        }
     }
     return status;
 }
@@ -748,15 +781,15 @@ static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, arra
 {
     int64_t row;
     bool above;
-    row = roll__nearest_start(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
-    above = 1;
-    if (requested__is_requested(tables, INT64_C(0)))
+    row = roll__nearest_start(tables, (int64_t)AT(tables, layout__TABLES_STARTS), AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    above = true;
+    if (requested__is_needed(work, tables, layout__WORK_INPUTS, 0))
     {
-        above = at_height__search_near(tables, work, INT64_C(0), row);
+        above = at_height__search_near(tables, work, 0, row);
     }
-    if (requested__is_requested(tables, INT64_C(1)) && (!at_height__search_near(tables, work, INT64_C(1), row)))
+    if (requested__is_needed(work, tables, layout__WORK_INPUTS, 1) && !at_height__search_near(tables, work, 1, row))
     {
-        above = 0;
+        above = false;
     }
     return above;
 }
@@ -766,14 +799,11 @@ static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, arra
  */
 static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    int64_t result;
     if (rails__is_sprung(tables, index))
     {
-        result = settling__settle_rail(tables, work, index, height);
-        return result;
+        return settling__settle_rail(tables, work, index, height);
     }
-    result = at_height__load_at_height(tables, work, index, height);
-    return result;
+    return at_height__load_at_height(tables, work, index, height);
 }
 
 
@@ -794,12 +824,12 @@ static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_d
 {
     int64_t right;
     double speed;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_ELASTIC && requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
-        right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY)) = (*cspan_at(&work, right + layout__MOTION_VERTICAL));
-        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE)) = (*cspan_at(&work, right + layout__MOTION_TURN_X)) * (*cspan_at(&work, right + layout__MOTION_AHEAD_X)) + (*cspan_at(&work, right + layout__MOTION_TURN_Y)) * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
-        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED)) = (double)(1);
+        right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
+        AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY) = AT(work, right + layout__MOTION_VERTICAL);
+        AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE) = AT(work, right + layout__MOTION_TURN_X) * AT(work, right + layout__MOTION_AHEAD_X) + AT(work, right + layout__MOTION_TURN_Y) * AT(work, right + layout__MOTION_AHEAD_Y);
+        AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) = (double)true;
         speed = depth_rates__motion_size(work, tables, layout__WORK_INPUTS);
         if (speed > 0.0)
         {
@@ -808,21 +838,22 @@ static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_d
             depth_rates__restore_sides(work);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
-/* About how fast wheels and rails move against each other [m/s], but for rolling. */
+/* About how fast wheels and rails move against each other [m/s], but for rolling; smooth, as the velocities
+ * that are found follow it where a kink lies within the displacement.
+ */
 static inline double depth_rates__motion_size(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
-    double turning;
-    double left;
-    double right;
-    double result;
-    turning = (*cspan_at(&tables, layout__TABLES_ARM)) * fabs((*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE)));
-    left = fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY))) + fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
-    right = fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY))) + fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
-    result = fabs((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY))) + turning + left + right;
-    return result;
+    double turning, left_rolling, right_rolling, square;
+    turning = AT(tables, layout__TABLES_ARM) * AT(work, inputs + layout__INPUTS_YAW_RATE);
+    left_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    right_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    square = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + turning * turning;
+    square += AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + left_rolling * left_rolling;
+    square += AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + right_rolling * right_rolling;
+    return sqrt(square);
 }
 
 /* The velocities in which both sides' residuals vanish, from those of the loads' work on, which stay
@@ -830,42 +861,40 @@ static inline double depth_rates__motion_size(array_double_1d work, array_double
  */
 static OUT_OF_LINE int64_t depth_rates__settle_rates(array_double_1d tables, array_double_1d work, double speed)
 {
-    int64_t right;
-    double vertical;
-    double roll_rate;
+    int64_t right, i;
+    double vertical, roll_rate;
     bool settled;
-    int64_t i;
-    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    vertical = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY));
-    roll_rate = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE));
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
-    settled = 0;
-    for (i = INT64_C(0); i < depth_rates__PASSES; i += INT64_C(1))
+    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
+    vertical = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY);
+    roll_rate = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE);
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
+    settled = false;
+    for (i = 0; i < depth_rates__PASSES; i += 1)
     {
-        if ((!settled) && depth_rates__find_residuals(tables, work, vertical, roll_rate, depth_rates__DISPLACED / speed, i > INT64_C(0)))
+        if (!settled && depth_rates__find_residuals(tables, work, vertical, roll_rate, depth_rates__DISPLACED / speed, i > 0))
         {
-            elastic__update(work, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_RESIDUAL)), (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESIDUAL)), 0);
-            if (elastic__find_move(work, (*cspan_at(&tables, layout__TABLES_ARM)), normal_contact__residual_rate(tables)))
+            elastic__update(work, AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_RESIDUAL), AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_RESIDUAL), false);
+            if (elastic__find_move(work, AT(tables, layout__TABLES_ARM), normal_contact__residual_rate(tables)))
             {
-                vertical += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
-                roll_rate += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) / (*cspan_at(&tables, layout__TABLES_ARM));
+                vertical += AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT);
+                roll_rate += AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) / AT(tables, layout__TABLES_ARM);
                 motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, vertical, roll_rate);
-                settled = (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < depth_rates__SETTLED * speed) && (i > INT64_C(0));
+                settled = fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) < depth_rates__SETTLED * speed && i > 0;
             }
         }
     }
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED)) = (double)(settled);
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) = (double)settled;
     if (settled)
     {
-        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY)) = vertical;
-        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE)) = roll_rate;
+        AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY) = vertical;
+        AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE) = roll_rate;
     }
     else
     {
-        motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE)));
+        motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY), AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* How much faster than with ``vertical`` [m/s] and ``roll_rate`` [rad/s] each side comes down [m/s],
@@ -874,27 +903,26 @@ static OUT_OF_LINE int64_t depth_rates__settle_rates(array_double_1d tables, arr
  */
 static OUT_OF_LINE bool depth_rates__find_residuals(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time, bool central)
 {
-    double left;
-    double right;
-    int64_t index;
     bool found;
+    double left, right;
+    int64_t index;
     found = depth_rates__displace(tables, work, vertical, roll_rate, time);
-    left = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
-    right = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT));
-    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    left = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
+    right = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
     if (found && central)
     {
         time *= 2.0;
-        found = depth_rates__displace(tables, work, vertical, roll_rate, (-0.5) * time);
+        found = depth_rates__displace(tables, work, vertical, roll_rate, -0.5 * time);
     }
-    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_RESIDUAL)) = (left - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) / time - vertical;
-    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESIDUAL)) = (right - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT))) / time - vertical;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_RESIDUAL) = (left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) / time - vertical;
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_RESIDUAL) = (right - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) / time - vertical;
+    for (index = 0; index < 2; index += 1)
     {
         if (!(requested__side_force(work, index) > 0.0))
         {
-            (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESIDUAL)) = motion__constraint_residual(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION);
+            AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESIDUAL) = motion__constraint_residual(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION);
         }
     }
     return found;
@@ -905,27 +933,26 @@ static OUT_OF_LINE bool depth_rates__find_residuals(array_double_1d tables, arra
  */
 static OUT_OF_LINE bool depth_rates__displace(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time)
 {
-    double height;
-    int64_t index;
-    double force;
+    double height, force;
     bool found;
+    int64_t index;
     depth_rates__displace_inputs(work, time);
-    height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + time * vertical;
+    height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
     leaning__set_reference(work, height);
-    roll__place_both(work, tables, layout__WORK_DISPLACED, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + time * roll_rate);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(1);
-    found = 1;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    roll__place_both(work, tables, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)true;
+    found = true;
+    for (index = 0; index < 2; index += 1)
     {
         force = requested__side_force(work, index);
-        if ((force > 0.0) && found)
+        if (force > 0.0 && found)
         {
             found = trial__balance_side(tables, work, index, force, height) <= layout__UNLOADED;
         }
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
     return found;
 }
 
@@ -933,71 +960,63 @@ static OUT_OF_LINE bool depth_rates__displace(array_double_1d tables, array_doub
 static inline int64_t depth_rates__displace_inputs(array_double_1d work, double time)
 {
     int64_t i_1;
-    for (i_1 = INT64_C(0); i_1 < layout__INPUTS_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__INPUTS_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, layout__WORK_DISPLACED + i_1)) = (*cspan_at(&work, layout__WORK_INPUTS + i_1));
+        AT(work, layout__WORK_DISPLACED + i_1) = AT(work, layout__WORK_INPUTS + i_1);
     }
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_YAW)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
-    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    return INT64_C(0);
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT) += time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY);
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_YAW) += time * AT(work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE);
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL) += time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY);
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL) += time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY);
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL) += time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL) += time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY);
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL) += time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY);
+    AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL) += time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    return 0;
 }
 
 /* Keep what displaced wheels overwrite. */
 static inline int64_t depth_rates__keep_sides(array_double_1d work)
 {
-    int64_t index;
-    int64_t support;
-    int64_t side;
-    int64_t i_1;
-    int64_t i_2;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    int64_t index, support, side, i_1, i_2;
+    for (index = 0; index < 2; index += 1)
     {
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        for (i_1 = INT64_C(0); i_1 < layout__CONTACT_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__CONTACT_POINT_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, support + layout__SUPPORT_POINT + i_1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + i_1));
+            AT(work, support + layout__SUPPORT_POINT + i_1) = AT(work, side + layout__SIDE_SEARCH_POINT + i_1);
         }
-        for (i_2 = INT64_C(0); i_2 < layout__PATCH_TOTALS_SIZE; i_2 += INT64_C(1))
+        for (i_2 = 0; i_2 < layout__PATCH_TOTALS_SIZE; i_2 += 1)
         {
-            (*cspan_at(&work, support + layout__SUPPORT_TOTALS + i_2)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_2));
+            AT(work, support + layout__SUPPORT_TOTALS + i_2) = AT(work, side + layout__SIDE_SEARCH_TOTALS + i_2);
         }
-        (*cspan_at(&work, support + layout__SUPPORT_PENETRATION)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION));
-        (*cspan_at(&work, support + layout__SUPPORT_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))));
+        AT(work, support + layout__SUPPORT_PENETRATION) = AT(work, side + layout__SIDE_SEARCH_PENETRATION);
+        AT(work, support + layout__SUPPORT_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Put back what displaced wheels have overwritten. */
 static inline int64_t depth_rates__restore_sides(array_double_1d work)
 {
-    int64_t index;
-    int64_t support;
-    int64_t side;
-    int64_t i_1;
-    int64_t i_2;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    int64_t index, support, side, i_1, i_2;
+    for (index = 0; index < 2; index += 1)
     {
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        for (i_1 = INT64_C(0); i_1 < layout__CONTACT_POINT_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__CONTACT_POINT_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + i_1)) = (*cspan_at(&work, support + layout__SUPPORT_POINT + i_1));
+            AT(work, side + layout__SIDE_SEARCH_POINT + i_1) = AT(work, support + layout__SUPPORT_POINT + i_1);
         }
-        for (i_2 = INT64_C(0); i_2 < layout__PATCH_TOTALS_SIZE; i_2 += INT64_C(1))
+        for (i_2 = 0; i_2 < layout__PATCH_TOTALS_SIZE; i_2 += 1)
         {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_2)) = (*cspan_at(&work, support + layout__SUPPORT_TOTALS + i_2));
+            AT(work, side + layout__SIDE_SEARCH_TOTALS + i_2) = AT(work, support + layout__SUPPORT_TOTALS + i_2);
         }
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = (*cspan_at(&work, support + layout__SUPPORT_PENETRATION));
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, support + layout__SUPPORT_PATCH_COUNT))));
+        AT(work, side + layout__SIDE_SEARCH_PENETRATION) = AT(work, support + layout__SUPPORT_PENETRATION);
+        AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)((int64_t)AT(work, support + layout__SUPPORT_PATCH_COUNT));
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -1024,191 +1043,194 @@ static inline int64_t depth_rates__restore_sides(array_double_1d work)
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
  * are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known.
  */
-static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, double roll, double left, double right)
+static OUT_OF_LINE void elastic__solve_elastic(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right)
 {
     int64_t status;
-    double height;
-    double move;
-    double rigid_roll;
-    status = trial__estimate_approach(tables, work, INT64_C(0), left);
+    double height, move, rigid_roll;
+    status = trial__estimate_approach(tables, work, 0, left);
     if (status == layout__VALID)
     {
-        status = trial__estimate_approach(tables, work, INT64_C(1), right);
+        status = trial__estimate_approach(tables, work, 1, right);
     }
     if (status != layout__VALID)
     {
-        (*result_0) = roll;
-        (*result_1) = status;
-        return 0;
+        *roll_out = roll;
+        *status_out = status;
+        return;
     }
     elastic__first_estimate(&height, &move, tables, work);
     rigid_roll = roll;
     roll += move;
     if (!trial__turn_near(tables, work, roll))
     {
-        (*result_0) = roll;
-        (*result_1) = layout__OFF_PROFILE;
-        return 0;
+        *roll_out = roll;
+        *status_out = layout__OFF_PROFILE;
+        return;
     }
     elastic__iterate(&roll, &status, tables, work, roll, height, left, right);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)false;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
     if (status == layout__NOT_CONVERGED)
     {
+        enclosing__enclose_equilibrium(&roll, &status, tables, work, AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_ROLL), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_HEIGHT), left, right);
+    }
+    if (status == layout__NOT_CONVERGED)
+    {
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
         brackets__bracket_roll(&roll, &status, tables, work, rigid_roll, left, right);
     }
-    (*result_0) = roll;
-    (*result_1) = status;
-    return 0;
+    *roll_out = roll;
+    *status_out = status;
 }
 
 /* Height [m] and move of the roll [rad] in equilibrium, if each wheel approaches
  * its rail as far as estimated.
  */
-static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work)
+static OUT_OF_LINE void elastic__first_estimate(double* height_out, double* move_out, array_double_1d tables, array_double_1d work)
 {
     int64_t right;
-    double lever_left;
-    double lever_right;
-    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    lever_left = side__side_lever(tables, work, INT64_C(0), INT64_C(0));
-    lever_right = side__side_lever(tables, work, INT64_C(1), INT64_C(0));
-    (*move) = 0.0;
-    if (lever_left + lever_right < -elastic__LEAST_LEVER)
+    double lever_left, lever_right, move, height;
+    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1;
+    lever_left = side__side_lever(tables, work, 0, 0);
+    lever_right = side__side_lever(tables, work, 1, 0);
+    move = 0.0;
+    if (lever_left + lever_right < -enclosing__LEAST_LEVER)
     {
-        (*move) = ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH))) / (-(lever_left + lever_right));
+        move = (AT(work, right + layout__SUPPORT_APPROACH) - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH)) / -(lever_left + lever_right);
     }
-    (*move) = pressed__limited((*move), elastic__LONGEST_MOVE / (*cspan_at(&tables, layout__TABLES_ARM)));
+    move = pressed__limited(move, enclosing__LONGEST_MOVE / AT(tables, layout__TABLES_ARM));
     /* in one order for a wheelset and its mirror image */
-    (*height) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST)) + 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH)) - lever_left * (*move) + ((*cspan_at(&work, right + layout__SUPPORT_APPROACH)) + lever_right * (*move)));
-    return 0;
+    height = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST) + 0.5 * (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH) - lever_left * move + (AT(work, right + layout__SUPPORT_APPROACH) + lever_right * move));
+    *height_out = height;
+    *move_out = move;
 }
 
 /* Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
  * NOT_CONVERGED where it finds nothing.
  */
-static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
+static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
 {
-    double arm;
-    int64_t trial;
-    double moved;
+    double arm, moved;
+    int64_t trial, status, index;
     bool followed;
-    int64_t status;
-    int64_t index;
-    arm = (*cspan_at(&tables, layout__TABLES_ARM));
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(normal_contact__has_coarse_form(tables));
-    for (trial = INT64_C(0); trial < elastic__TRIALS; trial += INT64_C(1))
+    arm = AT(tables, layout__TABLES_ARM);
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) = 0.0;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) = 0.0;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST) = elastic__FARTHEST;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_HEIGHT) = height;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_ROLL) = roll;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)normal_contact__has_coarse_form(tables);
+    for (trial = 0; trial < elastic__TRIALS; trial += 1)
     {
-        moved = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(0);
-        followed = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(trial > INT64_C(0));
-        if ((trial > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) == 1.0) && (moved < elastic__COARSE))
+        moved = fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+        followed = AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)(trial > 0);
+        if (trial > 0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0 && moved < elastic__COARSE)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)false;
             /* the change to the whole model does not show how residuals follow a move */
-            (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
-            (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
+            AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
+            AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
         }
-        else if ((trial > INT64_C(0)) && (moved < elastic__NOT_LAST))
+        else if (trial > 0 && moved < enclosing__NOT_LAST)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
             if (followed)
             {
                 /* nor does the change from points that are followed to those of a search */
-                (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
-                (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
+                AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
+                AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
             }
-            /* the same place again, with patches, or with the smaller gap that was found */
         }
         status = trial__balance_both(tables, work, left, right, height);
         if (status > layout__UNLOADED)
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = layout__NOT_CONVERGED;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
         }
-        if (trial == INT64_C(0))
+        if (trial == 0)
         {
             elastic__begin_derivatives(work, arm, normal_contact__residual_rate(tables));
         }
-        elastic__update(work, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) - height, fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__NEAR);
+        elastic__note_best(work, height, roll);
+        elastic__update(work, AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height, AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height, fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) < elastic__NEAR);
         if (!elastic__find_move(work, arm, normal_contact__residual_rate(tables)))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = layout__NOT_CONVERGED;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
         }
-        if ((fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) < elastic__ELASTIC_SHARP) && (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__ELASTIC_SHARP))
+        if (fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) < enclosing__ELASTIC_SHARP && fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) < enclosing__ELASTIC_SHARP)
         {
-            if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0) && elastic__gaps_hold(tables, work, roll))
+            if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && enclosing__gaps_hold(tables, work, roll))
             {
-                for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+                for (index = 0; index < 2; index += 1)
                 {
-                    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT)) = height + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
+                    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT) = height + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT);
                 }
-                (*result_0_0001) = roll + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) / arm;
-                (*result_1_0001) = trial__depth_outcome(work, status);
-                return 0;
+                *roll_out = roll + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) / arm;
+                *NOT_CONVERGED_out = trial__depth_outcome(work, status);
+                return;
             }
-            (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
-            (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
+            /* the same place again, with patches, or with the smaller gap that was found */
+            AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
+            AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
         }
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)), elastic__LONGEST_MOVE);
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = pressed__limited((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)), elastic__LONGEST_MOVE);
-        height += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
-        roll += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) / arm;
+        else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) > enclosing__NOT_LAST)
+        {
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
+        }
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = pressed__limited(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT), enclosing__LONGEST_MOVE);
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = pressed__limited(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL), enclosing__LONGEST_MOVE);
+        height += AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT);
+        roll += AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) / arm;
         if (!(fabs(roll) < layout__ROLL_LIMIT))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = layout__NOT_CONVERGED;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
         }
         if (!trial__turn_near(tables, work, roll))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = layout__NOT_CONVERGED;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
         }
     }
-    (*result_0_0001) = roll;
-    (*result_1_0001) = layout__NOT_CONVERGED;
-    return 0;
+    *roll_out = roll;
+    *NOT_CONVERGED_out = layout__NOT_CONVERGED;
 }
 
-/* Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
- *
- * Between trials they are only followed: an answer is certified once.
- */
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll)
+/* Note ``height`` [m] and ``roll`` [rad] of the trial if its residuals are the smallest so far. */
+static OUT_OF_LINE int64_t elastic__note_best(array_double_1d work, double height, double roll)
 {
-    double left;
-    double right;
-    bool hold;
-    left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
-    right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    hold = trial__turn_to(tables, work, roll);
-    if ((fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) - left) > elastic__SAME_GAP) || (fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) - right) > elastic__SAME_GAP))
+    double lack;
+    lack = fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) + fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height);
+    if (lack < AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST))
     {
-        hold = 0;
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST) = lack;
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_HEIGHT) = height;
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_ROLL) = roll;
     }
-    return hold;
+    return 0;
 }
 
 /* The residuals' derivatives from both levers [m] and the ``rate`` at which they fall with the height. */
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm, double rate)
 {
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) = -rate;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) = -rate;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) = (-rate) * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER)) / arm;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) = rate * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_LEVER)) / arm;
-    return INT64_C(0);
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) = -rate;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) = -rate;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) = -rate * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) / arm;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) = rate * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER) / arm;
+    return 0;
 }
 
 /* The residuals of a trial, ``left`` and ``right``, and the derivatives that the last move has shown;
@@ -1216,66 +1238,288 @@ static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, doub
  */
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right, bool near)
 {
-    double before_left;
-    double before_right;
-    before_left = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT));
-    before_right = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT));
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = left;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = right;
-    if (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) > 0.0)
+    double before_left, before_right, kept, kept_2, kept_3, kept_4;
+    before_left = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT);
+    before_right = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT);
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) = left;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) = right;
+    if (fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) > 0.0)
     {
-        elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) - before_left, near);
-        elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) - before_right, near);
+        elastic__renewed(&kept, &kept_2, work, AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) - before_left, near);
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) = kept;
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) = kept_2;
+        elastic__renewed(&kept_3, &kept_4, work, AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) - before_right, near);
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) = kept_3;
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) = kept_4;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* A side's derivatives, by which the last move changes its residual by as much as it has. */
-static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change, bool near)
+static OUT_OF_LINE void elastic__renewed(double* out_0, double* out_1, array_double_1d work, double by_height, double by_roll, double change, bool near)
 {
-    double height;
-    double roll;
-    double expected;
-    double factor;
-    double size;
-    double off;
-    height = by_height * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
-    roll = by_roll * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
+    double height, roll, expected, factor, size, off;
+    height = by_height * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT);
+    roll = by_roll * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL);
     expected = height + roll;
-    if (near && (fabs(expected) > elastic__CLEAR_SHARE * (fabs(height) + fabs(roll))))
+    if (near && fabs(expected) > elastic__CLEAR_SHARE * (fabs(height) + fabs(roll)))
     {
         factor = change / expected;
-        if ((factor > elastic__SMALLEST_FACTOR) && (factor * elastic__SMALLEST_FACTOR < 1.0))
+        if (factor > elastic__SMALLEST_FACTOR && factor * elastic__SMALLEST_FACTOR < 1.0)
         {
-            (*result_0) = factor * by_height;
-            (*result_1) = factor * by_roll;
-            return 0;
+            *out_0 = factor * by_height;
+            *out_1 = factor * by_roll;
+            return;
         }
     }
-    size = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
+    size = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL);
     off = (change - expected) / size;
-    (*result_0) = by_height + off * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
-    (*result_1) = by_roll + off * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
-    return 0;
+    *out_0 = by_height + off * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT);
+    *out_1 = by_roll + off * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL);
 }
 
 /* The move of height and roll that lets the residuals vanish; whether there is one. */
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate)
 {
     double determinant;
-    determinant = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL));
+    determinant = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL);
     if (!(fabs(determinant) > elastic__SINGULAR))
     {
         elastic__begin_derivatives(work, arm, rate);
-        determinant = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL));
+        determinant = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL);
         if (!(fabs(determinant) > elastic__SINGULAR))
         {
-            return 0;
+            return false;
         }
     }
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = ((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL))) / determinant;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = ((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT))) / determinant;
-    return 1;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = (AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) / determinant;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = (AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) / determinant;
+    return true;
+}
+
+
+/* ---- From wheelset/enclosing.py; change that one.
+ *
+ * Elastic equilibrium where trials that follow the deepest points find none, or contradict a search for them.
+ *
+ * The height at which a wheel carries its load hardly depends on the height of the trial (elastic.py), so that
+ * each trial gives D(roll) = height_right - height_left, and a better height for the next one.  Every trial now
+ * searches for all deepest points.  So D is a function of the roll, which jumps where a region comes or goes.
+ * Newton's method finds its root; where a step has not halved D, the bracket of the roll is halved.  If it
+ * encloses a jump, no roll is an equilibrium, and the one of the jump is taken, at the height at which the wheel
+ * that does not jump carries its load.
+ */
+
+/* Press both wheels at ``height`` [m]; whether both can carry ``left`` and ``right`` [N], and the
+ * outcome. How much lower they do is in their supports.
+ */
+static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height)
+{
+    double residual;
+    bool satisfied, also;
+    int64_t status, outcome;
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_ROLL_COUNT) += 1.0;
+    brackets__height_residual(&residual, &satisfied, &status, tables, work, 0, left, height);
+    if (status <= layout__UNLOADED)
+    {
+        brackets__height_residual(&residual, &also, &outcome, tables, work, 1, right, height);
+        satisfied = satisfied && also;
+        status = int64_max(status, outcome);
+    }
+    *satisfied_out = satisfied;
+    *status_out = status;
+}
+
+/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome, from
+ * ``roll`` and ``height`` on; NOT_CONVERGED where none is found.
+ */
+static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
+{
+    double arm, rate, before, move, moved, lack_left, lack_right, apart, slope, factor, lack, width, following, sink;
+    bool below, above, satisfied, enclosed;
+    int64_t trial, status, steady;
+    arm = AT(tables, layout__TABLES_ARM);
+    rate = normal_contact__residual_rate(tables);
+    below = false;
+    above = false;
+    before = 0.0;
+    move = 0.0;
+    moved = enclosing__LONGEST_MOVE;
+    if (!trial__turn_to(tables, work, roll))
+    {
+        *roll_out = roll;
+        *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+        return;
+    }
+    for (trial = 0; trial < enclosing__ENCLOSINGS; trial += 1)
+    {
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)(moved < enclosing__NOT_LAST);
+        enclosing__level_both(&satisfied, &status, tables, work, left, right, height);
+        if (status > layout__UNLOADED)
+        {
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
+        }
+        lack_left = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) / rate;
+        lack_right = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height) / rate;
+        apart = lack_right - lack_left;
+        slope = double_min(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER), -enclosing__LEAST_LEVER);
+        if (move != 0.0)
+        {
+            factor = (apart - before) / (slope * move);
+            if (factor > enclosing__REDUCED)
+            {
+                slope *= factor;
+            }
+        }
+        steady = 0;
+        if (fabs(lack_right) < fabs(lack_left))
+        {
+            steady = 1;
+        }
+        lack = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_HEIGHT) - height) / rate;
+        if (apart > 0.0)
+        {
+            below = true;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = roll;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = height + lack;
+        }
+        else
+        {
+            above = true;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = roll;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = height + lack;
+        }
+        enclosed = below && above;
+        width = arm * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
+        if (enclosed && width < enclosing__JUMP_SHARP && fabs(apart) > enclosing__STEEPEST * width)
+        {
+            enclosing__stand_at_jump(&roll, &status, tables, work, steady, left, right);
+            *roll_out = roll;
+            *NOT_CONVERGED_out = status;
+            return;
+        }
+        following = roll - apart / slope;
+        if (enclosed && (!(following > AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) && following < AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) || fabs(apart) > enclosing__REDUCED * fabs(before)))
+        {
+            following = 0.5 * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) + AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
+        }
+        before = apart;
+        move = pressed__limited(following - roll, enclosing__LONGEST_MOVE / arm);
+        sink = lack + (double)(2 * steady - 1) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_LEVER) * move;
+        if (!enclosed)
+        {
+            /* in one order for a wheelset and its mirror image */
+            sink = 0.5 * (lack_left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) * move + (lack_right + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER) * move));
+        }
+        sink = pressed__limited(sink, enclosing__LONGEST_MOVE);
+        moved = fabs(sink) + arm * fabs(move);
+        if (fabs(sink) < enclosing__ELASTIC_SHARP && arm * fabs(move) < enclosing__ELASTIC_SHARP)
+        {
+            if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && satisfied && enclosing__gaps_hold(tables, work, roll))
+            {
+                AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = height + sink;
+                AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = height + sink;
+                *roll_out = roll + move;
+                *NOT_CONVERGED_out = trial__depth_outcome(work, status);
+                return;
+            }
+            below = false;
+            above = false;
+        }
+        height += sink;
+        roll += move;
+        if (!(fabs(roll) < layout__ROLL_LIMIT))
+        {
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
+        }
+        if (!trial__turn_near(tables, work, roll))
+        {
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
+        }
+    }
+    *roll_out = roll;
+    *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+}
+
+/* Stand at the jump that the bracket encloses, at the end at which the wheel that jumps carries no less
+ * than its load, the one that is not ``steady``, or at the other end if it cannot; roll [rad] and
+ * outcome.
+ */
+static OUT_OF_LINE void enclosing__stand_at_jump(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t steady, double left, double right)
+{
+    double roll, height, other, other_height;
+    int64_t status;
+    roll = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
+    height = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+    other = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
+    other_height = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW);
+    if (steady == 1)
+    {
+        roll = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
+        height = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW);
+        other = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
+        other_height = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+    }
+    status = enclosing__stand_beside(tables, work, steady, left, right, roll, height);
+    if (status == layout__NOT_CONVERGED)
+    {
+        roll = other;
+        status = enclosing__stand_beside(tables, work, steady, left, right, roll, other_height);
+    }
+    *roll_out = roll;
+    *status_out = status;
+}
+
+/* Stand at the ``roll`` of one end of a jump, near ``height``, where the ``steady`` wheel carries its
+ * load; the outcome.
+ */
+static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double height)
+{
+    bool satisfied;
+    int64_t status;
+    if (!trial__turn_to(tables, work, roll))
+    {
+        return layout__NOT_CONVERGED;
+    }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+    enclosing__level_both(&satisfied, &status, tables, work, left, right, height);
+    if (satisfied)
+    {
+        height += (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_HEIGHT) - height) / normal_contact__residual_rate(tables);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
+        enclosing__level_both(&satisfied, &status, tables, work, left, right, height);
+    }
+    if (!satisfied)
+    {
+        status = layout__NOT_CONVERGED;
+    }
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = height;
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = height;
+    return trial__depth_outcome(work, status);
+}
+
+/* Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
+ *
+ * Between trials they are only followed: an answer is certified once.
+ */
+static OUT_OF_LINE bool enclosing__gaps_hold(array_double_1d tables, array_double_1d work, double roll)
+{
+    double left, right;
+    bool hold;
+    left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
+    right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
+    hold = trial__turn_to(tables, work, roll);
+    if (fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) - left) > enclosing__SAME_GAP || fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) - right) > enclosing__SAME_GAP)
+    {
+        hold = false;
+    }
+    return hold;
 }
 
 
@@ -1311,9 +1555,9 @@ static inline double fatigue__shakedown_ratio(array_double_1d work, int64_t patc
 {
     double ratio;
     ratio = 0.0;
-    if ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) > 0.0)
+    if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) > 0.0)
     {
-        ratio = 1.5 * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) / ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear);
+        ratio = 1.5 * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) / (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) * yield_shear);
     }
     return ratio;
 }
@@ -1338,40 +1582,35 @@ static inline double fatigue__shakedown_ratio(array_double_1d work, int64_t patc
 static inline int64_t forces__sum_forces(array_double_1d tables, array_double_1d work)
 {
     bool rubbing;
-    int64_t i_1;
-    int64_t index;
+    int64_t i_1, index, side;
     double mirror;
-    int64_t side;
     rubbing = requested__has_creep_forces(tables, work);
-    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = 0.0;
+        AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1) = 0.0;
     }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    for (index = 0; index < 2; index += 1)
     {
-        mirror = (double)(INT64_C(2) * index - INT64_C(1));
+        mirror = (double)(2 * index - 1);
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y) = mirror * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT);
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) - AT(tables, layout__TABLES_HEIGHT);
         forces__sum_side(work, side, rubbing);
         forces__add_forces(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES, side + layout__SIDE_SEARCH_FORCES, mirror);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The forces on a wheel; with creep forces if its patches are ``rubbing``. */
 static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool rubbing)
 {
-    int64_t i_1;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    int64_t i_1, number, patch, number_end;
+    for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + i_1)) = 0.0;
+        AT(work, side + layout__SIDE_SEARCH_FORCES + i_1) = 0.0;
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         forces__press_patch(work, side + layout__SIDE_SEARCH_MOTION, patch);
@@ -1381,39 +1620,35 @@ static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool 
         }
         forces__add_forces(work, side + layout__SIDE_SEARCH_FORCES, patch + layout__PATCH_FORCES, 1.0);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Let the forces of a patch be those of its pressures. */
 static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch)
 {
-    int64_t forces;
-    int64_t i_1;
-    int64_t i_2;
-    int64_t i_3;
-    int64_t i_4;
+    int64_t forces, i_1, i_2, i_3, i_4;
     forces = patch + layout__PATCH_FORCES;
-    for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
+    for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        (*cspan_at(&work, forces + i_1)) = 0.0;
+        AT(work, forces + i_1) = 0.0;
     }
-    (*cspan_at(&work, forces + layout__FORCES_DAMPING_POWER)) = (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER));
-    (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-    (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
-    for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
+    AT(work, forces + layout__FORCES_DAMPING_POWER) = AT(work, patch + layout__PATCH_DAMPING_POWER);
+    AT(work, forces + layout__FORCES_NORMAL_FORCE + 1) = AT(work, patch + layout__PATCH_NORMAL_Y);
+    AT(work, forces + layout__FORCES_NORMAL_FORCE + 2) = AT(work, patch + layout__PATCH_NORMAL_Z);
+    for (i_2 = 0; i_2 < 3; i_2 += 1)
     {
-        (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_2));
+        AT(work, forces + layout__FORCES_NORMAL_MOMENT + i_2) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + i_2);
     }
-    (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) -= (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-    for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
+    AT(work, forces + layout__FORCES_NORMAL_MOMENT + 0) -= AT(work, motion + layout__MOTION_CENTRE_Y) * AT(work, patch + layout__PATCH_NORMAL_Z) - AT(work, motion + layout__MOTION_CENTRE_Z) * AT(work, patch + layout__PATCH_NORMAL_Y);
+    for (i_3 = 0; i_3 < 3; i_3 += 1)
     {
-        (*cspan_at(&work, forces + layout__FORCES_FORCE + i_3)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i_3));
+        AT(work, forces + layout__FORCES_FORCE + i_3) = AT(work, forces + layout__FORCES_NORMAL_FORCE + i_3);
     }
-    for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
+    for (i_4 = 0; i_4 < 3; i_4 += 1)
     {
-        (*cspan_at(&work, forces + layout__FORCES_MOMENT + i_4)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_4));
+        AT(work, forces + layout__FORCES_MOMENT + i_4) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + i_4);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Add the creep force of a patch to its forces: tractions act at their strips, in the strips' own planes,
@@ -1422,96 +1657,72 @@ static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, 
  */
 static inline int64_t forces__rub_patch(array_double_1d work, int64_t motion, int64_t patch)
 {
-    int64_t forces;
-    double rest_x;
-    double rest_y;
-    double turning;
-    double force_y;
-    double force_z;
-    double moment_x;
-    double moment_y;
-    double moment_z;
-    double missing;
-    int64_t i;
-    int64_t strip;
-    double along;
-    double across;
-    double spinning;
-    double down;
-    double x;
-    double y;
-    double z;
-    double lever_x;
-    double lever_y;
-    double lever_z;
-    double sine;
-    double cosine;
+    int64_t forces, i, strip;
+    double rest_x, rest_y, turning, force_y, force_z, moment_x, moment_y, moment_z, missing, along, across, spinning, down, x, y, z, lever_x, lever_y, lever_z, sine, cosine;
     forces = patch + layout__PATCH_FORCES;
-    rest_x = (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    rest_y = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-    turning = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
+    rest_x = AT(work, patch + layout__PATCH_CREEP_X);
+    rest_y = AT(work, patch + layout__PATCH_CREEP_Y);
+    turning = AT(work, patch + layout__PATCH_CREEP_MOMENT);
     force_y = 0.0;
     force_z = 0.0;
     moment_x = 0.0;
     moment_y = 0.0;
     moment_z = 0.0;
     missing = 0.0;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        along = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        across = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        spinning = (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        along = AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        across = AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        spinning = AT(work, strip + layout__ROLLING_STRIP_MOMENT) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         rest_x -= along;
         rest_y -= across;
-        turning += (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along - spinning;
-        spinning -= (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across;
-        down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * across;
-        across *= (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-        x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-        z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+        turning += AT(work, strip + layout__ROLLING_STRIP_Y) * along - spinning;
+        spinning -= AT(work, strip + layout__ROLLING_STRIP_X) * across;
+        down = AT(work, strip + layout__ROLLING_STRIP_SIN) * across;
+        across *= AT(work, strip + layout__ROLLING_STRIP_COS);
+        x = AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X);
+        y = AT(work, strip + layout__ROLLING_STRIP_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+        z = AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
         lever_x = y * down - z * across;
         lever_y = z * along - x * down;
         lever_z = x * across - y * along;
         force_y += across;
         force_z += down;
         moment_x += lever_x;
-        moment_y += lever_y - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * spinning;
-        moment_z += lever_z + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * spinning;
-        missing += ((*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) - 1.0) * forces__about_axle(work, motion, lever_x, lever_y, lever_z);
+        moment_y += lever_y - AT(work, strip + layout__ROLLING_STRIP_SIN) * spinning;
+        moment_z += lever_z + AT(work, strip + layout__ROLLING_STRIP_COS) * spinning;
+        missing += (AT(work, strip + layout__ROLLING_STRIP_RADIUS_SHARE) - 1.0) * forces__about_axle(work, motion, lever_x, lever_y, lever_z);
     }
-    sine = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
-    cosine = (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
+    sine = -AT(work, patch + layout__PATCH_ANGLE_SIN);
+    cosine = AT(work, patch + layout__PATCH_ANGLE_COS);
     across = cosine * rest_y;
     down = sine * rest_y;
-    y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
+    y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
     lever_x = y * down - z * across;
-    lever_y = z * rest_x - (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * down;
-    lever_z = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * across - y * rest_x;
-    missing += ((*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) - 1.0) * forces__about_axle(work, motion, lever_x, lever_y, lever_z);
+    lever_y = z * rest_x - AT(work, patch + layout__PATCH_X_TRACK) * down;
+    lever_z = AT(work, patch + layout__PATCH_X_TRACK) * across - y * rest_x;
+    missing += (AT(work, patch + layout__PATCH_RADIUS_SHARE) - 1.0) * forces__about_axle(work, motion, lever_x, lever_y, lever_z);
     moment_x += lever_x;
     moment_y += lever_y - sine * turning;
     moment_z += lever_z + cosine * turning;
-    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(0))) += (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) += force_y + across;
-    (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) += force_z + down;
-    (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(0))) += moment_x + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_X));
-    (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(1))) += moment_y + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
-    (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(2))) += moment_z + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = -(forces__about_axle(work, motion, moment_x, moment_y, moment_z) + missing);
-    (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = (-(*cspan_at(&work, patch + layout__PATCH_SPEED))) * friction__creep_gain(work, patch);
-    (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = fabs((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X))) + fabs((*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)));
-    return INT64_C(0);
+    AT(work, forces + layout__FORCES_FORCE + 0) += AT(work, patch + layout__PATCH_CREEP_X);
+    AT(work, forces + layout__FORCES_FORCE + 1) += force_y + across;
+    AT(work, forces + layout__FORCES_FORCE + 2) += force_z + down;
+    AT(work, forces + layout__FORCES_MOMENT + 0) += moment_x + missing * AT(work, motion + layout__MOTION_AXLE_X);
+    AT(work, forces + layout__FORCES_MOMENT + 1) += moment_y + missing * AT(work, motion + layout__MOTION_AXLE_Y);
+    AT(work, forces + layout__FORCES_MOMENT + 2) += moment_z + missing * AT(work, motion + layout__MOTION_AXLE_Z);
+    AT(work, forces + layout__FORCES_DRIVING_TORQUE) = -(forces__about_axle(work, motion, moment_x, moment_y, moment_z) + missing);
+    AT(work, forces + layout__FORCES_FRICTION_POWER) = -AT(work, patch + layout__PATCH_SPEED) * friction__creep_gain(work, patch);
+    AT(work, forces + layout__FORCES_WEAR_NUMBER) = fabs(AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEPAGE_X)) + fabs(AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y));
+    return 0;
 }
 
 /* The part about the axle of a moment about the wheelset's centre. */
 static inline double forces__about_axle(array_double_1d work, int64_t motion, double moment_x, double moment_y, double moment_z)
 {
-    double result;
-    result = moment_x * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + moment_y * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + moment_z * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    return result;
+    return moment_x * AT(work, motion + layout__MOTION_AXLE_X) + moment_y * AT(work, motion + layout__MOTION_AXLE_Y) + moment_z * AT(work, motion + layout__MOTION_AXLE_Z);
 }
 
 /* Add the forces of a patch to those of its wheel, or those of a wheel to the wheelset's; ``mirror`` = -1
@@ -1523,20 +1734,411 @@ static inline int64_t forces__add_forces(array_double_1d work, int64_t total, in
     forces__add_vector(work, total + layout__FORCES_MOMENT, part + layout__FORCES_MOMENT, mirror, 1.0);
     forces__add_vector(work, total + layout__FORCES_NORMAL_FORCE, part + layout__FORCES_NORMAL_FORCE, 1.0, mirror);
     forces__add_vector(work, total + layout__FORCES_NORMAL_MOMENT, part + layout__FORCES_NORMAL_MOMENT, mirror, 1.0);
-    (*cspan_at(&work, total + layout__FORCES_DRIVING_TORQUE)) += (*cspan_at(&work, part + layout__FORCES_DRIVING_TORQUE));
-    (*cspan_at(&work, total + layout__FORCES_FRICTION_POWER)) += (*cspan_at(&work, part + layout__FORCES_FRICTION_POWER));
-    (*cspan_at(&work, total + layout__FORCES_DAMPING_POWER)) += (*cspan_at(&work, part + layout__FORCES_DAMPING_POWER));
-    (*cspan_at(&work, total + layout__FORCES_WEAR_NUMBER)) += (*cspan_at(&work, part + layout__FORCES_WEAR_NUMBER));
-    return INT64_C(0);
+    AT(work, total + layout__FORCES_DRIVING_TORQUE) += AT(work, part + layout__FORCES_DRIVING_TORQUE);
+    AT(work, total + layout__FORCES_FRICTION_POWER) += AT(work, part + layout__FORCES_FRICTION_POWER);
+    AT(work, total + layout__FORCES_DAMPING_POWER) += AT(work, part + layout__FORCES_DAMPING_POWER);
+    AT(work, total + layout__FORCES_WEAR_NUMBER) += AT(work, part + layout__FORCES_WEAR_NUMBER);
+    return 0;
 }
 
 /* Add a vector, x and z with the sign ``plane`` and y with the sign ``across``. */
 static inline int64_t forces__add_vector(array_double_1d work, int64_t total, int64_t part, double plane, double across)
 {
-    (*cspan_at(&work, total + INT64_C(0))) += plane * (*cspan_at(&work, part + INT64_C(0)));
-    (*cspan_at(&work, total + INT64_C(1))) += across * (*cspan_at(&work, part + INT64_C(1)));
-    (*cspan_at(&work, total + INT64_C(2))) += plane * (*cspan_at(&work, part + INT64_C(2)));
-    return INT64_C(0);
+    AT(work, total + 0) += plane * AT(work, part + 0);
+    AT(work, total + 1) += across * AT(work, part + 1);
+    AT(work, total + 2) += plane * AT(work, part + 2);
+    return 0;
+}
+
+
+/* ---- From wheelset/free_rolling.py; change that one.
+ *
+ * The rotation of wheels about their axle that follows from the torque on it: zero where they roll freely.
+ *
+ * Contact does not change with the rotation, unless rails stand on springs.  For each rate that is tried the
+ * patches have other creepages, and so other creep forces; what is sought is the rate at which their torque
+ * about the axle cancels the one from outside (creep/turning.py).  Both wheels of a wheelset have one rate;
+ * independent wheels have their own.
+ *
+ * Where friction falls with the sliding velocity, the torque may rise with the rate, and there may be several
+ * rates.  The one that is taken is that with the friction of rest, followed as friction begins to fall: from
+ * there the first one to the side to which the torque turns the wheels.  A torque from outside which only the
+ * friction of rest carries has none: rates are tried at growing distances until the torque is carried, or the
+ * creep forces carry less again.
+ *
+ * Without creep forces or friction no torque tells the rate, which is then that of the nominal radius.
+ */
+
+/* Wheels whose rotation follows begin with that of their nominal radius. */
+static inline int64_t free_rolling__release_rates(array_double_1d tables, array_double_1d work)
+{
+    int64_t index;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SOUGHT) = (double)false;
+    for (index = 0; index < 2; index += 1)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = free_rolling__nominal_rate(tables, work, index);
+    }
+    return 0;
+}
+
+/* The rotation of a wheel that rolls on its nominal radius [rad/s]. */
+static inline double free_rolling__nominal_rate(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    double radius;
+    radius = AT(tables, layout__TABLES_HEIGHT);
+    if (motion__are_independent(tables))
+    {
+        radius = AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_RADIUS);
+    }
+    return AT(work, layout__WORK_INPUTS + layout__INPUTS_SPEED) / radius;
+}
+
+/* Whether the rotation of some wheel follows. */
+static inline bool free_rolling__turns_freely(array_double_1d tables, array_double_1d work)
+{
+    bool free;
+    free = requested__is_free(work, tables, layout__WORK_INPUTS, 0) || requested__is_free(work, tables, layout__WORK_INPUTS, 1);
+    return free && requested__has_creep_forces(tables, work);
+}
+
+/* Creepages and creep forces of all patches, with the rotations that follow; VALID, or why there are
+ * none.
+ */
+static inline int64_t free_rolling__roll_freely(array_double_1d tables, array_double_1d work)
+{
+    int64_t status, index, outcome;
+    if (motion__are_independent(tables))
+    {
+        status = layout__VALID;
+        for (index = 0; index < 2; index += 1)
+        {
+            outcome = layout__VALID;
+            if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+            {
+                outcome = free_rolling__turn(tables, work, index, index);
+            }
+            else
+            {
+                free_rolling__rub_at(tables, work, index, index, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE));
+            }
+            status = int64_max(status, outcome);
+        }
+    }
+    else
+    {
+        status = free_rolling__turn(tables, work, 0, 1);
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_SOUGHT) = (double)true;
+    if (status == layout__VALID)
+    {
+        rubbing__write_side_wear(work, tables, layout__WORK_SIDES);
+        rubbing__write_side_wear(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
+    }
+    return status;
+}
+
+/* Find the rotation of the wheels ``first`` ... ``last``, with their creep forces; the outcome. */
+static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
+{
+    bool found;
+    int64_t status, outcome;
+    double torque, start;
+    found = free_rolling__open_turning(tables, work, first, last);
+    if (!found)
+    {
+        status = layout__VALID;
+        if (AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0)
+        {
+            status = layout__BEYOND_ADHESION;
+        }
+        free_rolling__torque_at(&torque, &outcome, tables, work, first, last, free_rolling__nominal_rate(tables, work, first));
+        return int64_max(status, outcome);
+    }
+    start = turning__stand_in_rate(work);
+    if (AT(work, layout__WORK_TURNING + layout__TURNING_SOUGHT) == 1.0 && AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first) > AT(work, layout__WORK_TURNING + layout__TURNING_LOW) && AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first) < AT(work, layout__WORK_TURNING + layout__TURNING_HIGH))
+    {
+        start = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
+    }
+    if (!free_rolling__is_known_model(tables))
+    {
+        free_rolling__torque_at(&torque, &status, tables, work, first, last, start);
+        return status;
+    }
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) = (double)(!(AT(tables, layout__TABLES_SPRUNG) == 1.0));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) = (double)false;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) = (double)true;
+    status = free_rolling__seek(tables, work, first, last, start);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) = (double)false;
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0 && status <= layout__UNLOADED)
+    {
+        status = free_rolling__seek_falling(tables, work, first, last);
+    }
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) = (double)false;
+    return status;
+}
+
+/* Whether the kernel has the chosen model of creep forces. */
+static inline bool free_rolling__is_known_model(array_double_1d tables)
+{
+    int64_t model;
+    model = (int64_t)AT(tables, layout__TABLES_TANGENTIAL);
+    return model == layout__TANGENTIAL_STRIPS || model == layout__TANGENTIAL_FASTSIM || model == layout__TANGENTIAL_FASTRIP || model == layout__TANGENTIAL_POLACH;
+}
+
+/* Enclosure and stand-in of the wheels ``first`` ... ``last``; whether any friction turns them. */
+static inline bool free_rolling__open_turning(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
+{
+    int64_t index, side, number, patch, number_end, number_end_2;
+    double middle;
+    turning__begin_turning(work, requested__outer_torque(work, tables, layout__WORK_INPUTS, first), AT(work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
+        {
+            turning__enclose_rates(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+        }
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)0;
+    middle = 0.5 * (AT(work, layout__WORK_TURNING + layout__TURNING_LOW) + AT(work, layout__WORK_TURNING + layout__TURNING_HIGH));
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = middle;
+        number_end_2 = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end_2; number += 1)
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            friction__set_friction(work, tables, patch, rubbing__side_friction(work, index), true);
+            turning__add_stand_in(work, tables, side + layout__SIDE_SEARCH_MOTION, patch, AT(work, patch + layout__PATCH_FRICTION));
+        }
+    }
+    turning__widen_enclosure(work);
+    turning__begin_search(work, middle);
+    return AT(work, layout__WORK_TURNING + layout__TURNING_SCALE) > 0.0;
+}
+
+/* Torque of the creep forces about the axle [N m] of the wheels ``first`` ... ``last`` at ``rate``
+ * [rad/s], and the outcome of their contact, which changes with it on springs.
+ */
+static inline void free_rolling__torque_at(double* out_0, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
+{
+    int64_t index, status;
+    for (index = first; index < last + 1; index += 1)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
+    }
+    status = layout__VALID;
+    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
+    {
+        status = compliant__solve_compliant(tables, work);
+        if (status > layout__UNLOADED)
+        {
+            *out_0 = 0.0;
+            *VALID_out = status;
+            return;
+        }
+        rubbing__open_given_motion(tables, work);
+    }
+    *out_0 = free_rolling__rub_at(tables, work, first, last, rate);
+    *VALID_out = layout__VALID;
+}
+
+/* Creepages and creep forces of wheels whose contact is known, at ``rate`` [rad/s]; their torque about
+ * the axle [N m], summed as the report sums it.
+ */
+static inline double free_rolling__rub_at(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
+{
+    double torque, own;
+    int64_t index, side, number, number_end;
+    torque = 0.0;
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
+        rubbing__move_side(work, tables, side);
+        own = 0.0;
+        rubbing__rub_wheel(tables, work, index);
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
+        {
+            forces__rub_patch(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+            own += AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
+        }
+        torque += own;
+    }
+    return torque;
+}
+
+/* Seek the rate within the enclosure from ``start`` on; the outcome. */
+static inline int64_t free_rolling__seek(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start)
+{
+    double rate, torque;
+    int64_t i, status;
+    turning__begin_search(work, start);
+    rate = start;
+    for (i = 0; i < turning__TURNS; i += 1)
+    {
+        status = free_rolling__try_rate(tables, work, first, last, rate);
+        if (status > layout__UNLOADED || turning__is_balanced(work))
+        {
+            return status;
+        }
+        if (turning__is_beyond(work))
+        {
+            return layout__BEYOND_ADHESION;
+        }
+        if (turning__is_at_jump(work))
+        {
+            free_rolling__torque_at(&torque, &status, tables, work, first, last, AT(work, layout__WORK_TURNING + layout__TURNING_LOW));
+            return status;
+        }
+        rate = turning__next_rate(work);
+    }
+    return layout__NOT_CONVERGED;
+}
+
+/* Try a rate and keep its torque; the outcome of the contact. */
+static inline int64_t free_rolling__try_rate(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
+{
+    double torque;
+    int64_t status;
+    free_rolling__torque_at(&torque, &status, tables, work, first, last, rate);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) = (double)true;
+    if (status <= layout__UNLOADED)
+    {
+        turning__note_torque(work, rate, torque);
+    }
+    return status;
+}
+
+/* Seek the rate with falling friction, from the one with the friction of rest; the outcome. */
+static inline int64_t free_rolling__seek_falling(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
+{
+    double rate;
+    rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW);
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)false;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)false;
+    if (AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0)
+    {
+        return free_rolling__leave_rest(tables, work, first, last, rate);
+    }
+    return free_rolling__seek(tables, work, first, last, rate);
+}
+
+/* Seek the first rate beyond ``start`` at which falling friction carries a torque from outside; the
+ * outcome, BEYOND_ADHESION where it carries less again.
+ */
+static inline int64_t free_rolling__leave_rest(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start)
+{
+    int64_t status, i;
+    double model, slope, away, step, before, rate, least, following;
+    turning__begin_search(work, start);
+    status = free_rolling__try_rate(tables, work, first, last, start);
+    if (status > layout__UNLOADED || turning__is_balanced(work))
+    {
+        return status;
+    }
+    turning__stand_in(&model, &slope, work, start);
+    away = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE);
+    step = 1e-06 * fabs(start);
+    if (slope < 0.0)
+    {
+        step = double_max(step, fabs(away / slope));
+    }
+    if (away < 0.0)
+    {
+        step = -step;
+    }
+    before = start;
+    rate = start;
+    least = away;
+    for (i = 0; i < turning__TURNS; i += 1)
+    {
+        following = rate + step;
+        status = free_rolling__try_rate(tables, work, first, last, following);
+        if (status > layout__UNLOADED || turning__is_balanced(work))
+        {
+            return status;
+        }
+        if (AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) * away < 0.0)
+        {
+            return free_rolling__seek_between(tables, work, first, last, rate, following);
+        }
+        if (turning__is_beyond(work))
+        {
+            return layout__BEYOND_ADHESION;
+        }
+        if (fabs(AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE)) >= fabs(least))
+        {
+            return free_rolling__seek_peak(tables, work, first, last, before, following);
+        }
+        least = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE);
+        before = rate;
+        rate = following;
+        step *= free_rolling__GROWTH;
+    }
+    return layout__NOT_CONVERGED;
+}
+
+/* Seek the rate between two that leave torques of opposite signs; the outcome. */
+static inline int64_t free_rolling__seek_between(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double one, double other)
+{
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = double_min(one, other);
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = double_max(one, other);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)true;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)true;
+    return free_rolling__seek(tables, work, first, last, 0.5 * (one + other));
+}
+
+/* Seek the largest torque that falling friction carries, between two rates around it, by thirds: where it
+ * is enough, the rate before it; the outcome.
+ */
+static inline int64_t free_rolling__seek_peak(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double near, double far)
+{
+    double away, inner, outer, at_inner;
+    int64_t i, status;
+    away = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE);
+    for (i = 0; i < turning__TURNS; i += 1)
+    {
+        if (fabs(far - near) < free_rolling__PEAK_SHARP * fabs(far))
+        {
+            return layout__BEYOND_ADHESION;
+        }
+        inner = near + (far - near) / 3.0;
+        outer = far - (far - near) / 3.0;
+        status = free_rolling__try_rate(tables, work, first, last, inner);
+        if (status > layout__UNLOADED || turning__is_balanced(work))
+        {
+            return status;
+        }
+        at_inner = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE);
+        if (at_inner * away < 0.0)
+        {
+            return free_rolling__seek_between(tables, work, first, last, near, inner);
+        }
+        status = free_rolling__try_rate(tables, work, first, last, outer);
+        if (status > layout__UNLOADED || turning__is_balanced(work))
+        {
+            return status;
+        }
+        if (AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) * away < 0.0)
+        {
+            return free_rolling__seek_between(tables, work, first, last, inner, outer);
+        }
+        if (fabs(at_inner) < fabs(AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE)))
+        {
+            far = outer;
+        }
+        else
+        {
+            near = inner;
+        }
+    }
+    return layout__BEYOND_ADHESION;
 }
 
 
@@ -1558,31 +2160,29 @@ static inline int64_t forces__add_vector(array_double_1d work, int64_t total, in
 /* Let ``height`` [m] be the reference of both sides when they are next placed. */
 static inline int64_t leaning__set_reference(array_double_1d work, double height)
 {
-    (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height;
-    (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height;
-    return INT64_C(0);
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
+    return 0;
 }
 
 /* Whether a rail below the placed wheelset is rolled. */
 static inline bool leaning__is_leaning(array_double_1d work)
 {
-    bool result;
-    result = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0;
-    return result;
+    return AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0;
 }
 
 /* Begin with the reference ``height`` [m], for which the contact was ``found``. */
 static inline int64_t leaning__open_reference(array_double_1d work, double height, double found)
 {
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)) = height;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = found - height;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = -1.0;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) = 1.0;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) = found - leaning__ROOT_WITHIN;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) = leaning__UNKNOWN;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) = found + leaning__ROOT_WITHIN;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) = -leaning__UNKNOWN;
-    return INT64_C(0);
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT) = height;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL) = found - height;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE) = -1.0;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS) = 1.0;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) = found - leaning__ROOT_WITHIN;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW) = leaning__UNKNOWN;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH) = found + leaning__ROOT_WITHIN;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH) = -leaning__UNKNOWN;
+    return 0;
 }
 
 /* Where the residual vanishes by its last value and slope [m]; after many contacts the middle of what
@@ -1591,16 +2191,16 @@ static inline int64_t leaning__open_reference(array_double_1d work, double heigh
 static inline double leaning__next_reference(array_double_1d work, double met)
 {
     double height;
-    height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) / (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE));
-    if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS)
+    height = AT(work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT) - AT(work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL) / AT(work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE);
+    if (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS) > leaning__SECANTS)
     {
-        height = 0.5 * ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) + (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)));
-        if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) < met)
+        height = 0.5 * (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) + AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH));
+        if (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH) - AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) < met)
         {
-            height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) - leaning__BESIDE;
-            if (fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH))) < fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW))))
+            height = AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) - leaning__BESIDE;
+            if (fabs(AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) < fabs(AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)))
             {
-                height = (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) + leaning__BESIDE;
+                height = AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH) + leaning__BESIDE;
             }
         }
     }
@@ -1612,42 +2212,41 @@ static inline double leaning__next_reference(array_double_1d work, double met)
  */
 static inline bool leaning__note_reference(array_double_1d work, double height, double found, double met)
 {
-    double residual;
-    double slope;
+    double residual, slope;
     bool near;
     residual = found - height;
-    near = 0;
+    near = false;
     if (fabs(residual) < met)
     {
-        near = 1;
+        near = true;
     }
-    else if (((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS) && ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW)) < met))
+    else if (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS) > leaning__SECANTS && AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH) - AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) < met)
     {
-        if (((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)) < leaning__UNKNOWN) && ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) > -leaning__UNKNOWN))
+        if (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW) < leaning__UNKNOWN && AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH) > -leaning__UNKNOWN)
         {
-            near = 1;
+            near = true;
         }
     }
-    else if (height != (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)))
+    else if (height != AT(work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT))
     {
-        slope = (residual - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL))) / (height - (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)));
-        (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = -1.0;
-        if ((slope > leaning__STEEPEST_FALL) && (slope < leaning__FLATTEST_FALL))
+        slope = (residual - AT(work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) / (height - AT(work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT));
+        AT(work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE) = -1.0;
+        if (slope > leaning__STEEPEST_FALL && slope < leaning__FLATTEST_FALL)
         {
-            (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE)) = slope;
+            AT(work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE) = slope;
         }
     }
-    if ((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) > leaning__SECANTS)
+    if (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS) > leaning__SECANTS)
     {
         brackets__narrow_bracket(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN, height, residual);
     }
-    else if (fabs(residual) > leaning__NEARER * fabs((*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL))))
+    else if (fabs(residual) > leaning__NEARER * fabs(AT(work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)))
     {
-        (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) = leaning__SECANTS;
+        AT(work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS) = leaning__SECANTS;
     }
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT)) = height;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL)) = residual;
-    (*cspan_at(&work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS)) += 1.0;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT) = height;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL) = residual;
+    AT(work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS) += 1.0;
     return near;
 }
 
@@ -1658,101 +2257,111 @@ static inline bool leaning__note_reference(array_double_1d work, double height, 
  *
  * Outputs of the left wheel are mirrored here.  On the right the creepages of the outputs have the opposite
  * signs of the patch's lateral creepage and spin, and so have their moments: they hold for y to the left and the
- * normal from the rail to the wheel on both sides.
+ * normal from the rail to the wheel on both sides.  Where nothing rolls there is no rolling speed to refer
+ * creepages and wear numbers to: they are zero, also where a wheelset slides.
  */
 
 /* Write the outputs that are requested, and what stands for those that are not. */
 static inline int64_t report__report(array_double_1d tables, array_double_1d work)
 {
-    int64_t index;
-    int64_t i;
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    int64_t index, i;
+    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
+    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_FORCE, 1.0, 1.0);
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_MOMENT, 1.0, 1.0);
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, 1.0);
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, 1.0);
-    (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE);
+    for (index = 0; index < 2; index += 1)
     {
         report__report_side(tables, work, index);
     }
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY))
+    if ((int64_t)AT(tables, layout__TABLES_SIDES) != layout__SIDES_BOTH || (int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_GEOMETRY)
     {
         /* the resultant is that of both sides and their loads */
-        for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+        for (i = 0; i < 3; i += 1)
         {
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i) = AT(tables, layout__TABLES_ABSENT);
+            AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
+            AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i) = AT(tables, layout__TABLES_ABSENT);
+            AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
         }
-        (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(tables, layout__TABLES_ABSENT);
     }
-    return INT64_C(0);
+    return 0;
+}
+
+/* The rotation that the creepages of side ``index`` hold for [rad/s]. */
+static inline double report__found_rate(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    double rate;
+    rate = 0.0;
+    if (requested__is_rolling(work, tables, layout__WORK_INPUTS) || requested__has_creep_forces(tables, work))
+    {
+        rate = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE);
+    }
+    return rate;
 }
 
 /* The outputs of side ``index``. */
 static inline int64_t report__report_side(array_double_1d tables, array_double_1d work, int64_t index)
 {
-    int64_t side;
-    int64_t out;
+    int64_t side, out, first, i, outline, i_end;
     double mirror;
-    int64_t first;
-    int64_t i;
-    int64_t outline;
-    int64_t i_end;
+    bool rolling;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
-    mirror = (double)(INT64_C(2) * index - INT64_C(1));
+    mirror = (double)(2 * index - 1);
     first = report__first_omitted(tables, index);
-    if (first > INT64_C(0))
+    if (first > 0)
     {
         report__report_point(work, side + layout__SIDE_SEARCH_POINT, out, mirror);
     }
     if (first > layout__SIDE_PENETRATION)
     {
-        report__report_load(work, side, out, mirror);
+        rolling = requested__is_rolling(work, tables, layout__WORK_INPUTS);
+        report__report_load(work, side, out, mirror, rolling);
+        AT(work, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND) = report__found_rate(tables, work, index);
         report__report_deflection(work, tables, side, out, mirror);
-        report__report_patches(work, side, out, mirror);
-        if ((*cspan_at(&tables, layout__TABLES_FATIGUE)) == 1.0)
+        report__report_patches(work, side, out, mirror, rolling);
+        if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
         {
-            report__report_fatigue(work, side, out, (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR)));
+            report__report_fatigue(work, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), rolling);
         }
     }
-    for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
+    for (i = first; i < layout__SIDE_SIZE; i += 1)
     {
-        (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        AT(work, out + i) = AT(tables, layout__TABLES_ABSENT);
     }
     if (first <= layout__SIDE_PENETRATION)
     {
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        AT(work, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = AT(tables, layout__TABLES_ABSENT);
     }
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))) != layout__STATION_COUNT)
+    if ((int64_t)AT(tables, layout__TABLES_STATIONS) != layout__STATION_COUNT)
     {
-        for (i = layout__SIDE_STATION; i < first; i += INT64_C(1))
+        for (i = layout__SIDE_STATION; i < first; i += 1)
         {
-            (*cspan_at(&work, out + i)) = 0.0;
+            AT(work, out + i) = 0.0;
         }
     }
     outline = report__outline_place(tables, work, index);
     if (first > layout__SIDE_STATION)
     {
-        report__report_outline(work, side, outline, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), requested__has_creep_forces(tables, work));
+        report__report_outline(work, side, outline, (int64_t)AT(tables, layout__TABLES_STATIONS), requested__has_creep_forces(tables, work));
     }
     else
     {
-        i_end = layout__RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        i_end = layout__RUN_COUNT * (int64_t)AT(tables, layout__TABLES_STATIONS);
+        for (i = 0; i < i_end; i += 1)
         {
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            AT(work, outline + layout__OUTLINE_NUMBERS + i) = AT(tables, layout__TABLES_ABSENT);
         }
     }
-    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
+    if (AT(tables, layout__TABLES_WEAR) == 1.0)
     {
         report__report_wear(tables, work, index, first > layout__SIDE_STATION);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The first of the outputs of side ``index`` that is not requested; SIDE_SIZE if all are. */
@@ -1760,17 +2369,17 @@ static inline int64_t report__first_omitted(array_double_1d tables, int64_t inde
 {
     int64_t first;
     first = layout__SIDE_SIZE;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_PATCHES)
+    if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_PATCHES)
     {
         first = layout__SIDE_STATION;
     }
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY)
+    if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_GEOMETRY)
     {
         first = layout__SIDE_PENETRATION;
     }
     if (!requested__is_requested(tables, index))
     {
-        first = INT64_C(0);
+        first = 0;
     }
     return first;
 }
@@ -1778,172 +2387,176 @@ static inline int64_t report__first_omitted(array_double_1d tables, int64_t inde
 /* Where a wheel touches. */
 static inline int64_t report__report_point(array_double_1d work, int64_t point, int64_t out, double mirror)
 {
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = mirror * (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
-    return INT64_C(0);
+    AT(work, out + layout__SIDE_OUTPUTS_X_WHEEL) = AT(work, point + layout__CONTACT_POINT_X_WHEEL);
+    AT(work, out + layout__SIDE_OUTPUTS_Y_WHEEL) = AT(work, point + layout__CONTACT_POINT_Y_WHEEL);
+    AT(work, out + layout__SIDE_OUTPUTS_Z_WHEEL) = AT(work, point + layout__CONTACT_POINT_Z_WHEEL);
+    AT(work, out + layout__SIDE_OUTPUTS_Y_RAIL) = AT(work, point + layout__CONTACT_POINT_Y_RAIL);
+    AT(work, out + layout__SIDE_OUTPUTS_Z_RAIL) = AT(work, point + layout__CONTACT_POINT_Z_RAIL);
+    AT(work, out + layout__SIDE_OUTPUTS_X_TRACK) = AT(work, point + layout__CONTACT_POINT_X_TRACK);
+    AT(work, out + layout__SIDE_OUTPUTS_Y_TRACK) = mirror * AT(work, point + layout__CONTACT_POINT_Y_TRACK);
+    AT(work, out + layout__SIDE_OUTPUTS_Z_TRACK) = AT(work, point + layout__CONTACT_POINT_Z_TRACK);
+    AT(work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE) = AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE);
+    AT(work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS) = AT(work, point + layout__CONTACT_POINT_ROLLING_RADIUS);
+    AT(work, out + layout__SIDE_OUTPUTS_CURVATURE_X) = AT(work, point + layout__CONTACT_POINT_CURVATURE_X);
+    AT(work, out + layout__SIDE_OUTPUTS_CURVATURE_Y) = AT(work, point + layout__CONTACT_POINT_CURVATURE_Y);
+    return 0;
 }
 
 /* How a wheel carries its load: totals and forces. */
-static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror)
+static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling)
 {
-    int64_t totals;
-    int64_t forces;
+    int64_t totals, forces;
     totals = side + layout__SIDE_SEARCH_TOTALS;
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
+    AT(work, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT));
+    AT(work, out + layout__SIDE_OUTPUTS_PENETRATION) = AT(work, side + layout__SIDE_SEARCH_PENETRATION);
+    AT(work, out + layout__SIDE_OUTPUTS_NORMAL_FORCE) = AT(work, totals + layout__PATCH_TOTALS_LOAD);
+    AT(work, out + layout__SIDE_OUTPUTS_AREA) = AT(work, totals + layout__PATCH_TOTALS_AREA);
+    AT(work, out + layout__SIDE_OUTPUTS_MAX_PRESSURE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+    AT(work, out + layout__SIDE_OUTPUTS_PATCH_LENGTH) = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    AT(work, out + layout__SIDE_OUTPUTS_PATCH_WIDTH) = AT(work, totals + layout__PATCH_TOTALS_WIDTH);
+    AT(work, out + layout__SIDE_OUTPUTS_PATCH_CENTROID) = AT(work, totals + layout__PATCH_TOTALS_CENTROID);
     forces = side + layout__SIDE_SEARCH_FORCES;
     report__write_vector(work, out + layout__SIDE_OUTPUTS_FORCE, forces + layout__FORCES_FORCE, 1.0, mirror);
     report__write_vector(work, out + layout__SIDE_OUTPUTS_MOMENT, forces + layout__FORCES_MOMENT, mirror, 1.0);
     report__write_vector(work, out + layout__SIDE_OUTPUTS_NORMAL_PART, forces + layout__FORCES_NORMAL_FORCE, 1.0, mirror);
     report__write_vector(work, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, 1.0);
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = (*cspan_at(&work, forces + layout__FORCES_DAMPING_POWER));
-    /* Y over Q, outwards over downwards, both on the rail */
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = 0.0;
-    if ((*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) < 0.0)
+    AT(work, out + layout__SIDE_OUTPUTS_FRICTION_POWER) = AT(work, forces + layout__FORCES_FRICTION_POWER);
+    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = 0.0;
+    if (rolling)
     {
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) / (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
+        AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
     }
-    return INT64_C(0);
+    AT(work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE) = AT(work, forces + layout__FORCES_DRIVING_TORQUE);
+    AT(work, out + layout__SIDE_OUTPUTS_DAMPING_POWER) = AT(work, forces + layout__FORCES_DAMPING_POWER);
+    /* Y over Q, outwards over downwards, both on the rail */
+    AT(work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = 0.0;
+    if (AT(work, forces + layout__FORCES_FORCE + 2) < 0.0)
+    {
+        AT(work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = AT(work, forces + layout__FORCES_FORCE + 1) / AT(work, forces + layout__FORCES_FORCE + 2);
+    }
+    return 0;
 }
 
 /* How far the rail stands from the foot of its springs. */
 static inline int64_t report__report_deflection(array_double_1d work, array_double_1d tables, int64_t side, int64_t out, double mirror)
 {
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = 0.0;
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = 0.0;
+    AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = 0.0;
+    AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = 0.0;
     if (rails__on_springs(tables))
     {
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = mirror * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + 0.0;
-        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)) + 0.0;
+        AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = mirror * AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL) + 0.0;
+        AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL) + 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The heaviest patches of a wheel by falling load, and zeros for missing ones. */
-static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror)
+static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling)
 {
-    int64_t rank;
-    int64_t i_1;
-    int64_t number_end;
-    int64_t number;
-    int64_t i_2;
-    for (rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
+    int64_t rank, i_1, number, i_2, number_end;
+    for (rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT); rank < layout__PATCH_LIMIT; rank += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__PATCH_OUTPUTS_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__PATCH_OUTPUTS_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+            AT(work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1) = 0.0;
         }
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
-        rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK)));
-        if ((rank == INT64_C(0)) && (number < layout__PATCH_LIMIT))
+        rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK);
+        if (rank == 0 && number < layout__PATCH_LIMIT)
         {
-            for (i_2 = INT64_C(0); i_2 < layout__PATCH_OUTPUTS_SIZE; i_2 += INT64_C(1))
+            for (i_2 = 0; i_2 < layout__PATCH_OUTPUTS_SIZE; i_2 += 1)
             {
-                (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = 0.0;
+                AT(work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2) = 0.0;
             }
         }
-        else if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
+        else if (rank > 0 && rank <= layout__PATCH_LIMIT)
         {
-            report__report_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - INT64_C(1)), mirror);
+            report__report_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror, rolling);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* One patch. */
-static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror)
+static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror, bool rolling)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_LENGTH)) = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE)) = (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_PENETRATION)) = (*cspan_at(&work, patch + layout__PATCH_PENETRATION));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS)) = (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_X_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_X_TRACK));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_Y_TRACK)) = mirror * (*cspan_at(&work, patch + layout__PATCH_Y_TRACK));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK));
+    AT(work, out + layout__PATCH_OUTPUTS_NORMAL_FORCE) = AT(work, totals + layout__PATCH_TOTALS_LOAD);
+    AT(work, out + layout__PATCH_OUTPUTS_AREA) = AT(work, totals + layout__PATCH_TOTALS_AREA);
+    AT(work, out + layout__PATCH_OUTPUTS_MAX_PRESSURE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+    AT(work, out + layout__PATCH_OUTPUTS_LENGTH) = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    AT(work, out + layout__PATCH_OUTPUTS_WIDTH) = AT(work, totals + layout__PATCH_TOTALS_WIDTH);
+    AT(work, out + layout__PATCH_OUTPUTS_CENTROID) = AT(work, totals + layout__PATCH_TOTALS_CENTROID);
+    AT(work, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE) = AT(work, patch + layout__PATCH_CONTACT_ANGLE);
+    AT(work, out + layout__PATCH_OUTPUTS_PENETRATION) = AT(work, patch + layout__PATCH_PENETRATION);
+    AT(work, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS) = AT(work, patch + layout__PATCH_ROLLING_RADIUS);
+    AT(work, out + layout__PATCH_OUTPUTS_X_TRACK) = AT(work, patch + layout__PATCH_X_TRACK);
+    AT(work, out + layout__PATCH_OUTPUTS_Y_TRACK) = mirror * AT(work, patch + layout__PATCH_Y_TRACK);
+    AT(work, out + layout__PATCH_OUTPUTS_Z_TRACK) = AT(work, patch + layout__PATCH_Z_TRACK);
     report__write_vector(work, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, mirror);
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SPIN)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_SPIN));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_MOMENT)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_MAX_SHEAR)) = (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SATURATION)) = (*cspan_at(&work, patch + layout__PATCH_SATURATION));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = 0.0;
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = 0.0;
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = 0.0;
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = 0.0;
-    return INT64_C(0);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0;
+    if (rolling)
+    {
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    }
+    AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X) = AT(work, patch + layout__PATCH_CREEP_X);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y) = AT(work, patch + layout__PATCH_CREEP_Y);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEP_MOMENT) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEP_MOMENT);
+    AT(work, out + layout__PATCH_OUTPUTS_STICK_SHARE) = AT(work, patch + layout__PATCH_STICK_SHARE);
+    AT(work, out + layout__PATCH_OUTPUTS_MAX_SHEAR) = AT(work, patch + layout__PATCH_MAX_SHEAR);
+    AT(work, out + layout__PATCH_OUTPUTS_FRICTION_POWER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER);
+    AT(work, out + layout__PATCH_OUTPUTS_SATURATION) = AT(work, patch + layout__PATCH_SATURATION);
+    AT(work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = 0.0;
+    return 0;
 }
 
 /* The outputs of fatigue of a wheel, for this yield stress in cyclic shear [Pa]. */
-static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear)
+static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear, bool rolling)
 {
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    int64_t found;
-    double ratio;
-    double force;
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    int64_t number, patch, found, number_end;
+    double ratio, force;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
+        if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
         {
-            found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1));
-            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = fatigue__wear_number_damage((*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
+            found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1);
+            if (rolling)
+            {
+                AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
+                AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = fatigue__wear_number_damage(AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+            }
             ratio = fatigue__shakedown_ratio(work, patch, yield_shear);
-            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = ratio;
+            AT(work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = ratio;
             if (ratio > 0.0)
             {
-                force = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)));
-                (*cspan_at(&work, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = force / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - 1.0 / ratio;
+                force = sqrt(AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y));
+                AT(work, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = force / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) - 1.0 / ratio;
             }
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Write a vector, x and z with the sign ``plane`` and y with the sign ``across``; zeros are positive. */
 static inline int64_t report__write_vector(array_double_1d work, int64_t out, int64_t vector, double plane, double across)
 {
-    (*cspan_at(&work, out + INT64_C(0))) = plane * (*cspan_at(&work, vector + INT64_C(0))) + 0.0;
-    (*cspan_at(&work, out + INT64_C(1))) = across * (*cspan_at(&work, vector + INT64_C(1))) + 0.0;
-    (*cspan_at(&work, out + INT64_C(2))) = plane * (*cspan_at(&work, vector + INT64_C(2))) + 0.0;
-    return INT64_C(0);
+    AT(work, out + 0) = plane * AT(work, vector + 0) + 0.0;
+    AT(work, out + 1) = across * AT(work, vector + 1) + 0.0;
+    AT(work, out + 2) = plane * AT(work, vector + 2) + 0.0;
+    return 0;
 }
 
 /* Offset in the workspace of the outline of side ``index``: among its outputs, or for another number of
@@ -1953,9 +2566,9 @@ static inline int64_t report__outline_place(array_double_1d tables, array_double
 {
     int64_t place;
     place = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index + layout__SIDE_OUTPUTS_STATION;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))) != layout__STATION_COUNT)
+    if ((int64_t)AT(tables, layout__TABLES_STATIONS) != layout__STATION_COUNT)
     {
-        place = layout__WORK_OUTLINES + layout__RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))) * index;
+        place = layout__WORK_OUTLINES + layout__RUN_COUNT * (int64_t)AT(tables, layout__TABLES_STATIONS) * index;
     }
     return place;
 }
@@ -1963,10 +2576,9 @@ static inline int64_t report__outline_place(array_double_1d tables, array_double
 /* The outline of a side, with shear and slip if its patches are ``rubbing``. */
 static inline int64_t report__report_outline(array_double_1d work, int64_t side, int64_t outline, int64_t stations, bool rubbing)
 {
-    int64_t known;
-    int64_t i;
-    known = INT64_C(0);
-    if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
+    int64_t known, i;
+    known = 0;
+    if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
         known = report__OUTLINE_RUNS * stations;
         if (rubbing)
@@ -1974,103 +2586,91 @@ static inline int64_t report__report_outline(array_double_1d work, int64_t side,
             known = layout__RUN_COUNT * stations;
         }
     }
-    for (i = INT64_C(0); i < known; i += INT64_C(1))
+    for (i = 0; i < known; i += 1)
     {
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i));
+        AT(work, outline + layout__OUTLINE_NUMBERS + i) = AT(work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i);
     }
-    for (i = known; i < layout__RUN_COUNT * stations; i += INT64_C(1))
+    for (i = known; i < layout__RUN_COUNT * stations; i += 1)
     {
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = 0.0;
+        AT(work, outline + layout__OUTLINE_NUMBERS + i) = 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The outputs of wear of side ``index``, if they are ``requested``. */
 static OUT_OF_LINE int64_t report__report_wear(array_double_1d tables, array_double_1d work, int64_t index, bool requested)
 {
-    int64_t side;
-    int64_t runs;
-    int64_t first;
-    int64_t found;
-    int64_t strips;
-    int64_t i;
-    int64_t rank;
-    int64_t i_1;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    int64_t i_2;
+    int64_t side, runs, first, found, strips, i, rank, i_1, number, patch, i_2, number_end;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    runs = layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    runs = layout__WEAR_RUN_COUNT * (int64_t)AT(tables, layout__TABLES_STATIONS);
     first = layout__WORK_OUTPUTS + outline__wear_place(tables);
     found = first + runs * index;
-    strips = first + INT64_C(2) * runs + layout__WEAR_STRIPS * index;
-    (*cspan_at(&work, first + INT64_C(2) * runs + INT64_C(2) * layout__WEAR_STRIPS)) = 0.0;
+    strips = first + 2 * runs + layout__WEAR_STRIPS * index;
+    AT(work, first + 2 * runs + 2 * layout__WEAR_STRIPS) = 0.0;
     if (!requested)
     {
-        for (i = INT64_C(0); i < runs; i += INT64_C(1))
+        for (i = 0; i < runs; i += 1)
         {
-            (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = AT(tables, layout__TABLES_ABSENT);
         }
-        for (i = INT64_C(0); i < layout__WEAR_STRIPS; i += INT64_C(1))
+        for (i = 0; i < layout__WEAR_STRIPS; i += 1)
         {
-            (*cspan_at(&work, strips + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+            AT(work, strips + i) = AT(tables, layout__TABLES_ABSENT);
         }
-        return INT64_C(0);
+        return 0;
     }
-    for (i = INT64_C(0); i < runs; i += INT64_C(1))
+    for (i = 0; i < runs; i += 1)
     {
-        (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = 0.0;
+        AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = 0.0;
     }
-    for (rank = INT64_C(0); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
+    for (rank = 0; rank < layout__PATCH_LIMIT; rank += 1)
     {
-        for (i_1 = INT64_C(0); i_1 < layout__STRIP_OUTPUTS_SIZE; i_1 += INT64_C(1))
+        for (i_1 = 0; i_1 < layout__STRIP_OUTPUTS_SIZE; i_1 += 1)
         {
-            (*cspan_at(&work, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+            AT(work, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1) = 0.0;
         }
     }
-    if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
+    if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
-        shared_power__share_power(work, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
-        for (i = INT64_C(0); i < runs; i += INT64_C(1))
+        shared_power__share_power(work, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
+        for (i = 0; i < runs; i += 1)
         {
-            (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i));
+            AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i);
         }
-        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
         {
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-            if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
+            if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
             {
                 report__complete_strips(work, patch, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number, requested__has_creep_forces(tables, work));
-                for (i_2 = INT64_C(0); i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += INT64_C(1))
+                for (i_2 = 0; i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += 1)
                 {
-                    (*cspan_at(&work, strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1)) + i_2)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
+                    AT(work, strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1) + i_2) = AT(work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2);
                 }
             }
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* What the strips of a patch have beside places and power, with slip if it is ``rubbing``. */
 static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t patch, int64_t worn, bool rubbing)
 {
-    int64_t i;
-    int64_t strip;
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    int64_t i, strip;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = 0.0;
+        AT(work, worn + layout__STRIP_OUTPUTS_WIDTH + i) = AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        AT(work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD);
+        AT(work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        AT(work, worn + layout__STRIP_OUTPUTS_SLIP + i) = 0.0;
         if (rubbing)
         {
-            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = rubbing__strip_slip(work, patch, strip);
+            AT(work, worn + layout__STRIP_OUTPUTS_SLIP + i) = rubbing__strip_slip(work, patch, strip);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -2085,14 +2685,13 @@ static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t
  */
 static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
-    int64_t i;
-    int64_t status;
+    int64_t status, i;
     status = layout__VALID;
-    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT))) > (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT))) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_YAW))) > (*cspan_at(&tables, layout__TABLES_YAW_LIMIT))))
+    if (fabs(AT(work, inputs + layout__INPUTS_LATERAL_SHIFT)) > AT(tables, layout__TABLES_LATERAL_LIMIT) || fabs(AT(work, inputs + layout__INPUTS_YAW)) > AT(tables, layout__TABLES_YAW_LIMIT))
     {
         status = layout__OFF_PROFILE;
     }
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT) && (fabs((*cspan_at(&work, inputs + layout__INPUTS_ROLL))) > layout__ROLL_LIMIT))
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_COMPLIANT && fabs(AT(work, inputs + layout__INPUTS_ROLL)) > layout__ROLL_LIMIT)
     {
         status = layout__OFF_PROFILE;
     }
@@ -2100,11 +2699,11 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
     {
         status = layout__OFF_PROFILE;
     }
-    if (((*cspan_at(&work, inputs + layout__INPUTS_NORMAL_FORCE)) < 0.0) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_LOAD_TRANSFER))) > 1.0))
+    if (AT(work, inputs + layout__INPUTS_NORMAL_FORCE) < 0.0 || fabs(AT(work, inputs + layout__INPUTS_LOAD_TRANSFER)) > 1.0)
     {
         status = layout__INVALID_INPUT;
     }
-    if (!(((*cspan_at(&work, inputs + layout__INPUTS_RAIL_TIME_STEP)) >= 0.0) && ((*cspan_at(&work, inputs + layout__INPUTS_RAIL_TIME_STEP)) <= layout__TIME_LIMIT)))
+    if (!(AT(work, inputs + layout__INPUTS_RAIL_TIME_STEP) >= 0.0 && AT(work, inputs + layout__INPUTS_RAIL_TIME_STEP) <= layout__TIME_LIMIT))
     {
         status = layout__INVALID_INPUT;
     }
@@ -2112,17 +2711,17 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
     {
         status = layout__INVALID_INPUT;
     }
-    if (!friction__is_frictional((*cspan_at(&work, inputs + layout__INPUTS_LEFT_FRICTION)), layout__FRICTION_LIMIT))
+    if (!friction__is_frictional(AT(work, inputs + layout__INPUTS_LEFT_FRICTION), layout__FRICTION_LIMIT))
     {
         status = layout__INVALID_INPUT;
     }
-    if (!friction__is_frictional((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_FRICTION)), layout__FRICTION_LIMIT))
+    if (!friction__is_frictional(AT(work, inputs + layout__INPUTS_RIGHT_FRICTION), layout__FRICTION_LIMIT))
     {
         status = layout__INVALID_INPUT;
     }
-    for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
+    for (i = 0; i < layout__INPUT_COUNT; i += 1)
     {
-        if (!isfinite((*cspan_at(&work, inputs + i))))
+        if (!isfinite(AT(work, inputs + i)))
         {
             status = layout__INVALID_INPUT;
         }
@@ -2134,22 +2733,22 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
 static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs)
 {
     bool far;
-    far = (fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL))) > layout__RAIL_LIMIT);
-    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL))) > layout__RAIL_ROLL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL))) > layout__RAIL_ROLL_LIMIT))
+    far = fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)) > layout__RAIL_LIMIT || fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)) > layout__RAIL_LIMIT;
+    if (fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) > layout__RAIL_ROLL_LIMIT || fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)) > layout__RAIL_ROLL_LIMIT)
     {
-        far = 1;
+        far = true;
     }
-    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL))) > layout__RAIL_LIMIT))
+    if (fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)) > layout__RAIL_LIMIT || fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)) > layout__RAIL_LIMIT)
     {
-        far = 1;
+        far = true;
     }
-    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE))) > layout__RAIL_LIMIT))
+    if (fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE)) > layout__RAIL_LIMIT || fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE)) > layout__RAIL_LIMIT)
     {
-        far = 1;
+        far = true;
     }
-    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE))) > layout__RAIL_LIMIT))
+    if (fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE)) > layout__RAIL_LIMIT || fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE)) > layout__RAIL_LIMIT)
     {
-        far = 1;
+        far = true;
     }
     return far;
 }
@@ -2160,18 +2759,40 @@ static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs)
 static inline double requested__side_force(array_double_1d work, int64_t index)
 {
     double sign;
-    double result;
-    sign = (double)(INT64_C(2) * index - INT64_C(1));
-    result = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))) * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
-    return result;
+    sign = (double)(2 * index - 1);
+    return AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (1.0 + sign * AT(work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
 }
 
 /* Whether the outputs of side ``index`` are requested. */
 static inline bool requested__is_requested(array_double_1d tables, int64_t index)
 {
-    bool result;
-    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) == layout__SIDES_BOTH) || ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) == layout__SIDES_LEFT + index);
-    return result;
+    return (int64_t)AT(tables, layout__TABLES_SIDES) == layout__SIDES_BOTH || (int64_t)AT(tables, layout__TABLES_SIDES) == layout__SIDES_LEFT + index;
+}
+
+/* Whether side ``index`` is requested, or the rotation of the wheelset follows from it, too. */
+static inline bool requested__is_needed(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    bool needed;
+    needed = requested__is_requested(tables, index);
+    if (!needed && !(AT(tables, layout__TABLES_ALONE) == 1.0) && (int64_t)AT(tables, layout__TABLES_DEPTH) != layout__DEPTH_GEOMETRY)
+    {
+        needed = requested__is_free(work, tables, inputs, index) && !motion__are_independent(tables) && requested__is_moving(work, tables, inputs);
+    }
+    return needed;
+}
+
+/* ``status`` with the ``outcome`` of side ``index``; a wheel that is needed and not requested may be
+ * without load.
+ */
+static inline int64_t requested__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t outcome)
+{
+    int64_t counted;
+    counted = status;
+    if (outcome > layout__UNLOADED || requested__is_requested(tables, index))
+    {
+        counted = int64_max(status, outcome);
+    }
+    return counted;
 }
 
 /* The outcome of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
@@ -2181,9 +2802,9 @@ static inline int64_t requested__requested_outcome(array_double_1d tables, array
 {
     int64_t outcome;
     outcome = status;
-    if ((status == layout__UNLOADED) && ((int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) != layout__SIDES_BOTH))
+    if (status == layout__UNLOADED && (int64_t)AT(tables, layout__TABLES_SIDES) != layout__SIDES_BOTH)
     {
-        if (requested__side_force(work, (int64_t)((*cspan_at(&tables, layout__TABLES_SIDES))) - layout__SIDES_LEFT) > 0.0)
+        if (requested__side_force(work, (int64_t)AT(tables, layout__TABLES_SIDES) - layout__SIDES_LEFT) > 0.0)
         {
             outcome = layout__VALID;
         }
@@ -2191,32 +2812,96 @@ static inline int64_t requested__requested_outcome(array_double_1d tables, array
     return outcome;
 }
 
-/* Whether the wheelset runs or its wheels turn: otherwise there are no creepages. */
+/* Whether the rotation of the wheel of side ``index`` follows from the torque on it, where creep forces
+ * tell of one.
+ */
+static inline bool requested__is_free(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    double given;
+    if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_NONE)
+    {
+        return false;
+    }
+    given = AT(work, inputs + layout__INPUTS_WHEEL_RATE);
+    if (motion__are_independent(tables))
+    {
+        given = AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE);
+        if (index == 1)
+        {
+            given = AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE);
+        }
+    }
+    return given == 0.0 && AT(work, inputs + layout__INPUTS_FREE_ROLLING) != 0.0 && AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_NOMINAL_ROLLING) == 0.0;
+}
+
+/* Torque from outside on the wheelset, or on the wheel of side ``index`` that turns by itself [N m]. */
+static inline double requested__outer_torque(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    double torque;
+    torque = AT(work, inputs + layout__INPUTS_AXLE_TORQUE);
+    if (motion__are_independent(tables))
+    {
+        torque = AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE);
+        if (index == 1)
+        {
+            torque = AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE);
+        }
+    }
+    return torque;
+}
+
+/* Whether a torque from outside is carried by the creep forces of side ``index``. */
+static inline bool requested__is_driven(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    return requested__outer_torque(work, tables, inputs, index) != 0.0 && requested__is_free(work, tables, inputs, index);
+}
+
+/* Whether the wheelset runs or its wheels turn: otherwise there is no rolling speed for creepages. */
 static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
     bool rolling;
-    rolling = ((*cspan_at(&work, inputs + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_WHEEL_RATE)) != 0.0);
+    rolling = AT(work, inputs + layout__INPUTS_SPEED) != 0.0 || AT(work, inputs + layout__INPUTS_WHEEL_RATE) != 0.0;
     if (motion__are_independent(tables))
     {
-        rolling = ((*cspan_at(&work, inputs + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_LEFT_WHEEL_RATE)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)) != 0.0);
+        rolling = AT(work, inputs + layout__INPUTS_SPEED) != 0.0 || AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE) != 0.0;
     }
-    return rolling;
+    return rolling || requested__is_driven(work, tables, inputs, 0) || requested__is_driven(work, tables, inputs, 1);
 }
 
-/* Whether there are creep forces: a model is chosen, and the wheelset rolls. */
+/* Whether wheelset or rails have a velocity: otherwise nothing rolls or slides. */
+static inline bool requested__is_moving(array_double_1d work, array_double_1d tables, int64_t inputs)
+{
+    bool moving;
+    if (requested__is_rolling(work, tables, inputs) || AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_YAW_RATE) != 0.0)
+    {
+        return true;
+    }
+    moving = requested__is_rail_moving(work, inputs);
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_COMPLIANT && (AT(work, inputs + layout__INPUTS_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_ROLL_RATE) != 0.0))
+    {
+        moving = true;
+    }
+    return moving;
+}
+
+/* Whether a rail is given a velocity. */
+static inline bool requested__is_rail_moving(array_double_1d work, int64_t inputs)
+{
+    bool left;
+    left = AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY) != 0.0;
+    return left || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY) != 0.0;
+}
+
+/* Whether there are creep forces: a model is chosen, and the wheelset rolls or slides. */
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work)
 {
-    bool result;
-    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work, tables, layout__WORK_INPUTS);
-    return result;
+    return (int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && requested__is_moving(work, tables, layout__WORK_INPUTS);
 }
 
 /* Whether the outputs of wear are requested. */
 static inline bool requested__has_wear(array_double_1d tables)
 {
-    bool result;
-    result = ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0) && ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL);
-    return result;
+    return AT(tables, layout__TABLES_WEAR) == 1.0 && (int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL;
 }
 
 
@@ -2228,94 +2913,89 @@ static inline bool requested__has_wear(array_double_1d tables)
 /* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
  * moved little, or at those known near its lateral shift.
  */
-static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_double_1d tables, array_double_1d work, array_double_1d state)
+static inline void rigid__find_roll(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, array_double_1d state)
 {
-    double shift;
-    double guess;
+    double shift, guess, roll;
     bool warm;
-    int64_t row;
-    int64_t start;
-    shift = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-    guess = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_GUESS));
-    warm = 0;
+    int64_t row, start, status;
+    shift = AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT);
+    guess = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL_GUESS);
+    warm = false;
     if (guess == 0.0)
     {
-        row = roll__nearest_start(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))), shift);
-        if (((*cspan_at(&state, layout__STATE_WARM)) == 1.0) && ((row < INT64_C(0)) || (fabs(shift - (*cspan_at(&state, layout__STATE_SHIFT))) < rigid__NEAR_SHIFT)))
+        row = roll__nearest_start(tables, (int64_t)AT(tables, layout__TABLES_STARTS), shift);
+        if (AT(state, layout__STATE_WARM) == 1.0 && (row < 0 || fabs(shift - AT(state, layout__STATE_SHIFT)) < rigid__NEAR_SHIFT))
         {
-            guess = (*cspan_at(&state, layout__STATE_ROLL));
-            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_LEFT));
-            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&state, layout__STATE_Y_RIGHT));
-            warm = 1;
+            guess = AT(state, layout__STATE_ROLL);
+            AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) = AT(state, layout__STATE_Y_LEFT);
+            AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) = AT(state, layout__STATE_Y_RIGHT);
+            warm = true;
         }
-        else if (row >= INT64_C(0))
+        else if (row >= 0)
         {
-            start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
-            guess = (*cspan_at(&tables, start + layout__START_ROLL));
-            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
-            (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
-            warm = 1;
+            start = (int64_t)AT(tables, layout__TABLES_STARTS) + layout__STARTS_ROWS + layout__START_SIZE * row;
+            guess = AT(tables, start + layout__START_ROLL);
+            AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) = AT(tables, start + layout__START_LEFT);
+            AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) = AT(tables, start + layout__START_RIGHT);
+            warm = true;
         }
     }
     leaning__set_reference(work, 0.0);
-    first_root__solve_roll(roll, status, work, tables, layout__WORK_INPUTS, guess, warm);
-    if (((*status) == layout__VALID) && leaning__is_leaning(work))
+    first_root__solve_roll(&roll, &status, work, tables, layout__WORK_INPUTS, guess, warm);
+    if (status == layout__VALID && leaning__is_leaning(work))
     {
-        rigid__find_leaning_roll(roll, status, tables, work, (*roll));
+        rigid__find_leaning_roll(&roll, &status, tables, work, roll);
     }
-    return 0;
+    *roll_out = roll;
+    *status_out = status;
 }
 
 /* Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
  * on: both are sought together with the vertical shift.
  */
-static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll)
+static inline void rigid__find_leaning_roll(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll)
 {
-    int64_t i;
+    int64_t i, status;
     double height;
-    int64_t status;
-    leaning__open_reference(work, 0.0, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)));
-    for (i = INT64_C(0); i < leaning__MEETINGS; i += INT64_C(1))
+    leaning__open_reference(work, 0.0, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST));
+    for (i = 0; i < leaning__MEETINGS; i += 1)
     {
         height = leaning__next_reference(work, leaning__RIGID_MET);
         leaning__set_reference(work, height);
-        first_root__solve_roll(&roll, &status, work, tables, layout__WORK_INPUTS, roll, 1);
+        first_root__solve_roll(&roll, &status, work, tables, layout__WORK_INPUTS, roll, true);
         if (status != layout__VALID)
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = status;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = status;
+            return;
         }
-        if (leaning__note_reference(work, height, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)), leaning__RIGID_MET))
+        if (leaning__note_reference(work, height, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST), leaning__RIGID_MET))
         {
-            (*result_0_0001) = roll;
-            (*result_1_0001) = layout__VALID;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__VALID;
+            return;
         }
     }
-    (*result_0_0001) = roll;
-    (*result_1_0001) = layout__NOT_CONVERGED;
-    return 0;
+    *roll_out = roll;
+    *NOT_CONVERGED_out = layout__NOT_CONVERGED;
 }
 
 /* Both wheels touch at ``roll``, and each carries its load there; the outcome. */
 static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, double roll)
 {
-    int64_t outcome;
-    int64_t status;
+    int64_t status, index, outcome;
     status = layout__VALID;
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST));
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST);
     side__clear_side(work, layout__WORK_SIDES);
-    side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
-    if (requested__is_requested(tables, INT64_C(0)))
+    side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
+    for (index = 0; index < 2; index += 1)
     {
-        status = side__solve_side(tables, work, INT64_C(0), requested__side_force(work, INT64_C(0)));
-    }
-    if (requested__is_requested(tables, INT64_C(1)))
-    {
-        outcome = side__solve_side(tables, work, INT64_C(1), requested__side_force(work, INT64_C(1)));
-        status = int64_t_max(2, status, outcome);
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        {
+            outcome = side__solve_side(tables, work, index, requested__side_force(work, index));
+            status = requested__counted_outcome(tables, index, status, outcome);
+        }
     }
     return status;
 }
@@ -2323,12 +3003,12 @@ static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d
 /* Keep where both wheels touched, for the next search. */
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll)
 {
-    (*cspan_at(&state, layout__STATE_ROLL)) = roll;
-    (*cspan_at(&state, layout__STATE_Y_LEFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
-    (*cspan_at(&state, layout__STATE_Y_RIGHT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    (*cspan_at(&state, layout__STATE_SHIFT)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-    (*cspan_at(&state, layout__STATE_WARM)) = (double)(1);
-    return INT64_C(0);
+    AT(state, layout__STATE_ROLL) = roll;
+    AT(state, layout__STATE_Y_LEFT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
+    AT(state, layout__STATE_Y_RIGHT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
+    AT(state, layout__STATE_SHIFT) = AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT);
+    AT(state, layout__STATE_WARM) = (double)true;
+    return 0;
 }
 
 
@@ -2351,8 +3031,8 @@ static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d sta
 /* The motion as the inputs give it, at the wheelset's pose. */
 static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_double_1d work)
 {
-    int64_t right;
-    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
+    int64_t right, index;
+    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
     motion__open_motion(work, tables, right, layout__WORK_INPUTS);
     motion__mirror_motion(work, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
     if (motion__are_independent(tables))
@@ -2360,14 +3040,21 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
         motion__turn_wheels(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, layout__WORK_INPUTS);
     }
     motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_INPUTS);
-    motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL, layout__WORK_INPUTS);
+    motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, right + layout__MOTION_RAIL, layout__WORK_INPUTS);
     if (rails__on_springs(tables))
     {
         motion__carry_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
-        motion__carry_rail(work, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);
+        motion__carry_rail(work, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_DEFLECTION);
     }
-    motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
-    return INT64_C(0);
+    for (index = 0; index < 2; index += 1)
+    {
+        if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+        {
+            AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index);
+        }
+    }
+    motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY), AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE));
+    return 0;
 }
 
 /* The velocities of the wheelset, if it rolls; in compliant contact vertical velocity and roll rate are
@@ -2376,51 +3063,49 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
  */
 static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_double_1d work)
 {
-    if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         rubbing__open_given_motion(tables, work);
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
+        if ((int64_t)AT(tables, layout__TABLES_MODE) != layout__MODE_COMPLIANT)
         {
-            rubbing__constrain_side(tables, work, INT64_C(0));
-            rubbing__constrain_side(tables, work, INT64_C(1));
-            motion__set_contact_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
+            rubbing__constrain_side(tables, work, 0);
+            rubbing__constrain_side(tables, work, 1);
+            motion__set_contact_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Creepages of all patches and their strips, if the wheelset rolls. */
 static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work)
 {
     int64_t index;
-    if (!requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (!requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
-        return INT64_C(0);
+        return 0;
     }
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    for (index = 0; index < 2; index += 1)
     {
         rubbing__move_side(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Creepages of the patches of a side whose motion is known, and of their strips. */
 static inline int64_t rubbing__move_side(array_double_1d work, array_double_1d tables, int64_t side)
 {
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    int64_t number, patch, number_end;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         creepage__move_patch(work, side + layout__SIDE_SEARCH_MOTION, patch);
-        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE)
         {
             creepage__move_strips(work, side + layout__SIDE_SEARCH_MOTION, patch);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* What keeps the wheel of side ``index`` on its rail: the normal where it touches, or its force if it is
@@ -2430,20 +3115,20 @@ static inline int64_t rubbing__constrain_side(array_double_1d tables, array_doub
 {
     int64_t side;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_ELASTIC && (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
-        forces__sum_side(work, side, 0);
+        forces__sum_side(work, side, false);
         motion__constrain_loaded(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_FORCES);
     }
     else
     {
-        if (!requested__is_requested(tables, index))
+        if (!requested__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             side__touch_side(tables, work, index);
         }
         motion__constrain_touching(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_POINT);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Shear [Pa] and slip [m/s] of the patches of a wheel at the ``stations`` of its outline; zero between
@@ -2451,93 +3136,75 @@ static inline int64_t rubbing__constrain_side(array_double_1d tables, array_doub
  */
 static inline int64_t rubbing__write_wear(array_double_1d work, int64_t side, int64_t stations)
 {
-    int64_t i;
-    int64_t number_end;
-    int64_t number;
-    for (i = INT64_C(3) * stations; i < INT64_C(5) * stations; i += INT64_C(1))
+    int64_t i, number, number_end;
+    for (i = 3 * stations; i < 5 * stations; i += 1)
     {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
+        AT(work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i) = 0.0;
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         rubbing__write_patch_wear(work, side + layout__SIDE_SEARCH_OUTLINE, stations, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Shear and slip of a patch at the stations that lie in it, which ascend, along with the strips. */
 static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch)
 {
-    int64_t first;
-    int64_t last;
-    double start;
-    double stop;
-    int64_t index;
-    double low_station;
-    double high_station;
-    double low_shear;
-    double low_slip;
-    double high_shear;
-    double high_slip;
-    int64_t j;
-    double station;
-    int64_t strip;
-    double shear;
-    double slip;
-    double share;
+    int64_t first, last, index, j, strip;
+    double start, stop, low_station, high_station, low_shear, low_slip, high_shear, high_slip, station, shear, slip, share;
     first = patch + layout__PATCH_STRIPS;
-    last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - INT64_C(1));
-    start = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH));
-    stop = (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH));
-    index = INT64_C(0);
-    low_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
-    high_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
+    last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - 1);
+    start = AT(work, first + layout__ROLLING_STRIP_STATION) - 0.5 * AT(work, first + layout__ROLLING_STRIP_WIDTH);
+    stop = AT(work, last + layout__ROLLING_STRIP_STATION) + 0.5 * AT(work, last + layout__ROLLING_STRIP_WIDTH);
+    index = 0;
+    low_station = AT(work, first + layout__ROLLING_STRIP_STATION);
+    high_station = AT(work, first + layout__ROLLING_STRIP_STATION);
     low_shear = 0.0;
     low_slip = 0.0;
     high_shear = rubbing__strip_shear(work, first);
     high_slip = rubbing__strip_slip(work, patch, first);
-    for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
+    for (j = 1; j < stations - 1; j += 1)
     {
-        station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
-        if ((station > start) && (station < stop))
+        station = AT(work, outline + layout__OUTLINE_NUMBERS + j);
+        if (station > start && station < stop)
         {
-            while((index < layout__ROLLING_STRIP_LIMIT - INT64_C(1)) && (high_station < station))
+            while (index < layout__ROLLING_STRIP_LIMIT - 1 && high_station < station)
             {
-                index += INT64_C(1);
+                index += 1;
                 strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
                 low_station = high_station;
                 low_shear = high_shear;
                 low_slip = high_slip;
-                high_station = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION));
+                high_station = AT(work, strip + layout__ROLLING_STRIP_STATION);
                 high_shear = rubbing__strip_shear(work, strip);
                 high_slip = rubbing__strip_slip(work, patch, strip);
             }
             shear = high_shear;
             slip = high_slip;
-            if ((index > INT64_C(0)) && (station < high_station))
+            if (index > 0 && station < high_station)
             {
                 share = (high_station - station) / (high_station - low_station);
                 shear += share * (low_shear - shear);
                 slip += share * (low_slip - slip);
             }
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
-            (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
+            AT(work, outline + layout__OUTLINE_NUMBERS + (3 * stations + j)) = shear;
+            AT(work, outline + layout__OUTLINE_NUMBERS + (4 * stations + j)) = slip;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Creep force per area of a strip [Pa]. */
 static inline double rubbing__strip_shear(array_double_1d work, int64_t strip)
 {
-    double force;
-    double shear;
+    double shear, force;
     shear = 0.0;
-    if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) > 0.0)
+    if (AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) > 0.0)
     {
-        force = sqrt((*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)));
-        shear = force / (2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        force = sqrt(AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y));
+        shear = force / (2.0 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     }
     return shear;
 }
@@ -2545,10 +3212,8 @@ static inline double rubbing__strip_shear(array_double_1d work, int64_t strip)
 /* Friction power of a strip over its creep force [m/s]. */
 static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip)
 {
-    double force;
-    double power;
-    double slip;
-    force = sqrt((*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)));
+    double force, slip, power;
+    force = sqrt(AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y));
     slip = 0.0;
     if (force > 0.0)
     {
@@ -2565,10 +3230,8 @@ static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, in
 static inline double rubbing__strip_power(array_double_1d work, int64_t patch, int64_t strip)
 {
     double power;
-    double result;
-    power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
-    result = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * double_max(2, power, 0.0);
-    return result;
+    power = -(AT(work, strip + layout__ROLLING_STRIP_SLIP) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + (AT(work, strip + layout__ROLLING_STRIP_LATERAL) - AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_MOMENT));
+    return AT(work, patch + layout__PATCH_SPEED) * double_max(power, 0.0);
 }
 
 /* Creep forces of all patches, if there are any. */
@@ -2576,54 +3239,68 @@ static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_
 {
     if (requested__has_creep_forces(tables, work))
     {
-        rubbing__rub_side(tables, work, INT64_C(0));
-        rubbing__rub_side(tables, work, INT64_C(1));
+        rubbing__rub_side(tables, work, 0);
+        rubbing__rub_side(tables, work, 1);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Creep forces of the patches of side ``index``, and shear and slip over its outline. */
 static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index)
 {
-    int64_t side;
-    double friction;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    double factor;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    friction = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION));
-    if (index == INT64_C(1))
+    rubbing__rub_wheel(tables, work, index);
+    rubbing__write_side_wear(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+    return 0;
+}
+
+/* Shear and slip over the outline of a side, if it is requested. */
+static inline int64_t rubbing__write_side_wear(array_double_1d work, array_double_1d tables, int64_t side)
+{
+    if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
     {
-        friction = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION));
+        rubbing__write_wear(work, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    return 0;
+}
+
+/* The coefficient of friction of side ``index``. */
+static inline double rubbing__side_friction(array_double_1d work, int64_t index)
+{
+    double friction;
+    friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION);
+    if (index == 1)
+    {
+        friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION);
+    }
+    return friction;
+}
+
+/* Creep forces of the patches of side ``index``. */
+static inline int64_t rubbing__rub_wheel(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    int64_t side, number, patch, number_end;
+    double friction, factor;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    friction = rubbing__side_friction(work, index);
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL)
-        {
-            factor = rubbing__open_rolling(work, tables, patch, friction);
-            creep_force__solve_creep_force(work, tables, patch);
-            rubbing__close_rolling(work, patch, factor);
-        }
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE) = (double)(layout__SOLVED_PATCH_LIMIT * index + number);
+        factor = rubbing__open_rolling(work, tables, patch, friction);
+        creep_force__solve_creep_force(work, tables, patch);
+        rubbing__close_rolling(work, patch, factor);
     }
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
-    {
-        rubbing__write_wear(work, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
-    }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Friction of a patch, and the factor of its creepages that stands for a reduced slope. */
 static inline double rubbing__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, double friction)
 {
-    double sliding;
     double factor;
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = (double)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN)) == 1.0);
-    sliding = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * sqrt((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)));
-    (*cspan_at(&work, patch + layout__PATCH_FRICTION)) = friction__patch_friction(tables, friction, (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)), sliding);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) = (double)false;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = (double)(AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN) == 1.0);
+    friction__set_friction(work, tables, patch, friction, AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) == 1.0);
     factor = friction__slope_factor(work, tables, patch);
     if (factor != 1.0)
     {
@@ -2640,12 +3317,12 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
     {
         friction__multiply_creepages(work, patch, 1.0 / factor);
     }
-    limit = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    limit = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     if (limit > 0.0)
     {
-        (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y))) / limit;
+        AT(work, patch + layout__PATCH_SATURATION) = sqrt(AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y)) / limit;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -2661,19 +3338,21 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
  */
 static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    int64_t side;
-    int64_t status;
+    int64_t side, status;
     springs__open_settling(tables, work, index);
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    if (!(height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) > at_height__GRAZING))
+    if (!(height - AT(work, side + layout__SIDE_SEARCH_BEST) > at_height__GRAZING))
     {
-        status = side__touch_side(tables, work, index);
-        return status;
+        return side__touch_side(tables, work, index);
     }
     status = layout__NOT_CONVERGED;
     if (settling__estimate_deflection(tables, work, index, height))
     {
         status = settling__iterate_deflection(tables, work, index, height);
+    }
+    if (status > layout__UNLOADED)
+    {
+        status = settling_enclosing__enclose_deflection(tables, work, index, height);
     }
     if (status > layout__UNLOADED)
     {
@@ -2689,29 +3368,24 @@ static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_d
  */
 static OUT_OF_LINE bool settling__estimate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    int64_t side;
-    int64_t i;
-    double before;
-    double lateral;
-    double vertical;
-    double across;
-    bool result;
+    int64_t side, i;
+    double before, lateral, vertical, across;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    for (i = INT64_C(0); i < settling__ESTIMATES; i += INT64_C(1))
+    for (i = 0; i < settling__ESTIMATES; i += 1)
     {
         if (side__touch_side(tables, work, index) != layout__UNLOADED)
         {
-            return 0;
+            return false;
         }
-        before = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
-        settling__one_contact(&lateral, &vertical, tables, work, index, height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), 1);
-        if (i > INT64_C(0))
+        before = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
+        settling__one_contact(&lateral, &vertical, tables, work, index, height - AT(work, side + layout__SIDE_SEARCH_BEST), true);
+        if (i > 0)
         {
             lateral = 0.5 * (lateral + before);
         }
         if (!settling_brackets__stand_on(tables, work, index, lateral, vertical))
         {
-            return 0;
+            return false;
         }
         if (fabs(lateral - before) < settling__SAME_PLACE)
         {
@@ -2720,12 +3394,11 @@ static OUT_OF_LINE bool settling__estimate_deflection(array_double_1d tables, ar
     }
     if (side__touch_side(tables, work, index) != layout__UNLOADED)
     {
-        return 0;
+        return false;
     }
-    lateral = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
-    settling__one_contact(&across, &vertical, tables, work, index, height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), 0);
-    result = settling_brackets__stand_on(tables, work, index, lateral, vertical);
-    return result;
+    lateral = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
+    settling__one_contact(&across, &vertical, tables, work, index, height - AT(work, side + layout__SIDE_SEARCH_BEST), false);
+    return settling_brackets__stand_on(tables, work, index, lateral, vertical);
 }
 
 /* Deflections [m] under the force of one contact at the described place, whose wheel is ``approach`` [m]
@@ -2734,90 +3407,74 @@ static OUT_OF_LINE bool settling__estimate_deflection(array_double_1d tables, ar
  * With the flexibility s of the springs along the normal, and the penetration D F^(2/3), both together are
  * the way A that the rail at rest would be penetrated: s x^3 + D x^2 = A for the force F = x^3.
  */
-static OUT_OF_LINE int64_t settling__one_contact(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t index, double approach, bool sideways)
+static OUT_OF_LINE void settling__one_contact(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t index, double approach, bool sideways)
 {
-    int64_t side;
-    double sine;
-    double cosine;
-    double across;
-    double down;
-    double flexibility;
-    double way;
-    double force;
-    double x;
-    double soft;
-    int64_t i;
+    int64_t side, i;
+    double sine, cosine, across, down, flexibility, way, force, x, soft;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    circle__sine_cosine(&sine, &cosine, (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    circle__sine_cosine(&sine, &cosine, AT(work, side + layout__SIDE_SEARCH_POINT + layout__CONTACT_POINT_CONTACT_ANGLE));
     across = 0.0;
     down = 0.0;
-    if (sideways && ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) > 0.0))
+    if (sideways && AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0)
     {
-        across = sine / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS));
+        across = sine / AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
     }
-    if ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) > 0.0)
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0)
     {
-        down = cosine / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS));
+        down = cosine / AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
     }
     flexibility = across * sine + down * cosine;
-    way = (approach + (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)) - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST))) * cosine;
+    way = (approach + AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) * cosine;
     if (sideways)
     {
-        way += ((*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST))) * sine;
+        way += (AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) * sine;
     }
     force = 0.0;
-    if ((way > 0.0) && (flexibility > 0.0))
+    if (way > 0.0 && flexibility > 0.0)
     {
         x = powers__cube_root(way / flexibility);
         soft = estimate__first_penetration(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, way / flexibility) / (x * x);
-        for (i = INT64_C(0); i < settling__FORCE_STEPS; i += INT64_C(1))
+        for (i = 0; i < settling__FORCE_STEPS; i += 1)
         {
             x -= (x * x * (flexibility * x + soft) - way) / (x * (3.0 * flexibility * x + 2.0 * soft));
         }
         force = x * x * x;
     }
-    (*result_0) = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) + across * force;
-    (*result_1) = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) + down * force;
-    return 0;
+    *out_0 = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) + across * force;
+    *out_1 = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) + down * force;
 }
 
 /* Settle the rail of a side by Broyden's method; the outcome, NOT_CONVERGED where it finds nothing. */
 static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    int64_t side;
-    double lateral;
-    double vertical;
-    int64_t trial;
-    double before_lateral;
-    double before_vertical;
-    int64_t status;
-    double before;
+    int64_t side, trial, status;
+    double lateral, vertical, before_lateral, before_vertical, before;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    lateral = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
-    vertical = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL));
-    for (trial = INT64_C(0); trial < settling__SETTLING_TRIALS; trial += INT64_C(1))
+    lateral = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
+    vertical = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL);
+    for (trial = 0; trial < settling__SETTLING_TRIALS; trial += 1)
     {
-        before_lateral = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
-        before_vertical = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
+        before_lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+        before_vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
         status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical);
         if (status > layout__UNLOADED)
         {
             return layout__NOT_CONVERGED;
         }
         before = fabs(before_lateral) + fabs(before_vertical);
-        if ((trial == INT64_C(0)) || (fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) + fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) > before))
+        if (trial == 0 || fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) > before)
         {
-            settling__begin_slopes(work, side);
+            settling_slopes__begin_slopes(tables, work, index, height);
         }
         else
         {
             settling__update_slopes(work, before_lateral, before_vertical);
         }
-        if (!settling__find_settling(work, side))
+        if (!settling_slopes__find_settling(tables, work, index, height))
         {
             return layout__NOT_CONVERGED;
         }
-        if ((fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL))) < settling__SETTLED) && (fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL))) < settling__SETTLED))
+        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) < settling_enclosing__SETTLED && fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) < settling_enclosing__SETTLED)
         {
             if (!springs__has_settled(work, side, springs__UNSETTLED))
             {
@@ -2825,117 +3482,30 @@ static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, 
             }
             return status;
         }
-        settling__shorten_settling(work);
-        lateral += (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL));
-        vertical += (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL));
+        settling_enclosing__shorten_settling(work);
+        lateral += AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL);
+        vertical += AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL);
     }
     return layout__NOT_CONVERGED;
-}
-
-/* Let the move be no longer than is permitted, in its direction. */
-static OUT_OF_LINE int64_t settling__shorten_settling(array_double_1d work)
-{
-    double longest;
-    longest = double_max(2, fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL))), fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL))));
-    if (longest > settling__LONGEST_SETTLING)
-    {
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) *= settling__LONGEST_SETTLING / longest;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) *= settling__LONGEST_SETTLING / longest;
-    }
-    return INT64_C(0);
-}
-
-/* The residuals' derivatives from the springs, and from patches whose forces grow as Hertz's along their
- * normals, friction in proportion.
- */
-static OUT_OF_LINE int64_t settling__begin_slopes(array_double_1d work, int64_t side)
-{
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    double stiffness;
-    int64_t force;
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS));
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS));
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
-    {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if (((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_PENETRATION)) > 0.0))
-        {
-            stiffness = settling__GROWTH / ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * (*cspan_at(&work, patch + layout__PATCH_PENETRATION)));
-            force = patch + layout__PATCH_FORCES + layout__FORCES_FORCE;
-            (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) += stiffness * (*cspan_at(&work, force + INT64_C(1))) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-            (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL)) += stiffness * (*cspan_at(&work, force + INT64_C(1))) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
-            (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL)) += stiffness * (*cspan_at(&work, force + INT64_C(2))) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-            (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) += stiffness * (*cspan_at(&work, force + INT64_C(2))) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
-        }
-    }
-    if (!((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) > 0.0))
-    {
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) = 1.0;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL)) = 0.0;
-    }
-    if (!((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) > 0.0))
-    {
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL)) = 0.0;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) = 1.0;
-    }
-    return INT64_C(0);
 }
 
 /* The derivatives that the last move has shown (Broyden 1965). */
 static OUT_OF_LINE int64_t settling__update_slopes(array_double_1d work, double before_lateral, double before_vertical)
 {
-    double lateral;
-    double vertical;
-    double size;
-    double off_lateral;
-    double off_vertical;
-    lateral = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL));
-    vertical = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL));
+    double lateral, vertical, size, off_lateral, off_vertical;
+    lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL);
+    vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL);
     size = lateral * lateral + vertical * vertical;
     if (size > 0.0)
     {
-        off_lateral = ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - before_lateral - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) * lateral - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL)) * vertical) / size;
-        off_vertical = ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - before_vertical - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL)) * lateral - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) * vertical) / size;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) += off_lateral * lateral;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL)) += off_lateral * vertical;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL)) += off_vertical * lateral;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) += off_vertical * vertical;
+        off_lateral = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - before_lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * vertical) / size;
+        off_vertical = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - before_vertical - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) * lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) * vertical) / size;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) += off_lateral * lateral;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) += off_lateral * vertical;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) += off_vertical * lateral;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += off_vertical * vertical;
     }
-    return INT64_C(0);
-}
-
-/* The move that lets both residuals vanish; whether there is one. */
-static OUT_OF_LINE bool settling__find_settling(array_double_1d work, int64_t side)
-{
-    double least;
-    double determinant;
-    least = settling__SINGULAR_SPRINGS;
-    if ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) > 0.0)
-    {
-        least *= (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS));
-    }
-    if ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) > 0.0)
-    {
-        least *= (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS));
-    }
-    determinant = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) * (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL)) * (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL));
-    if (!(determinant > least))
-    {
-        settling__begin_slopes(work, side);
-        determinant = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) * (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL)) * (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL));
-        if (!(determinant > least))
-        {
-            return 0;
-        }
-    }
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) = ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) * (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL)) - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) * (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL))) / determinant;
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) = ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) * (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL)) - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) * (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL))) / determinant;
-    return 1;
+    return 0;
 }
 
 
@@ -2955,163 +3525,585 @@ static OUT_OF_LINE bool settling_brackets__stand_on(array_double_1d tables, arra
 {
     int64_t side;
     bool known;
-    bool result;
     springs__deflect(work, index, lateral, vertical);
-    roll__place_both(work, tables, layout__WORK_INPUTS, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
+    roll__place_both(work, tables, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side);
-    result = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side, known);
-    return result;
+    return smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side, known);
 }
 
 /* The side with its rail deflected: its load, and the residuals; the outcome. */
 static OUT_OF_LINE int64_t settling_brackets__press_rail(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical)
 {
-    int64_t result;
     if (!settling_brackets__stand_on(tables, work, index, lateral, vertical))
     {
         return layout__OFF_PROFILE;
     }
-    if (at_height__is_damped(tables) || requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         rubbing__open_given_motion(tables, work);
     }
-    result = springs__weigh_rail(tables, work, index, height);
-    return result;
+    return springs__weigh_rail(tables, work, index, height);
+}
+
+/* Whether a bracket is so narrow that its values can only differ by a jump. */
+static OUT_OF_LINE bool settling_brackets__encloses_jump(array_double_1d work, int64_t bracket)
+{
+    double width;
+    width = AT(work, bracket + layout__BRACKET_HIGH) - AT(work, bracket + layout__BRACKET_LOW);
+    return width < settling_brackets__JUMP_WIDTH && AT(work, bracket + layout__BRACKET_AT_LOW) - AT(work, bracket + layout__BRACKET_AT_HIGH) > settling_brackets__STEEPEST_FORCE * width;
 }
 
 /* The end of a bracket with the smaller value. */
 static OUT_OF_LINE double settling_brackets__nearer_end(array_double_1d work, int64_t bracket)
 {
     double end;
-    end = (*cspan_at(&work, bracket + layout__BRACKET_LOW));
-    if (-(*cspan_at(&work, bracket + layout__BRACKET_AT_HIGH)) < (*cspan_at(&work, bracket + layout__BRACKET_AT_LOW)))
+    end = AT(work, bracket + layout__BRACKET_LOW);
+    if (-AT(work, bracket + layout__BRACKET_AT_HIGH) < AT(work, bracket + layout__BRACKET_AT_LOW))
     {
-        end = (*cspan_at(&work, bracket + layout__BRACKET_HIGH));
+        end = AT(work, bracket + layout__BRACKET_HIGH);
     }
     return end;
 }
 
-/* Let the rail of a side with this ``lateral`` deflection [m] settle vertically; the outcome. */
-static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral)
+/* 1 where a bracket is to be halved: every other time ``i``, and where the values at its ends differ by
+ * as much as ``before``, as across a jump; else 0.
+ */
+static OUT_OF_LINE int64_t settling_brackets__half_way(int64_t i, double fall, double before)
 {
-    int64_t side;
-    double rest;
-    double approach;
-    int64_t status;
-    int64_t i;
-    double vertical;
-    int64_t result;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    rest = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST));
-    if (!((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) > 0.0))
+    int64_t halved;
+    halved = modulo(i, 2);
+    if (before > 0.0 && fall > settling_brackets__LEAST_FALL * before)
     {
-        result = settling_brackets__press_rail(tables, work, index, height, lateral, rest);
-        return result;
+        halved = 1;
+    }
+    return halved;
+}
+
+/* Let the rail of a side with this ``lateral`` deflection [m] settle vertically, within ``reach`` [m] of
+ * ``near`` if it does; the outcome.
+ */
+static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double near, double reach)
+{
+    int64_t side, status, i;
+    double rest, approach, fall, before, vertical;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    rest = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST);
+    if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0))
+    {
+        return settling_brackets__press_rail(tables, work, index, height, lateral, rest);
     }
     if (!settling_brackets__stand_on(tables, work, index, lateral, rest))
     {
         return layout__OFF_PROFILE;
     }
-    approach = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
+    approach = height - AT(work, side + layout__SIDE_SEARCH_BEST);
     if (!(approach > at_height__GRAZING))
     {
-        result = settling_brackets__press_rail(tables, work, index, height, lateral, rest);
-        return result;
+        return settling_brackets__press_rail(tables, work, index, height, lateral, rest);
     }
-    (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) = rest + approach;
-    (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH)) = (-(*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS))) * approach;
-    (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)) = double_max(2, rest, (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) - settling_brackets__NOT_DEEPEST * trial__DEEPEST);
-    status = settling_brackets__press_rail(tables, work, index, height, lateral, (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)));
-    if (status > layout__UNLOADED)
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) = rest + approach;
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) * approach;
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) = double_max(rest, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - settling_brackets__NOT_DEEPEST * trial__DEEPEST);
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = 0.0;
+    if (reach < trial__DEEPEST)
     {
-        return status;
+        status = settling_brackets__narrow_beside(tables, work, index, height, lateral, near + reach);
+        if (status <= layout__UNLOADED)
+        {
+            status = settling_brackets__narrow_beside(tables, work, index, height, lateral, near - reach);
+        }
+        if (status > layout__UNLOADED)
+        {
+            return status;
+        }
     }
-    (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW)) = -(*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
-    if (!((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW)) > 0.0))
+    if (!(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) > 0.0))
     {
-        return layout__OFF_PROFILE;
+        status = settling_brackets__press_rail(tables, work, index, height, lateral, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW));
+        if (status > layout__UNLOADED)
+        {
+            return status;
+        }
+        AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+        if (!(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) > 0.0))
+        {
+            return layout__OFF_PROFILE;
+        }
     }
-    for (i = INT64_C(0); i < brackets__BRACKETINGS; i += INT64_C(1))
+    fall = 0.0;
+    for (i = 0; i < brackets__BRACKETINGS; i += 1)
     {
-        vertical = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, i);
+        before = fall;
+        fall = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH);
+        /* a chord is no good across a jump */
+        vertical = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, settling_brackets__half_way(i, fall, before));
         status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical);
         if (status > layout__UNLOADED)
         {
             return status;
         }
-        if (fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) <= settling_brackets__BALANCED * fabs((*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(2)))))
+        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) <= settling_brackets__BALANCED * fabs(AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2)))
         {
             return status;
         }
-        brackets__narrow_bracket(work, layout__WORK_HEIGHT_BRACKET, vertical, -(*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)));
-        if ((*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW)) < brackets__BRACKET_SHARP)
+        brackets__narrow_bracket(work, layout__WORK_HEIGHT_BRACKET, vertical, -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
+        if (AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP || settling_brackets__encloses_jump(work, layout__WORK_HEIGHT_BRACKET))
         {
             break;
         }
     }
-    result = settling_brackets__press_rail(tables, work, index, height, lateral, settling_brackets__nearer_end(work, layout__WORK_HEIGHT_BRACKET));
-    return result;
+    return settling_brackets__press_rail(tables, work, index, height, lateral, settling_brackets__nearer_end(work, layout__WORK_HEIGHT_BRACKET));
+}
+
+/* Let a vertical deflection be an end of the bracket if it lies within; the outcome. */
+static OUT_OF_LINE int64_t settling_brackets__narrow_beside(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical)
+{
+    int64_t status;
+    status = layout__UNLOADED;
+    if (vertical > AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) && vertical < AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH))
+    {
+        status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical);
+        if (status <= layout__UNLOADED)
+        {
+            brackets__narrow_bracket(work, layout__WORK_HEIGHT_BRACKET, vertical, -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
+        }
+    }
+    return status;
 }
 
 /* Let the rail of a side settle; the outcome. */
 static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    double lateral;
-    int64_t status;
-    double reach;
-    int64_t i;
-    int64_t result;
-    lateral = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST));
-    status = settling_brackets__bracket_vertical(tables, work, index, height, lateral);
-    if ((status > layout__UNLOADED) || (!((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) > 0.0)) || ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) == 0.0))
+    int64_t deflection, status, i;
+    double lateral, reach, fall, before, near;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST);
+    status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, 0.0, trial__DEEPEST);
+    if (status > layout__UNLOADED || !(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0) || AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) == 0.0)
     {
         return status;
     }
-    (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) = lateral;
-    (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) = lateral;
-    (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) = -(*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
-    (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) = -(*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
+    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = lateral;
+    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = lateral;
+    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
     reach = settling_brackets__NEAR_END;
-    if ((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) > 0.0)
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) > 0.0)
     {
         reach = -settling_brackets__NEAR_END;
     }
-    for (i = INT64_C(0); i < settling_brackets__DOUBLINGS; i += INT64_C(1))
+    for (i = 0; i < settling_brackets__DOUBLINGS; i += 1)
     {
-        lateral = (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) + reach;
-        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral);
+        lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) + reach;
+        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, 0.0, trial__DEEPEST);
         if (status > layout__UNLOADED)
         {
             return status;
         }
-        brackets__narrow_bracket(work, layout__WORK_ROLL_BRACKET, lateral, -(*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)));
-        if (((*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) > 0.0) && ((*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) <= 0.0))
+        brackets__narrow_bracket(work, layout__WORK_ROLL_BRACKET, lateral, -AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
+        if (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) > 0.0 && AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) <= 0.0)
         {
             break;
         }
         reach *= 2.0;
     }
-    if (!(((*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) > 0.0) && ((*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH)) <= 0.0)))
+    if (!(AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) > 0.0 && AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) <= 0.0))
     {
         return layout__NOT_CONVERGED;
     }
-    for (i = INT64_C(0); i < brackets__BRACKETINGS; i += INT64_C(1))
+    fall = 0.0;
+    for (i = 0; i < brackets__BRACKETINGS; i += 1)
     {
-        lateral = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, i);
-        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral);
-        if ((status > layout__UNLOADED) || springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, settling_brackets__BALANCED))
+        before = fall;
+        fall = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+        lateral = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, settling_brackets__half_way(i, fall, before));
+        near = AT(work, deflection + layout__DEFLECTION_VERTICAL);
+        reach = settling_brackets__STEEPEST_WAY * fabs(lateral - AT(work, deflection + layout__DEFLECTION_LATERAL)) + settling_brackets__JUMP_WIDTH;
+        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, near, reach);
+        if (status > layout__UNLOADED || springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, settling_brackets__BALANCED))
         {
             return status;
         }
-        brackets__narrow_bracket(work, layout__WORK_ROLL_BRACKET, lateral, -(*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)));
-        if ((*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) - (*cspan_at(&work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) < brackets__BRACKET_SHARP)
+        brackets__narrow_bracket(work, layout__WORK_ROLL_BRACKET, lateral, -AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
+        if (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP || settling_brackets__encloses_jump(work, layout__WORK_ROLL_BRACKET))
         {
             break;
         }
     }
-    result = settling_brackets__bracket_vertical(tables, work, index, height, settling_brackets__nearer_end(work, layout__WORK_ROLL_BRACKET));
-    return result;
+    return settling_brackets__bracket_vertical(tables, work, index, height, settling_brackets__nearer_end(work, layout__WORK_ROLL_BRACKET), 0.0, trial__DEEPEST);
+}
+
+
+/* ---- From wheelset/settling_enclosing.py; change that one.
+ *
+ * Rails that settle on their springs where Broyden's method finds nothing: between two deflections from which
+ * Newton's moves lead towards each other.
+ *
+ * What springs carry more than the wheel presses rises with the deflection, but it may jump where a region comes
+ * or goes. Then no deflection is in balance. Between both sides of a jump a share of each force balances the
+ * springs but for a rest; the next place is half way between them, moved by what lets this rest vanish. It
+ * becomes the one of both to whose residual its own is nearer. Where residuals are smooth, the share itself is
+ * the place.
+ */
+
+/* Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where nothing is
+ * found.
+ */
+static OUT_OF_LINE int64_t settling_enclosing__enclose_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t deflection, status, places, trial;
+    double before, size;
+    bool reduced;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    status = settling_brackets__press_rail(tables, work, index, height, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL));
+    if (status > layout__UNLOADED)
+    {
+        status = settling_enclosing__let_down(tables, work, index, height);
+    }
+    if (status > layout__UNLOADED)
+    {
+        return layout__NOT_CONVERGED;
+    }
+    places = 0;
+    before = 0.0;
+    for (trial = 0; trial < settling_enclosing__ENCLOSINGS; trial += 1)
+    {
+        settling_slopes__begin_slopes(tables, work, index, height);
+        if (!settling_slopes__find_settling(tables, work, index, height))
+        {
+            return layout__NOT_CONVERGED;
+        }
+        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) < settling_enclosing__SETTLED && fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) < settling_enclosing__SETTLED)
+        {
+            if (springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
+            {
+                return status;
+            }
+        }
+        settling_enclosing__shorten_settling(work);
+        places = settling_enclosing__note_settling(work, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL), places);
+        size = settling_enclosing__residual_size(work);
+        reduced = size < settling_enclosing__REDUCED * before;
+        before = size;
+        if (places == 2)
+        {
+            if (!settling_enclosing__move_between(tables, work, index, height, reduced))
+            {
+                return layout__NOT_CONVERGED;
+            }
+            if (settling_enclosing__is_at_jump(work, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL)))
+            {
+                return settling_enclosing__stand_nearer(tables, work, index, height);
+            }
+        }
+        status = settling_enclosing__move_rail(tables, work, index, height);
+        if (status > layout__UNLOADED)
+        {
+            return layout__NOT_CONVERGED;
+        }
+    }
+    return layout__NOT_CONVERGED;
+}
+
+/* Let the move be no longer than is permitted, in its direction. */
+static OUT_OF_LINE int64_t settling_enclosing__shorten_settling(array_double_1d work)
+{
+    double longest;
+    longest = double_max(fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)), fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)));
+    if (longest > settling_enclosing__LONGEST_SETTLING)
+    {
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) *= settling_enclosing__LONGEST_SETTLING / longest;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) *= settling_enclosing__LONGEST_SETTLING / longest;
+    }
+    return 0;
+}
+
+/* Let the rail down until the wheel just touches it; the outcome. */
+static OUT_OF_LINE int64_t settling_enclosing__let_down(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    double vertical;
+    vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST);
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0 && settling_brackets__stand_on(tables, work, index, AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), vertical))
+    {
+        vertical += double_max(height - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST), 0.0);
+    }
+    return settling_brackets__press_rail(tables, work, index, height, AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), vertical);
+}
+
+/* A residual as a deflection of its spring [m]. */
+static OUT_OF_LINE double settling_enclosing__scaled(double stiffness, double residual)
+{
+    if (stiffness > 0.0)
+    {
+        residual = residual / stiffness;
+    }
+    return residual;
+}
+
+/* The last residuals as deflections of their springs [m]. */
+static OUT_OF_LINE double settling_enclosing__residual_size(array_double_1d work)
+{
+    return fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) + fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)));
+}
+
+/* Keep the deflection of the last trial and its residuals. */
+static OUT_OF_LINE int64_t settling_enclosing__keep_settled(array_double_1d work, int64_t place, double lateral, double vertical)
+{
+    AT(work, place + layout__SETTLED_LATERAL) = lateral;
+    AT(work, place + layout__SETTLED_VERTICAL) = vertical;
+    AT(work, place + layout__SETTLED_RESIDUAL_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+    AT(work, place + layout__SETTLED_RESIDUAL_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+    return 0;
+}
+
+/* How far the last residuals are from those of a place, as deflections [m]. */
+static OUT_OF_LINE double settling_enclosing__distance_to(array_double_1d work, int64_t place)
+{
+    return fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - AT(work, place + layout__SETTLED_RESIDUAL_LATERAL))) + fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - AT(work, place + layout__SETTLED_RESIDUAL_VERTICAL)));
+}
+
+/* Let the deflection of the last trial be one of the two; how many of them are known. */
+static OUT_OF_LINE int64_t settling_enclosing__note_settling(array_double_1d work, double lateral, double vertical, int64_t places)
+{
+    double way_lateral, way_vertical, there, back;
+    if (places == 2)
+    {
+        if (settling_enclosing__distance_to(work, layout__WORK_SETTLING + layout__SETTLING_ONE) < settling_enclosing__distance_to(work, layout__WORK_SETTLING + layout__SETTLING_OTHER))
+        {
+            settling_enclosing__keep_settled(work, layout__WORK_SETTLING + layout__SETTLING_ONE, lateral, vertical);
+        }
+        else
+        {
+            settling_enclosing__keep_settled(work, layout__WORK_SETTLING + layout__SETTLING_OTHER, lateral, vertical);
+        }
+        return 2;
+    }
+    if (places == 1)
+    {
+        way_lateral = lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL);
+        way_vertical = vertical - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL);
+        there = AT(work, layout__WORK_SETTLING + layout__SETTLING_AWAY_LATERAL) * way_lateral + AT(work, layout__WORK_SETTLING + layout__SETTLING_AWAY_VERTICAL) * way_vertical;
+        back = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) * way_lateral + AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) * way_vertical;
+        if (there > 0.0 && back < 0.0)
+        {
+            settling_enclosing__keep_settled(work, layout__WORK_SETTLING + layout__SETTLING_OTHER, lateral, vertical);
+            return 2;
+        }
+    }
+    settling_enclosing__keep_settled(work, layout__WORK_SETTLING + layout__SETTLING_ONE, lateral, vertical);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_AWAY_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_AWAY_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL);
+    return 1;
+}
+
+/* The move from the last trial to the next place between both, which is that of the share of their forces
+ * if the last trial has ``reduced`` the residuals, else half way; whether there is one.
+ */
+static OUT_OF_LINE bool settling_enclosing__move_between(array_double_1d tables, array_double_1d work, int64_t index, double height, bool reduced)
+{
+    int64_t deflection;
+    double lateral, vertical, across, down, size, share;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    lateral = settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL));
+    vertical = settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL));
+    across = settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_LATERAL)) - lateral;
+    down = settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_VERTICAL)) - vertical;
+    size = across * across + down * down;
+    share = 0.5;
+    if (size > 0.0)
+    {
+        share = double_min(double_max(-(lateral * across + vertical * down) / size, 0.0), 1.0);
+    }
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL) + share * (AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL));
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL) + share * (AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL));
+    if (!settling_slopes__find_settling(tables, work, index, height))
+    {
+        return false;
+    }
+    if (!reduced)
+    {
+        share = 0.5;
+    }
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) += AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL) + share * (AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL)) - AT(work, deflection + layout__DEFLECTION_LATERAL);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) += AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL) + share * (AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL)) - AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    settling_enclosing__shorten_settling(work);
+    return true;
+}
+
+/* Whether both places, and the next one, are the same but for a jump. */
+static OUT_OF_LINE bool settling_enclosing__is_at_jump(array_double_1d work, double lateral, double vertical)
+{
+    double apart, move, jump;
+    apart = fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL));
+    move = fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL));
+    jump = fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL))) + fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL)));
+    return apart < settling_enclosing__JUMP_SHARP && move < settling_enclosing__JUMP_SHARP && jump > settling_enclosing__STEEPEST * apart;
+}
+
+/* Stand on the side of a jump on which the wheel's force is nearer to that of the springs; the
+ * outcome.
+ */
+static OUT_OF_LINE int64_t settling_enclosing__stand_nearer(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t i_1;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) = 0.0;
+    if (settling_enclosing__distance_to(work, layout__WORK_SETTLING + layout__SETTLING_OTHER) < settling_enclosing__distance_to(work, layout__WORK_SETTLING + layout__SETTLING_ONE))
+    {
+        for (i_1 = 0; i_1 < layout__SETTLED_SIZE; i_1 += 1)
+        {
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + i_1) = AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + i_1);
+        }
+    }
+    return settling_brackets__press_rail(tables, work, index, height, AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL), AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL));
+}
+
+/* Move the rail, less far where its wheel would stand too deep; the outcome. */
+static OUT_OF_LINE int64_t settling_enclosing__move_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t deflection, status, i;
+    double lateral, vertical, share;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    lateral = AT(work, deflection + layout__DEFLECTION_LATERAL);
+    vertical = AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    status = layout__NOT_CONVERGED;
+    share = 1.0;
+    for (i = 0; i < settling_enclosing__RETREATS; i += 1)
+    {
+        status = settling_brackets__press_rail(tables, work, index, height, lateral + share * AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL), vertical + share * AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL));
+        if (status <= layout__UNLOADED)
+        {
+            return status;
+        }
+        share *= 0.5;
+    }
+    return status;
+}
+
+
+/* ---- From wheelset/settling_slopes.py; change that one.
+ *
+ * How what the springs of a rail carry more than its wheel presses follows both deflections of the rail.
+ */
+
+/* The residuals' derivatives from the springs, and from patches whose forces grow as Hertz's along their
+ * normals, friction in proportion; over a step in time also from how forces follow the rates of the rail.
+ */
+static OUT_OF_LINE int64_t settling_slopes__begin_slopes(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t side, number, patch, force, number_end;
+    double stiffness;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_PENETRATION) > 0.0)
+        {
+            stiffness = settling_slopes__GROWTH / (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_PENETRATION));
+            force = patch + layout__PATCH_FORCES + layout__FORCES_FORCE;
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Y);
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Z);
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Y);
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Z);
+        }
+    }
+    if (AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP) > 0.0 && (at_height__is_damped(tables) || requested__has_creep_forces(tables, work)))
+    {
+        settling_slopes__add_rates(tables, work, index, height);
+    }
+    if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0))
+    {
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = 1.0;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) = 0.0;
+    }
+    if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0))
+    {
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) = 0.0;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) = 1.0;
+    }
+    return 0;
+}
+
+/* Add how the forces follow the rates of the rail, over the step in time in which these follow its
+ * deflections: by differences.
+ */
+static OUT_OF_LINE int64_t settling_slopes__add_rates(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t side, deflection;
+    double lateral, vertical, step, over;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    deflection = side + layout__SIDE_SEARCH_DEFLECTION;
+    lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+    vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+    step = settling_slopes__LEAST_RATE;
+    if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
+    {
+        step = double_max(step, settling_slopes__RATE_SHARE * AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SPEED));
+    }
+    over = 1.0 / (step * AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0)
+    {
+        AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) += step;
+        if (settling_slopes__weigh_anew(tables, work, index, height))
+        {
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) += (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - lateral) * over;
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) += (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - vertical) * over;
+        }
+        AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) -= step;
+    }
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0)
+    {
+        AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) += step;
+        if (settling_slopes__weigh_anew(tables, work, index, height))
+        {
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) += (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - lateral) * over;
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - vertical) * over;
+        }
+        AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) -= step;
+    }
+    settling_slopes__weigh_anew(tables, work, index, height);
+    return 0;
+}
+
+/* The residuals with other rates of the rail; whether they are known. */
+static OUT_OF_LINE bool settling_slopes__weigh_anew(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    rubbing__open_given_motion(tables, work);
+    return springs__weigh_rail(tables, work, index, height) <= layout__UNLOADED;
+}
+
+/* The move that lets both residuals vanish; whether there is one. */
+static OUT_OF_LINE bool settling_slopes__find_settling(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    double least, determinant;
+    least = settling_slopes__SINGULAR_SPRINGS;
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0)
+    {
+        least *= AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
+    }
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0)
+    {
+        least *= AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+    }
+    determinant = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL);
+    if (!(determinant > least))
+    {
+        settling_slopes__begin_slopes(tables, work, index, height);
+        determinant = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL);
+        if (!(determinant > least))
+        {
+            return false;
+        }
+    }
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) / determinant;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) / determinant;
+    return true;
 }
 
 
@@ -3136,67 +4128,59 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d table
 /* Friction power per width [W/m] of all strips of a wheel, and at the ``stations`` of its outline. */
 static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64_t side, int64_t stations)
 {
-    int64_t j;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
-    int64_t worn;
-    int64_t i;
-    double width;
-    double own;
-    for (j = INT64_C(2) * stations; j < INT64_C(3) * stations; j += INT64_C(1))
+    int64_t j, number, patch, worn, i, number_end;
+    double width, own;
+    for (j = 2 * stations; j < 3 * stations; j += 1)
     {
-        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = 0.0;
+        AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = 0.0;
     }
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
         shared_power__share_among_strips(work, patch, worn);
-        for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+        for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
         {
-            shared_power__add_power(work, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK)))), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)));
+            shared_power__add_power(work, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)AT(work, patch + layout__PATCH_RANK)), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, AT(work, worn + layout__STRIP_OUTPUTS_POWER + i));
         }
     }
     width = shared_power__cell_width(work, side + layout__SIDE_SEARCH_OUTLINE, stations);
-    for (j = INT64_C(2) * stations; j < INT64_C(3) * stations; j += INT64_C(1))
+    for (j = 2 * stations; j < 3 * stations; j += 1)
     {
         own = width;
-        if ((j == INT64_C(2) * stations) || (j == INT64_C(3) * stations - INT64_C(1)))
+        if (j == 2 * stations || j == 3 * stations - 1)
         {
             own = 0.5 * width;
         }
         if (own > 0.0)
         {
-            (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) /= own;
+            AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) /= own;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Share the friction power of a patch among its strips. */
 static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work, int64_t patch, int64_t worn)
 {
-    double power;
-    double total;
+    double power, total, scale;
     int64_t i;
-    double scale;
-    power = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    power = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER);
     total = 0.0;
     if (power != 0.0)
     {
-        for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+        for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
         {
-            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = rubbing__strip_power(work, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
-            total += (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = rubbing__strip_power(work, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
+            total += AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
         if (!(total > 0.0))
         {
-            for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+            for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
             {
-                (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
-                total += (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+                AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
+                total += AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
             }
         }
     }
@@ -3205,26 +4189,24 @@ static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work
     {
         scale = power / total;
     }
-    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         if (scale == 0.0)
         {
-            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = 0.0;
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = 0.0;
         }
         else
         {
-            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) *= scale;
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) *= scale;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Distance of neighbouring stations [m]. */
 static OUT_OF_LINE double shared_power__cell_width(array_double_1d work, int64_t outline, int64_t stations)
 {
-    double result;
-    result = ((*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations - INT64_C(1)))) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) / (double)(stations - INT64_C(1));
-    return result;
+    return (AT(work, outline + layout__OUTLINE_NUMBERS + (stations - 1)) - AT(work, outline + layout__OUTLINE_NUMBERS + 0)) / (double)(stations - 1);
 }
 
 /* Add the ``power`` per width [W/m] of a strip of the patch with the number ``owner`` to the stations
@@ -3232,50 +4214,42 @@ static OUT_OF_LINE double shared_power__cell_width(array_double_1d work, int64_t
  */
 static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t wear, int64_t outline, int64_t stations, double owner, int64_t strip, double power)
 {
-    double width;
-    double last;
-    double start;
-    double stop;
-    double density;
-    double at;
+    double width, last, start, stop, density, at, after, share, part;
     int64_t cell;
-    double after;
-    double share;
-    double part;
     width = shared_power__cell_width(work, outline, stations);
-    last = (double)(stations - INT64_C(1));
-    if ((width > 0.0) && ((*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) > 0.0))
+    last = (double)(stations - 1);
+    if (width > 0.0 && AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
     {
         /* counted in stations */
-        start = double_min(2, double_max(2, ((*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) / width, 0.0), last);
-        stop = double_min(2, double_max(2, ((*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) / width, 0.0), last);
+        start = double_min(double_max((AT(work, strip + layout__ROLLING_STRIP_START) - AT(work, outline + layout__OUTLINE_NUMBERS + 0)) / width, 0.0), last);
+        stop = double_min(double_max((AT(work, strip + layout__ROLLING_STRIP_STOP) - AT(work, outline + layout__OUTLINE_NUMBERS + 0)) / width, 0.0), last);
         if (stop > start)
         {
-            density = power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) / (stop - start);
+            density = power * AT(work, strip + layout__ROLLING_STRIP_WIDTH) / (stop - start);
             at = start;
-            while(at < stop)
+            while (at < stop)
             {
-                cell = int64_t_min(2, (int64_t)(at), stations - INT64_C(2));
+                cell = int64_min((int64_t)at, stations - 2);
                 after = stop;
-                if (cell < stations - INT64_C(2))
+                if (cell < stations - 2)
                 {
-                    after = double_min(2, (double)(cell + INT64_C(1)), stop);
+                    after = double_min((double)(cell + 1), stop);
                 }
-                share = shared_power__own_share(work, wear, stations, cell, owner, 0.5 * (at + after) - (double)(cell));
+                share = shared_power__own_share(work, wear, stations, cell, owner, 0.5 * (at + after) - (double)cell);
                 part = density * (after - at);
-                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) += (1.0 - share) * part;
-                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) += share * part;
+                AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) += (1.0 - share) * part;
+                AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) += share * part;
                 at = after;
             }
         }
         else
         {
             /* beside the outline but for rounding */
-            cell = int64_t_min(2, (int64_t)(start + 0.5), stations - INT64_C(1));
-            (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) += power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            cell = int64_min((int64_t)(start + 0.5), stations - 1);
+            AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) += power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The share of a power in a cell that goes to its second station, where ``share`` is how far it lies from
@@ -3283,17 +4257,15 @@ static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t
  */
 static OUT_OF_LINE double shared_power__own_share(array_double_1d work, int64_t wear, int64_t stations, int64_t cell, double owner, double share)
 {
-    double first;
-    double second;
-    double found;
-    first = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell)));
-    second = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell + INT64_C(1))));
+    double first, second, found;
+    first = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell));
+    second = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1));
     found = share;
-    if ((first == owner) && (second != owner))
+    if (first == owner && second != owner)
     {
         found = 0.0;
     }
-    else if ((second == owner) && (first != owner))
+    else if (second == owner && first != owner)
     {
         found = 1.0;
     }
@@ -3316,71 +4288,56 @@ static OUT_OF_LINE double shared_power__own_share(array_double_1d work, int64_t 
  */
 static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, int64_t index, double y, double aside, double shift)
 {
-    int64_t pair;
-    int64_t place;
-    int64_t point;
-    double z;
-    double slope;
-    double y_track;
-    double rail_slope;
-    double mismatch;
-    double sin_phi;
-    double cos_phi;
-    double r;
-    double lateral;
-    double x_track;
-    double pitch_sin;
-    double pitch_cos;
-    double ahead;
-    double z_track;
+    int64_t pair, place, point;
+    double z, slope, y_track, rail_slope, mismatch, sin_phi, cos_phi, r, lateral, x_track, pitch_sin, pitch_cos, ahead, z_track;
     bool touches;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
     frame__open_frame(&z, &slope, &y_track, &rail_slope, &mismatch, tables, work, pair, place, y, aside, shift);
     locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-    r = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + z;
-    lateral = ((*cspan_at(&work, place + layout__PLACE_ARM)) + y) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - r * cos_phi * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    x_track = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    r = AT(tables, pair + layout__PAIR_RADIUS) + z;
+    lateral = (AT(work, place + layout__PLACE_ARM) + y) * AT(work, place + layout__PLACE_COS_ROLL) - r * cos_phi * AT(work, place + layout__PLACE_SIN_ROLL);
+    x_track = AT(work, place + layout__PLACE_COS_YAW) * r * sin_phi - AT(work, place + layout__PLACE_SIN_YAW) * lateral;
+    if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
         rails__pitch_of_frame(&pitch_sin, &pitch_cos, work, place);
         ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
         cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
         sin_phi = ahead;
     }
-    (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL)) = r * sin_phi;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    rails__on_track(&y_track, &z_track, work, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), y_track, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -circle__atan(rail_slope);
-    if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
+    AT(work, point + layout__CONTACT_POINT_X_WHEEL) = r * sin_phi;
+    AT(work, point + layout__CONTACT_POINT_Y_WHEEL) = y;
+    AT(work, point + layout__CONTACT_POINT_Z_WHEEL) = r * cos_phi - AT(tables, pair + layout__PAIR_RADIUS);
+    AT(work, point + layout__CONTACT_POINT_Y_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
+    AT(work, point + layout__CONTACT_POINT_Z_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z);
+    rails__on_track(&y_track, &z_track, work, place, AT(tables, pair + layout__PAIR_RAIL_Y), y_track, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    AT(work, point + layout__CONTACT_POINT_X_TRACK) = x_track;
+    AT(work, point + layout__CONTACT_POINT_Y_TRACK) = y_track;
+    AT(work, point + layout__CONTACT_POINT_Z_TRACK) = z_track;
+    AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE) = -circle__atan(rail_slope);
+    if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-circle__atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
+        AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE) = -circle__atan(rail_slope) - AT(work, place + layout__PLACE_RAIL_ROLL);
     }
-    (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
+    AT(work, point + layout__CONTACT_POINT_ROLLING_RADIUS) = r;
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
+    AT(work, point + layout__CONTACT_POINT_CURVATURE_X) = AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE);
+    AT(work, point + layout__CONTACT_POINT_CURVATURE_Y) = AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND);
+    if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
-        (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * curvature__relative_curvature(tables, pair, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+        AT(work, point + layout__CONTACT_POINT_CURVATURE_Y) = 2.0 * curvature__relative_curvature(tables, pair, y, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     }
-    touches = 1;
+    touches = true;
     if (fabs(mismatch) >= side__PARALLEL)
     {
-        if ((fabs(mismatch) > side__CORNER) || side__is_end(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y))
+        if (fabs(mismatch) > side__CORNER || side__is_end(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y))
         {
-            touches = 0;
+            touches = false;
         }
-        if (side__is_end(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))))
+        if (side__is_end(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)))
         {
-            touches = 0;
+            touches = false;
         }
     }
     return touches;
@@ -3389,68 +4346,65 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
 /* Whether ``y`` [m] is at an end of the profile. */
 static inline bool side__is_end(array_double_1d tables, int64_t profile, double y)
 {
-    bool result;
-    result = (y < (*cspan_at(&tables, profile + layout__PROFILE_START)) + side__AT_END) || (y > (*cspan_at(&tables, profile + layout__PROFILE_STOP)) - side__AT_END);
-    return result;
+    return y < AT(tables, profile + layout__PROFILE_START) + side__AT_END || y > AT(tables, profile + layout__PROFILE_STOP) - side__AT_END;
 }
 
 /* A side without load. */
 static inline int64_t side__clear_side(array_double_1d work, int64_t side)
 {
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = 0.0;
+    AT(work, side + layout__SIDE_SEARCH_PENETRATION) = 0.0;
     filling__clear_patches(work, side);
-    return INT64_C(0);
+    return 0;
 }
 
 /* Normal contact of the side whose frame is open, and its patches if they are filled in; number of its
  * regions and outcome.
  */
-static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed)
+static inline void side__load_side(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed)
 {
-    int64_t pair;
-    int64_t side;
+    int64_t pair, side, count, number, number_end;
     double penetration;
     bool satisfied;
-    int64_t number_end;
-    int64_t number;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    normal_contact__solve_normal(&penetration, count, &satisfied, tables, work, pair, side, force, prescribed);
-    (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = penetration;
-    if ((!satisfied) && ((*count) == INT64_C(0)))
+    normal_contact__solve_normal(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
+    AT(work, side + layout__SIDE_SEARCH_PENETRATION) = penetration;
+    if (!satisfied && count == 0)
     {
         /* it overlaps most at the end of a profile */
-        (*result_1) = layout__OFF_PROFILE;
-        return 0;
+        *count_out = count;
+        *VALID_out = layout__OFF_PROFILE;
+        return;
     }
     if (!satisfied)
     {
-        (*result_1) = layout__NOT_CONVERGED;
-        return 0;
+        *count_out = count;
+        *VALID_out = layout__NOT_CONVERGED;
+        return;
     }
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
     {
         patch_places__place_patches(tables, work, pair, side);
-        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) || requested__has_wear(tables))
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE || requested__has_wear(tables))
         {
-            number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-            for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+            number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+            for (number = 0; number < number_end; number += 1)
             {
                 cut__cut_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
                 patch_places__place_strips(tables, work, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
             }
         }
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
+        if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
         {
-            outline__write_outline(work, side + layout__SIDE_SEARCH_OUTLINE, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), side, (*count));
-            if (requested__has_wear(tables) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
+            outline__write_outline(work, side + layout__SIDE_SEARCH_OUTLINE, (int64_t)AT(tables, layout__TABLES_STATIONS), side, count);
+            if (requested__has_wear(tables) && (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
             {
                 wear_places__place_wear(tables, work, pair, side);
             }
         }
     }
-    (*result_1) = layout__VALID;
-    return 0;
+    *count_out = count;
+    *VALID_out = layout__VALID;
 }
 
 /* Describe the side whose wheel just touches, with the vertical shift of its smallest
@@ -3458,12 +4412,11 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
  */
 static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, int64_t index)
 {
-    int64_t side;
-    int64_t status;
+    int64_t side, status;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     side__clear_side(work, side);
     status = layout__UNLOADED;
-    if (!side__describe_contact(tables, work, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST))))
+    if (!side__describe_contact(tables, work, index, AT(work, side + layout__SIDE_SEARCH_BEST_Y), 0.0, AT(work, side + layout__SIDE_SEARCH_BEST)))
     {
         status = layout__OFF_PROFILE;
     }
@@ -3473,14 +4426,12 @@ static inline int64_t side__touch_side(array_double_1d tables, array_double_1d w
 /* Contact and patches of one side of a rigid wheelset, as far as they are requested; its outcome. */
 static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
-    double penetration;
-    double pressed;
-    int64_t count;
-    int64_t status;
+    int64_t status, count;
+    double penetration, pressed;
     status = side__touch_side(tables, work, index);
     if (status == layout__UNLOADED)
     {
-        penetration = (*cspan_at(&tables, layout__TABLES_PENETRATION + index));
+        penetration = AT(tables, layout__TABLES_PENETRATION + index);
         pressed = force;
         if (isfinite(penetration))
         {
@@ -3489,7 +4440,7 @@ static inline int64_t side__solve_side(array_double_1d tables, array_double_1d w
         if (pressed > 0.0)
         {
             status = layout__VALID;
-            if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) != layout__DEPTH_GEOMETRY)
+            if ((int64_t)AT(tables, layout__TABLES_DEPTH) != layout__DEPTH_GEOMETRY)
             {
                 side__load_side(&count, &status, tables, work, index, force, penetration);
             }
@@ -3503,25 +4454,21 @@ static inline int64_t side__solve_side(array_double_1d tables, array_double_1d w
  */
 static inline int64_t side__press_side(array_double_1d tables, array_double_1d work, int64_t index, double approach)
 {
-    int64_t pair;
-    int64_t side;
-    double height;
-    int64_t deepest;
-    double aside;
-    double shift;
+    int64_t pair, side, deepest;
+    double height, aside, shift;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
+    height = AT(work, side + layout__SIDE_SEARCH_BEST) + approach;
     side__clear_side(work, side);
-    if (side__find_points(work, tables, side, index, height) == INT64_C(0))
+    if (side__find_points(work, tables, side, index, height) == 0)
     {
         /* it overlaps most at the end of a profile */
         return layout__OFF_PROFILE;
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     pressed_regions__touching_shift(&aside, &shift, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
-    side__describe_contact(tables, work, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), aside, shift);
-    pressed_regions__press_frame(work, height, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), 0.0);
+    side__describe_contact(tables, work, index, AT(work, deepest + layout__DEEP_POINT_WHEEL), aside, shift);
+    pressed_regions__press_frame(work, height, AT(work, deepest + layout__DEEP_POINT_DEPTH), 0.0);
     return layout__VALID;
 }
 
@@ -3530,17 +4477,15 @@ static inline int64_t side__press_side(array_double_1d tables, array_double_1d w
  */
 static inline int64_t side__find_points(array_double_1d work, array_double_1d tables, int64_t side, int64_t index, double height)
 {
-    int64_t pair;
-    int64_t kept;
-    int64_t count;
+    int64_t pair, kept, count;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
-    count = INT64_C(0);
-    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) == 1.0) && ((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) > INT64_C(0)))
+    count = 0;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0 && (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) > 0)
     {
         count = deep_points__follow_overlaps(tables, work, pair, kept, side + layout__SIDE_SEARCH_PLACE, height);
     }
-    if (count == INT64_C(0))
+    if (count == 0)
     {
         count = overlaps__find_overlaps(tables, work, pair, side, height);
     }
@@ -3553,26 +4498,20 @@ static inline int64_t side__find_points(array_double_1d work, array_double_1d ta
  */
 static inline double side__side_lever(array_double_1d tables, array_double_1d work, int64_t index, int64_t count)
 {
-    int64_t pair;
-    int64_t at;
-    double total;
-    double weight;
-    int64_t region;
-    int64_t block;
-    double stiffness;
-    double lever;
+    int64_t pair, at, region, block;
+    double total, weight, stiffness, lever;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     total = 0.0;
     weight = 0.0;
-    for (region = INT64_C(0); region < count; region += INT64_C(1))
+    for (region = 0; region < count; region += 1)
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
-        stiffness = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE)) * (*cspan_at(&work, block + layout__REGION_COS));
+        stiffness = AT(work, block + layout__REGION_STIFFNESS) * AT(work, block + layout__REGION_SHARE) * AT(work, block + layout__REGION_COS);
         weight += stiffness;
-        total += stiffness * gap__gap_per_roll(tables, work, pair, at, (*cspan_at(&work, block + layout__REGION_WHEEL)));
+        total += stiffness * gap__gap_per_roll(tables, work, pair, at, AT(work, block + layout__REGION_WHEEL));
     }
-    lever = gap__gap_per_roll(tables, work, pair, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
+    lever = gap__gap_per_roll(tables, work, pair, at, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y));
     if (weight > 0.0)
     {
         lever = total / weight;
@@ -3613,40 +4552,37 @@ static inline double springs__damper_stiffness(double damping, double time_step)
 static inline int64_t springs__open_settling(array_double_1d tables, array_double_1d work, int64_t index)
 {
     int64_t spring;
-    double time_step;
-    double lateral;
-    double vertical;
-    double damper;
+    double time_step, lateral, vertical, damper;
     spring = layout__TABLES_SPRINGS + layout__SPRING_SIZE * index;
-    time_step = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
-    lateral = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE));
-    vertical = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE));
-    if (index == INT64_C(1))
+    time_step = AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP);
+    lateral = -AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE);
+    vertical = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE);
+    if (index == 1)
     {
-        lateral = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE));
-        vertical = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE));
+        lateral = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE);
+        vertical = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE);
     }
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = 0.0;
-    if ((*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) > 0.0)
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE) = 0.0;
+    if (AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) > 0.0)
     {
-        damper = springs__damper_stiffness((*cspan_at(&tables, spring + layout__SPRING_LATERAL_DAMPING)), time_step);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = (*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) + damper;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = damper * lateral / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS));
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = lateral;
+        damper = springs__damper_stiffness(AT(tables, spring + layout__SPRING_LATERAL_DAMPING), time_step);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) = AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) + damper;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) = damper * lateral / AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE) = lateral;
     }
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = 0.0;
-    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = 0.0;
-    if ((*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) > 0.0)
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE) = 0.0;
+    if (AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) > 0.0)
     {
-        damper = springs__damper_stiffness((*cspan_at(&tables, spring + layout__SPRING_VERTICAL_DAMPING)), time_step);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = (*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) + damper;
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = damper * vertical / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS));
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = vertical;
+        damper = springs__damper_stiffness(AT(tables, spring + layout__SPRING_VERTICAL_DAMPING), time_step);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) = AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) + damper;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) = damper * vertical / AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE) = vertical;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Let the rail of side ``index`` have this deflection [m], and the rates that it has come with. */
@@ -3655,25 +4591,25 @@ static inline int64_t springs__deflect(array_double_1d work, int64_t index, doub
     int64_t deflection;
     double time_step;
     deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
-    (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL)) = lateral;
-    (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL)) = vertical;
-    (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE)) = 0.0;
-    (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE)) = 0.0;
-    time_step = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    AT(work, deflection + layout__DEFLECTION_LATERAL) = lateral;
+    AT(work, deflection + layout__DEFLECTION_VERTICAL) = vertical;
+    AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) = 0.0;
+    AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) = 0.0;
+    time_step = AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP);
     if (time_step > 0.0)
     {
-        (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE)) = (lateral - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE))) / time_step;
-        (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE)) = (vertical - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE))) / time_step;
+        AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) = (lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) / time_step;
+        AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) = (vertical - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) / time_step;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Let the rail of side ``index`` stand where nothing presses it. */
 static inline int64_t springs__rest_rail(array_double_1d tables, array_double_1d work, int64_t index)
 {
     springs__open_settling(tables, work, index);
-    springs__deflect(work, index, (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)), (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)));
-    return INT64_C(0);
+    springs__deflect(work, index, AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST));
+    return 0;
 }
 
 /* What a spring of this ``stiffness`` carries more than ``force`` [N]; of a rigid support the
@@ -3693,15 +4629,14 @@ static inline double springs__spring_residual(double stiffness, double rest, dou
 /* What the springs of a placed side carry more than its wheel at ``height`` [m] presses; the outcome. */
 static inline int64_t springs__weigh_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    int64_t side;
+    int64_t status, side;
     bool rubbing;
-    int64_t status;
     status = at_height__load_at_height(tables, work, index, height);
     if (status <= layout__UNLOADED)
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+        if (requested__is_moving(work, tables, layout__WORK_INPUTS))
         {
             rubbing__move_side(work, tables, side);
         }
@@ -3710,8 +4645,8 @@ static inline int64_t springs__weigh_rail(array_double_1d tables, array_double_1
             rubbing__rub_side(tables, work, index);
         }
         forces__sum_side(work, side, rubbing);
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) = springs__spring_residual((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)), (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)), (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)), -(*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(1))));
-        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) = springs__spring_residual((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)), (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)), (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)), -(*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(2))));
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) = springs__spring_residual(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1));
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) = springs__spring_residual(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2));
     }
     return status;
 }
@@ -3721,11 +4656,9 @@ static inline bool springs__has_settled(array_double_1d work, int64_t side, doub
 {
     int64_t force;
     double limit;
-    bool result;
     force = side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE;
-    limit = share * (fabs((*cspan_at(&work, force + INT64_C(1)))) + fabs((*cspan_at(&work, force + INT64_C(2)))));
-    result = fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) + fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) <= limit;
-    return result;
+    limit = share * (fabs(AT(work, force + 1)) + fabs(AT(work, force + 2)));
+    return fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) <= limit;
 }
 
 
@@ -3735,7 +4668,8 @@ static inline bool springs__has_settled(array_double_1d work, int64_t side, doub
  *
  * The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
  * solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
- * their loads. If the wheelset rolls, creepages follow, and from them the creep forces; all forces are added up.
+ * their loads. If the wheelset rolls, creepages follow, and from them the creep forces, with the rotation that is
+ * given or that follows from the torque on the axle; all forces are added up.
  * Where the load is a vertical one, friction carries some of it, and the wheelset is solved again. The report
  * writes the outputs.
  */
@@ -3750,8 +4684,9 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
         return status;
     }
     vertical_load__release_friction(work);
+    free_rolling__release_rates(tables, work);
     status = step__solve_wheelset(tables, work, state);
-    if ((status <= layout__UNLOADED) && vertical_load__carries_friction(tables, work))
+    if (status <= layout__UNLOADED && vertical_load__carries_friction(tables, work))
     {
         status = step__solve_with_friction(tables, work, state, status);
     }
@@ -3767,12 +4702,11 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
  */
 static inline int64_t step__solve_with_friction(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t status)
 {
-    int64_t outcome;
-    int64_t i;
+    int64_t outcome, i;
     outcome = status;
-    for (i = INT64_C(0); i < vertical_load__LOAD_PASSES; i += INT64_C(1))
+    for (i = 0; i < vertical_load__LOAD_PASSES; i += 1)
     {
-        if ((outcome > layout__UNLOADED) || vertical_load__is_load_met(work))
+        if (outcome > layout__UNLOADED || vertical_load__is_load_met(work))
         {
             return outcome;
         }
@@ -3785,14 +4719,23 @@ static inline int64_t step__solve_with_friction(array_double_1d tables, array_do
 /* Contact of both wheels, their patches' creepages and creep forces, and all forces; the status. */
 static inline int64_t step__solve_wheelset(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
-    int64_t status;
+    int64_t status, outcome;
     status = step__stand(tables, work, state);
     if (status <= layout__UNLOADED)
     {
         rubbing__move_wheelset(tables, work);
         depth_rates__follow_depths(tables, work);
-        rubbing__move_patches(tables, work);
-        rubbing__rub_patches(tables, work);
+        outcome = layout__VALID;
+        if (free_rolling__turns_freely(tables, work))
+        {
+            outcome = free_rolling__roll_freely(tables, work);
+        }
+        else
+        {
+            rubbing__move_patches(tables, work);
+            rubbing__rub_patches(tables, work);
+        }
+        status = int64_max(status, outcome);
         forces__sum_forces(tables, work);
     }
     return status;
@@ -3803,20 +4746,19 @@ static inline int64_t step__stand(array_double_1d tables, array_double_1d work, 
 {
     double roll;
     int64_t status;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_COARSE)) = (double)(0);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT)
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)false;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_COMPLIANT)
     {
-        status = compliant__solve_compliant(tables, work);
-        return status;
+        return compliant__solve_compliant(tables, work);
     }
     rigid__find_roll(&roll, &status, tables, work, state);
     if (status != layout__VALID)
     {
         return status;
     }
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_RIGID)
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_RIGID)
     {
         status = rigid__solve_rigid(tables, work, roll);
     }
@@ -3824,7 +4766,7 @@ static inline int64_t step__stand(array_double_1d tables, array_double_1d work, 
     {
         rigid__keep_roll(work, state, roll);
     }
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC)
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_ELASTIC)
     {
         status = step__elastic_from_rigid(tables, work, roll);
     }
@@ -3836,65 +4778,58 @@ static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_dou
 {
     double roll;
     int64_t status;
-    int64_t result;
-    elastic__solve_elastic(&roll, &status, tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
-    if ((status <= layout__UNLOADED) && leaning__is_leaning(work))
+    elastic__solve_elastic(&roll, &status, tables, work, rigid_roll, requested__side_force(work, 0), requested__side_force(work, 1));
+    if (status <= layout__UNLOADED && leaning__is_leaning(work))
     {
         step__meet_leaning(&roll, &status, tables, work, rigid_roll);
     }
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = step__support_height(work);
-    result = requested__requested_outcome(tables, work, status);
-    return result;
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = step__support_height(work);
+    return requested__requested_outcome(tables, work, status);
 }
 
 /* The height of a wheelset in equilibrium [m]: both sides' mean, which differ by rounding. */
 static inline double step__support_height(array_double_1d work)
 {
-    double result;
-    result = 0.5 * ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) + (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)));
-    return result;
+    return 0.5 * (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
 }
 
 /* Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
  * shift; the equilibrium for the rigid height as reference is known.
  */
-static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double rigid_roll)
+static inline void step__meet_leaning(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double rigid_roll)
 {
-    double roll;
-    int64_t i;
-    double height;
-    int64_t status;
+    double roll, height;
+    int64_t i, status;
     roll = rigid_roll;
-    leaning__open_reference(work, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)), step__support_height(work));
-    for (i = INT64_C(0); i < leaning__MEETINGS; i += INT64_C(1))
+    leaning__open_reference(work, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE), step__support_height(work));
+    for (i = 0; i < leaning__MEETINGS; i += 1)
     {
         height = leaning__next_reference(work, leaning__ELASTIC_MET);
         leaning__set_reference(work, height);
         roll__place_both(work, tables, layout__WORK_INPUTS, rigid_roll);
         if (!trial__turn_to(tables, work, rigid_roll))
         {
-            (*result_0) = roll;
-            (*result_1_0001) = layout__OFF_PROFILE;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__OFF_PROFILE;
+            return;
         }
-        elastic__solve_elastic(&roll, &status, tables, work, rigid_roll, requested__side_force(work, INT64_C(0)), requested__side_force(work, INT64_C(1)));
+        elastic__solve_elastic(&roll, &status, tables, work, rigid_roll, requested__side_force(work, 0), requested__side_force(work, 1));
         if (status > layout__UNLOADED)
         {
-            (*result_0) = roll;
-            (*result_1_0001) = status;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = status;
+            return;
         }
         if (leaning__note_reference(work, height, step__support_height(work), leaning__ELASTIC_MET))
         {
-            (*result_0) = roll;
-            (*result_1_0001) = status;
-            return 0;
+            *roll_out = roll;
+            *NOT_CONVERGED_out = status;
+            return;
         }
     }
-    (*result_0) = roll;
-    (*result_1_0001) = layout__NOT_CONVERGED;
-    return 0;
+    *roll_out = roll;
+    *NOT_CONVERGED_out = layout__NOT_CONVERGED;
 }
 
 /* Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as
@@ -3903,28 +4838,26 @@ static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_000
 static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
 {
     bool changed;
-    int64_t i;
-    int64_t size;
-    int64_t status;
-    changed = !((*cspan_at(&workspace, layout__WORK_KNOWN)) == 1.0);
-    for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
+    int64_t i, status, size;
+    changed = !(AT(workspace, layout__WORK_KNOWN) == 1.0);
+    for (i = 0; i < layout__INPUT_COUNT; i += 1)
     {
-        if (!((*cspan_at(&workspace, layout__WORK_INPUTS + i)) == (*cspan_at(&inputs, layout__INPUT_COUNT * row + i))))
+        if (!(AT(workspace, layout__WORK_INPUTS + i) == AT(inputs, layout__INPUT_COUNT * row + i)))
         {
-            changed = 1;
+            changed = true;
         }
-        (*cspan_at(&workspace, layout__WORK_INPUTS + i)) = (*cspan_at(&inputs, layout__INPUT_COUNT * row + i));
+        AT(workspace, layout__WORK_INPUTS + i) = AT(inputs, layout__INPUT_COUNT * row + i);
     }
-    status = (int64_t)((*cspan_at(&workspace, layout__WORK_STATUS)));
+    status = (int64_t)AT(workspace, layout__WORK_STATUS);
     if (changed)
     {
-        (*cspan_at(&workspace, layout__WORK_KNOWN)) = (double)(0);
+        AT(workspace, layout__WORK_KNOWN) = (double)false;
         status = step__evaluate(tables, workspace, state);
     }
     if (status <= layout__UNLOADED)
     {
-        (*cspan_at(&workspace, layout__WORK_KNOWN)) = (double)(1);
-        (*cspan_at(&workspace, layout__WORK_STATUS)) = (double)(status);
+        AT(workspace, layout__WORK_KNOWN) = (double)true;
+        AT(workspace, layout__WORK_STATUS) = (double)status;
         size = outline__row_size(tables);
         runs__copy_run(workspace, layout__WORK_OUTPUTS, outputs, size * row, size);
     }
@@ -3938,20 +4871,18 @@ static inline int64_t step__step_row(array_double_1d tables, array_double_1d sta
  */
 static inline int64_t step__step(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs)
 {
-    int64_t result;
-    result = step__step_row(tables, state, workspace, inputs, outputs, INT64_C(0));
-    return result;
+    return step__step_row(tables, state, workspace, inputs, outputs, 0);
 }
 
 /* Evaluate ``count`` rows of inputs, one after the other. */
 static inline int64_t step__step_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses)
 {
     int64_t row;
-    for (row = INT64_C(0); row < count; row += INT64_C(1))
+    for (row = 0; row < count; row += 1)
     {
-        (*cspan_at(&statuses, row)) = (double)(step__step_row(tables, state, workspace, inputs, outputs, row));
+        AT(statuses, row) = (double)step__step_row(tables, state, workspace, inputs, outputs, row);
     }
-    return INT64_C(0);
+    return 0;
 }
 
 
@@ -3967,19 +4898,17 @@ static inline int64_t step__step_many(int64_t count, array_double_1d tables, arr
 /* Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome. */
 static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
-    int64_t pair;
-    int64_t support;
-    int64_t status;
+    int64_t pair, support, status;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     status = side__touch_side(tables, work, index);
-    (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = 0.0;
+    AT(work, support + layout__SUPPORT_APPROACH) = 0.0;
     if (status == layout__UNLOADED)
     {
         status = layout__VALID;
         if (force > 0.0)
         {
-            (*cspan_at(&work, support + layout__SUPPORT_APPROACH)) = estimate__first_penetration(tables, work, pair, force) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+            AT(work, support + layout__SUPPORT_APPROACH) = estimate__first_penetration(tables, work, pair, force) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
         }
     }
     return status;
@@ -3991,7 +4920,7 @@ static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, arra
 static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_t support, int64_t side, double height)
 {
     double approach;
-    approach = double_min(2, double_max(2, height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH))), trial__DEEPEST);
+    approach = double_min(double_max(height - AT(work, side + layout__SIDE_SEARCH_BEST), trial__SHALLOWEST * AT(work, support + layout__SUPPORT_APPROACH)), trial__DEEPEST);
     return approach;
 }
 
@@ -4000,29 +4929,24 @@ static OUT_OF_LINE double trial__permitted_approach(array_double_1d work, int64_
  */
 static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_double_1d work, int64_t index, double force, double height)
 {
-    int64_t support;
-    int64_t side;
-    double approach;
-    int64_t count;
-    double carried;
-    int64_t status;
+    int64_t support, side, status, count;
+    double approach, carried;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     if (!(force > 0.0))
     {
-        (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-        (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = side__side_lever(tables, work, index, INT64_C(0));
-        status = side__touch_side(tables, work, index);
-        return status;
+        AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST);
+        AT(work, support + layout__SUPPORT_LEVER) = side__side_lever(tables, work, index, 0);
+        return side__touch_side(tables, work, index);
     }
     approach = trial__permitted_approach(work, support, side, height);
     status = side__press_side(tables, work, index, approach);
     if (status == layout__VALID)
     {
-        side__load_side(&count, &status, tables, work, index, force, (*cspan_at(&tables, layout__TABLES_ABSENT)));
-        carried = approach + ((*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + carried;
-        (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = side__side_lever(tables, work, index, count);
+        side__load_side(&count, &status, tables, work, index, force, AT(tables, layout__TABLES_ABSENT));
+        carried = approach + (AT(work, side + layout__SIDE_SEARCH_PENETRATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+        AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST) + carried;
+        AT(work, support + layout__SUPPORT_LEVER) = side__side_lever(tables, work, index, count);
     }
     return status;
 }
@@ -4030,14 +4954,13 @@ static OUT_OF_LINE int64_t trial__balance_side(array_double_1d tables, array_dou
 /* ``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome. */
 static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_double_1d work, double left, double right, double height)
 {
-    int64_t outcome;
-    int64_t status;
-    (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_ROLL_COUNT)) += 1.0;
-    status = trial__balance_side(tables, work, INT64_C(0), left, height);
+    int64_t status, outcome;
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_ROLL_COUNT) += 1.0;
+    status = trial__balance_side(tables, work, 0, left, height);
     if (status <= layout__UNLOADED)
     {
-        outcome = trial__balance_side(tables, work, INT64_C(1), right, height);
-        status = int64_t_max(2, status, outcome);
+        outcome = trial__balance_side(tables, work, 1, right, height);
+        status = int64_max(status, outcome);
     }
     return status;
 }
@@ -4048,15 +4971,13 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_dou
 static OUT_OF_LINE bool trial__turn_to(array_double_1d tables, array_double_1d work, double roll)
 {
     bool known;
-    bool result;
     roll__turn_both(work, roll);
     known = roll__follow_side(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES);
     if (known)
     {
-        known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
+        known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
     }
-    result = roll__search_both(work, tables, known);
-    return result;
+    return roll__search_both(work, tables, known);
 }
 
 /* Turn the wheelset to a near ``roll`` [rad] and follow both smallest gaps, or search where they cannot
@@ -4070,11 +4991,11 @@ static OUT_OF_LINE bool trial__turn_near(array_double_1d tables, array_double_1d
     known = roll__follow_side(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES);
     if (known)
     {
-        known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
+        known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
     }
     if (!known)
     {
-        known = roll__search_both(work, tables, 0);
+        known = roll__search_both(work, tables, false);
     }
     return known;
 }
@@ -4086,10 +5007,10 @@ static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t st
 {
     int64_t index;
     double best;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    for (index = 0; index < 2; index += 1)
     {
-        best = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
-        if ((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT)) - best > trial__DEEPEST)
+        best = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST);
+        if (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT) - best > trial__DEEPEST)
         {
             status = layout__OFF_PROFILE;
         }
@@ -4117,27 +5038,26 @@ static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t st
 /* Friction carries nothing yet. */
 static inline int64_t vertical_load__release_friction(array_double_1d work)
 {
-    int64_t index;
-    int64_t support;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    int64_t index, support;
+    for (index = 0; index < 2; index += 1)
     {
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
-        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = 0.0;
-        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = 0.0;
-        (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = 0.0;
-        (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = 0.0;
-        (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+        AT(work, support + layout__SUPPORT_FRICTION_LOAD) = 1.0;
+        AT(work, support + layout__SUPPORT_LOAD_BEFORE) = 0.0;
+        AT(work, support + layout__SUPPORT_SHARE_BEFORE) = 0.0;
+        AT(work, support + layout__SUPPORT_LOW_LOAD) = 0.0;
+        AT(work, support + layout__SUPPORT_HIGH_LOAD) = 0.0;
+        AT(work, support + layout__SUPPORT_TURNS) = 0.0;
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Whether a part of the prescribed load is carried by friction. */
 static inline bool vertical_load__carries_friction(array_double_1d tables, array_double_1d work)
 {
     bool carried;
-    carried = 0;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT))
+    carried = false;
+    if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL && (int64_t)AT(tables, layout__TABLES_MODE) != layout__MODE_COMPLIANT)
     {
         carried = requested__has_creep_forces(tables, work);
     }
@@ -4147,15 +5067,14 @@ static inline bool vertical_load__carries_friction(array_double_1d tables, array
 /* The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load. */
 static inline double vertical_load__carried_share(array_double_1d work, int64_t index)
 {
-    double wanted;
+    double share, wanted;
     int64_t forces;
-    double share;
     share = 1.0;
-    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    wanted = AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (1.0 + (double)(2 * index - 1) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
     forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
-    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
+    if (wanted > 0.0 && AT(work, forces + layout__FORCES_NORMAL_FORCE + 2) < 0.0)
     {
-        share = (-(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)))) / wanted;
+        share = -AT(work, forces + layout__FORCES_FORCE + 2) / wanted;
     }
     return share;
 }
@@ -4163,20 +5082,18 @@ static inline double vertical_load__carried_share(array_double_1d work, int64_t 
 /* Whether neither wheel misses the vertical force that is wanted, unless this jumps past it. */
 static inline bool vertical_load__is_load_met(array_double_1d work)
 {
-    int64_t index;
-    int64_t support;
+    bool met, jumps;
+    int64_t index, support;
     double share;
-    bool jumps;
-    bool met;
-    met = 1;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    met = true;
+    for (index = 0; index < 2; index += 1)
     {
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
         share = vertical_load__carried_share(work, index);
-        jumps = vertical_load__is_enclosed(work, support) && (share > 1.0) && ((*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) < 1.0) && ((*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) == (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD))) && ((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) == (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)));
-        if ((!jumps) && (fabs(share - 1.0) > vertical_load__LOAD_MET))
+        jumps = vertical_load__is_enclosed(work, support) && share > 1.0 && AT(work, support + layout__SUPPORT_SHARE_BEFORE) < 1.0 && AT(work, support + layout__SUPPORT_FRICTION_LOAD) == AT(work, support + layout__SUPPORT_HIGH_LOAD) && AT(work, support + layout__SUPPORT_LOAD_BEFORE) == AT(work, support + layout__SUPPORT_LOW_LOAD);
+        if (!jumps && fabs(share - 1.0) > vertical_load__LOAD_MET)
         {
-            met = 0;
+            met = false;
         }
     }
     return met;
@@ -4185,19 +5102,15 @@ static inline bool vertical_load__is_load_met(array_double_1d work)
 /* Whether the loads that enclose the one that is sought have become one. */
 static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support)
 {
-    bool result;
-    result = (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) - (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) < vertical_load__AT_JUMP * (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD));
-    return result;
+    return AT(work, support + layout__SUPPORT_HIGH_LOAD) - AT(work, support + layout__SUPPORT_LOW_LOAD) < vertical_load__AT_JUMP * AT(work, support + layout__SUPPORT_HIGH_LOAD);
 }
 
 /* Let the normal forces of both sides carry what friction leaves of the load, or adds to it. */
 static inline int64_t vertical_load__share_load(array_double_1d work)
 {
-    int64_t index;
-    double share;
-    int64_t support;
-    double load;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    int64_t index, support;
+    double share, load;
+    for (index = 0; index < 2; index += 1)
     {
         share = vertical_load__carried_share(work, index);
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
@@ -4205,12 +5118,12 @@ static inline int64_t vertical_load__share_load(array_double_1d work)
         {
             vertical_load__enclose_load(work, support, share);
             load = vertical_load__next_load(work, support, share);
-            (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-            (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = share;
-            (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = load;
+            AT(work, support + layout__SUPPORT_LOAD_BEFORE) = AT(work, support + layout__SUPPORT_FRICTION_LOAD);
+            AT(work, support + layout__SUPPORT_SHARE_BEFORE) = share;
+            AT(work, support + layout__SUPPORT_FRICTION_LOAD) = load;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* Let the load of a side, which has given ``share`` of what is wanted, be an end of those that enclose
@@ -4219,27 +5132,27 @@ static inline int64_t vertical_load__share_load(array_double_1d work)
 static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t support, double share)
 {
     double load;
-    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-    (*cspan_at(&work, support + layout__SUPPORT_TURNS)) += 1.0;
+    load = AT(work, support + layout__SUPPORT_FRICTION_LOAD);
+    AT(work, support + layout__SUPPORT_TURNS) += 1.0;
     if (share < 1.0)
     {
-        (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = load;
-        if (!((*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) > load))
+        AT(work, support + layout__SUPPORT_LOW_LOAD) = load;
+        if (!(AT(work, support + layout__SUPPORT_HIGH_LOAD) > load))
         {
-            (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = 0.0;
-            (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+            AT(work, support + layout__SUPPORT_HIGH_LOAD) = 0.0;
+            AT(work, support + layout__SUPPORT_TURNS) = 0.0;
         }
     }
     else
     {
-        (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = load;
-        if (!((*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) < load))
+        AT(work, support + layout__SUPPORT_HIGH_LOAD) = load;
+        if (!(AT(work, support + layout__SUPPORT_LOW_LOAD) < load))
         {
-            (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = 0.0;
-            (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+            AT(work, support + layout__SUPPORT_LOW_LOAD) = 0.0;
+            AT(work, support + layout__SUPPORT_TURNS) = 0.0;
         }
     }
-    return INT64_C(0);
+    return 0;
 }
 
 /* The next load of a side over that of the inputs, where the last one has given ``share`` of what is
@@ -4247,18 +5160,14 @@ static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t 
  */
 static inline double vertical_load__next_load(array_double_1d work, int64_t support, double share)
 {
-    double load;
-    double change;
-    double slope;
-    double secant;
-    double following;
-    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-    change = load - (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE));
+    double load, change, slope, secant, following;
+    load = AT(work, support + layout__SUPPORT_FRICTION_LOAD);
+    change = load - AT(work, support + layout__SUPPORT_LOAD_BEFORE);
     slope = share / load;
-    if (((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) > 0.0) && (fabs(change) > vertical_load__LEAST_CHANGE * load))
+    if (AT(work, support + layout__SUPPORT_LOAD_BEFORE) > 0.0 && fabs(change) > vertical_load__LEAST_CHANGE * load)
     {
-        secant = (share - (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE))) / change;
-        if ((secant > slope / vertical_load__LARGEST_CHANGE) && ((secant < slope * vertical_load__LARGEST_CHANGE) || ((*cspan_at(&work, support + layout__SUPPORT_TURNS)) > vertical_load__LOAD_SECANTS)))
+        secant = (share - AT(work, support + layout__SUPPORT_SHARE_BEFORE)) / change;
+        if (secant > slope / vertical_load__LARGEST_CHANGE && (secant < slope * vertical_load__LARGEST_CHANGE || AT(work, support + layout__SUPPORT_TURNS) > vertical_load__LOAD_SECANTS))
         {
             slope = secant;
         }
@@ -4266,21 +5175,21 @@ static inline double vertical_load__next_load(array_double_1d work, int64_t supp
     following = load * vertical_load__LARGEST_CHANGE;
     if (slope > 0.0)
     {
-        following = double_max(2, double_min(2, load - (share - 1.0) / slope, load * vertical_load__LARGEST_CHANGE), load / vertical_load__LARGEST_CHANGE);
+        following = double_max(double_min(load - (share - 1.0) / slope, load * vertical_load__LARGEST_CHANGE), load / vertical_load__LARGEST_CHANGE);
     }
-    if ((*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) > 0.0)
+    if (AT(work, support + layout__SUPPORT_HIGH_LOAD) > 0.0)
     {
         if (vertical_load__is_enclosed(work, support))
         {
-            following = (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD));
+            following = AT(work, support + layout__SUPPORT_LOW_LOAD);
             if (load == following)
             {
-                following = (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD));
+                following = AT(work, support + layout__SUPPORT_HIGH_LOAD);
             }
         }
-        else if ((!((following > (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD))) && (following < (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD))))) || (((*cspan_at(&work, support + layout__SUPPORT_TURNS)) > vertical_load__LOAD_SECANTS) && ((*cspan_at(&work, support + layout__SUPPORT_TURNS)) - 2.0 * (int64_t)(0.5 * (*cspan_at(&work, support + layout__SUPPORT_TURNS))) < 0.5)))
+        else if (!(following > AT(work, support + layout__SUPPORT_LOW_LOAD) && following < AT(work, support + layout__SUPPORT_HIGH_LOAD)) || (AT(work, support + layout__SUPPORT_TURNS) > vertical_load__LOAD_SECANTS && AT(work, support + layout__SUPPORT_TURNS) - 2.0 * (int64_t)(0.5 * AT(work, support + layout__SUPPORT_TURNS)) < 0.5))
         {
-            following = 0.5 * ((*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) + (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)));
+            following = 0.5 * (AT(work, support + layout__SUPPORT_LOW_LOAD) + AT(work, support + layout__SUPPORT_HIGH_LOAD));
         }
     }
     return following;

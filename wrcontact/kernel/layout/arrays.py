@@ -22,7 +22,7 @@ from .contact import (
     Profile,
     Regions,
 )
-from .creep import Rolling, RollingTable
+from .creep import Rolling, RollingTable, Turning
 from .interface import PATCH_LIMIT, Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
 from .patch import (
     Equations,
@@ -232,6 +232,7 @@ class Tables:
     influence: To(InfluenceTable)  # how they displace the half-space beside them
     starts: To(Starts)
     sides: int  # which sides are wanted, one of SIDES_...
+    alone: bool  # whether the wheel that is wanted is one by itself, on no wheelset
     depth: int  # what is wanted of them, one of DEPTH_...
     absent: float  # what stands in outputs that are not wanted: not a number
     stations: int  # stations of an outline; where it then lies is told in outline.py
@@ -295,6 +296,7 @@ class Work:
     reference: Reference
     settling: Settling
     wheelset: Wheelset
+    turning: Turning
     rolling: Rolling
     patch: Patch  # a patch by itself, apart from a step
 

@@ -5,7 +5,7 @@ from typing import Final
 
 from .record import OPEN, WIDTH, Float, To, record, run, size
 
-REGION_LIMIT: Final[int] = 3  # loaded regions of one wheel
+REGION_LIMIT: Final[int] = 4  # loaded regions of one wheel
 #: The two profiles, where there is something for each of them.
 RAIL: Final[int] = 0
 WHEEL: Final[int] = 1

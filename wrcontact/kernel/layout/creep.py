@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from .patch import ROLLING_STRIP_LIMIT
+from .patch import ROLLING_STRIP_LIMIT, SOLVED_PATCH_LIMIT
 from .record import Float, record, run
 
 # the table of rolling: columns over the shape of a patch, ln(a/b), as cubics over even cells
@@ -24,6 +24,8 @@ CORRECTION_AZIMUTHS: Final[int] = 13
 CORRECTION_RADII: Final[int] = 12
 CORRECTION_COLUMNS: Final[int] = 4  # force_x, force_y over mu N, moment over mu N sqrt(ab), stick share
 CORRECTION_SCALES: Final[int] = 3 * CORRECTION_RATIOS
+CORRECTION_AXES: Final[int] = 5  # slopes: force_x by s1, force_y by s2 and s3, moment by s2 and s3
+CORRECTION_SLOPES: Final[int] = CORRECTION_AXES * CORRECTION_RATIOS
 CORRECTION_LINE: Final[int] = CORRECTION_RADII * CORRECTION_COLUMNS
 CORRECTION_SIZE: Final[int] = (
     CORRECTION_RATIOS * CORRECTION_ELEVATIONS * CORRECTION_AZIMUTHS * CORRECTION_LINE
@@ -88,6 +90,7 @@ class RollingTable:
     radii: Float * CORRECTION_RADII
     scales: Float * CORRECTION_SCALES
     corrections: Float * CORRECTION_SIZE
+    slopes: Float * CORRECTION_SLOPES  # of the corrections at no creepage
 
 
 BLOCK_COUNT: Final[int] = 8  # pairs of strips, for which stiffnesses are found
@@ -113,6 +116,18 @@ BlockMatrix = BlockRow * BLOCK_COUNT
 RollingBlocks = RollingBlock * BLOCK_COUNT
 
 
+#: Patches of both wheels, which may turn about one axle.
+AXLE_PATCHES: Final[int] = 2 * SOLVED_PATCH_LIMIT
+
+
+@record
+class KeptStiffnesses:
+    """Of a patch whose creepages change: what its stiffnesses have been found with."""
+
+    blocks: RollingBlocks
+    equations_x: BlockMatrix
+
+
 @record
 class RollingMarch:
     """A strip while its stick zone is found, and FaStrip's tractions; equations of coupled_strips.py."""
@@ -129,6 +144,8 @@ class RollingMarch:
     carried: float  # its share of the force of linear theory
     weight: float  # c, how much the stick zone counts; 0: the strip slips all over
     depth: float  # d, half the length of the slip zone [m]
+    lead_x: float  # u and v of the creepages [m], eq. (Z2)
+    lead_y: float
     stick_x: float  # e, direction of the stick zone's traction
     stick_y: float
     twist: float  # k, share of spin in it
@@ -184,11 +201,29 @@ class RollingMarches:
 
 
 @record
+class FallingFriction:
+    """Friction at a point of all strips while their tractions are followed (falling.py)."""
+
+    floor: float  # friction at infinite sliding over that of rest [-]
+    slide_x: StripRow  # exponent of the law: along,
+    slide_y: StripRow  # across on the middle,
+    slide_turn: StripRow  # and across per place x/a
+    share: StripRow  # friction at the point over that of rest
+    slips: StripRow  # slips and noted of the marches, without friction's share
+    noted: StripRow
+    lost: StripRow  # sums over the points of what friction has lost
+
+
+@record
 class Rolling:
     """What the models of creep forces work with, one patch after the other."""
 
     bare: bool  # whether only the sum over the strips is asked for
     published: bool  # FASTSIM and FaStrip: both parts of spin as they were published
+    resting: bool  # whether friction is that of rest, from which it does not fall
+    keeping: bool  # whether stiffnesses are kept, as patches stay and only their creepages change,
+    place: int  # at which place,
+    kept: bool  # and whether they are already there
     blocks: RollingBlocks
     shift: float  # of longitudinal creepages where strips begin to slip [-], eq. (K6)
     equations_x: BlockMatrix  # of the blocks, for longitudinal and lateral creepage and for spin
@@ -197,3 +232,48 @@ class Rolling:
     march: RollingMarch  # of FaStrip, one strip after the other
     begun: RollingMarch * ROLLING_STRIP_LIMIT
     marches: RollingMarches
+    falling: FallingFriction
+    stiffnesses: KeptStiffnesses * AXLE_PATCHES
+
+
+@record
+class TurningPatch:
+    """A patch of wheels whose rotation is sought, as the stand-in of creep/turning.py has it."""
+
+    along: (
+        float  # velocity of the wheel at its centre of load against the rail, along the wheel's own heading
+    )
+    radius: float  # and without its rotation [m/s]; rolling radius [m],
+    ahead: float  # of which so much moves along the track [m]
+    stiffness: float  # force over longitudinal creepage [N]
+    lateral: float  # lateral force of small creepages times the rolling speed [W]
+    limit: float  # friction times load [N]
+
+
+@record
+class Turning:
+    """The rotation of wheels on which a given torque acts, while it is sought; equations of
+    creep/turning.py."""
+
+    rates: Float * 2  # of the left and the right wheel, as they were found [rad/s]
+    sought: bool  # whether they have been found before in this step
+    count: int
+    patches: TurningPatch * AXLE_PATCHES
+    wanted: float  # torque that drives the wheels from outside [N m]
+    scale: float  # torque of all friction [N m]
+    speed: float  # |V| [m/s]
+    low: float  # rates with too much and too little torque [rad/s],
+    high: float
+    low_known: bool  # and whether these have been tried
+    high_known: bool
+    end_low: float  # no rate beyond these is tried where a torque is given
+    end_high: float
+    rate: float  # the last rate that was tried [rad/s],
+    torque: float  # what it leaves of the torques [N m],
+    missing: float  # and how much that is more than the stand-in's
+    shift: float  # D [N m] and E [N m s] of eq. (A3)
+    slope: float
+    reach: float  # up to this distance E counts [rad/s]
+    turns: int  # rates that were tried
+    span: float  # distance of low and high when it was last halved [rad/s],
+    slow: int  # and how many were tried since then

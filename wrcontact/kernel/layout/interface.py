@@ -18,6 +18,7 @@ from ...interface.inputs import (
     ROLL_LIMIT,
     SPEED_LIMIT,
     TIME_LIMIT,
+    TORQUE_LIMIT,
     VELOCITY_LIMIT,
     WHEEL_LIMIT,
     YAW_LIMIT,
@@ -44,6 +45,7 @@ UNLOADED: Final[int] = 1
 OFF_PROFILE: Final[int] = 2
 NOT_CONVERGED: Final[int] = 3
 INVALID_INPUT: Final[int] = 4
+BEYOND_ADHESION: Final[int] = 5
 
 
 def _record_of(name, fields, words):

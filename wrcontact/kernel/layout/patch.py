@@ -12,7 +12,7 @@ from .interface import RUN_COUNT, STATION_LIMIT, WEAR_RUN_COUNT, Vector
 from .record import OPEN, Float, centred, record, run, size
 
 SOLVED_PATCH_LIMIT: Final[int] = 8  # contact patches of one wheel
-SOLVED_STRIP_LIMIT: Final[int] = 768  # strips of all of them: the nodes of three regions
+SOLVED_STRIP_LIMIT: Final[int] = 1024  # strips of all of them: the nodes of four regions
 ROLLING_STRIP_LIMIT: Final[int] = 16  # strips that a patch is cut into along the rolling direction
 
 #: A number for each region.
@@ -130,7 +130,9 @@ class Patch:
     damping_power: float  # that contact damping takes [W]
     half_length: float  # semi-axes of the ellipse with its area, length over width [m]
     half_width: float
-    friction: float  # coefficient of friction [-]
+    friction: float  # coefficient of friction [-]; once the force is known its mean, where it falls
+    fall_rate: float  # how fast friction falls with the creepages of points [-]; 0: it does not
+    fall_floor: float  # friction at infinite sliding over that of rest [-]
     speed: float  # the rolling speed [m/s]
     creepage_x: float  # velocity of the wheel on the rail over the rolling speed: x forward,
     creepage_y: float  # y to the field side [-],
@@ -206,7 +208,7 @@ FINE_WAVES: Final[int] = 3  # as many fine ones for each of them,
 FINE_LIMIT: Final[int] = 48  # so many for all
 STRIP_RUN_LIMIT: Final[int] = 6  # runs of loaded strips of one wheel
 STRIP_LIMIT: Final[int] = 96  # their strips
-TRACED_LIMIT: Final[int] = 48  # stations at which the surfaces under strips are traced, all zones
+TRACED_LIMIT: Final[int] = 64  # stations at which the surfaces under strips are traced, all zones
 
 WaveRow = run(WAVE_LIMIT)
 FineRow = run(FINE_LIMIT)
@@ -261,8 +263,9 @@ class TracedStation:
     cos: float  # of the inclination of that curve
     sin: float
     x: float  # track coordinate x of the ridge [m]
-    A: float  # the gap beside the ridge, at a distance x: A x^2 + skew x^3 [1/m]
+    A: float  # the gap beside the ridge, at a distance x: x^2 (A + skew x) [1/m]
     skew: float  # [1/m^2]
+    odd: float  # skew x is within +-this, its value where it was measured [1/m]
     share: float  # of the penetration that comes along its normal [-]
     counted: float  # share of its load that counts for the prescribed force [-]
     gaps: Float * 4  # cubic of the gap on the way to the next station, 0 ... 1 [m]
@@ -293,8 +296,9 @@ class Strip:
     cos: float  # of the inclination of that curve
     sin: float
     x: float  # track coordinate x of the ridge [m]
-    A: float  # the gap beside the ridge, at a distance x: A x^2 + skew x^3 [1/m]
+    A: float  # the gap beside the ridge, at a distance x: x^2 (A + skew x) [1/m]
     skew: float  # [1/m^2]
+    odd: float  # skew x is within +-this, its value where it was measured [1/m]
     share: float  # of the penetration that comes along its normal [-]
     counted: float  # share of its load that counts for the prescribed force [-]
     gap: float  # on its middle, where nothing penetrates [m]

@@ -10,7 +10,7 @@ from .contact import Place
 
 SCAN_LIMIT: Final[int] = 400  # nodes of the raster over a wheel
 EXPONENTS: Final[int] = 6  # bounds are known over stretches of 2^0, 2^1 ... 2^5 cells of the raster
-# parts of a cell that wait to be searched; 1 mm is halved down to 2 um 9 times
+# parts of a cell that wait to be searched; 1 mm is halved down to 1 pm 30 times
 STACK_LIMIT: Final[int] = 52
 TRIAL_LIMIT: Final[int] = 60  # rolls kept at a time on the way to the first root
 START_COUNT: Final[int] = 61  # lateral shifts for which a start is kept
@@ -87,6 +87,8 @@ class Cell:
     gap_high: float
     mismatch_low: float  # slope of the rail minus that of the outline [-]
     mismatch_high: float
+    least: float  # bounds of the gap's second derivative in it [1/m]
+    most: float
 
 
 @record

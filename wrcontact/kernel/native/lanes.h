@@ -23,7 +23,12 @@ typedef struct {
     lane part[WRCONTACT_LANES / LANE_WIDTH];
 } lanes;
 /* Before a statement on rates, in which each(...) stands around every one of them. */
-#define EACH_LANE for (int lane_ = 0; lane_ < WRCONTACT_LANES / LANE_WIDTH; lane_ += 1)
+#if defined(__GNUC__) && !defined(__clang__)
+#define UNROLLED _Pragma("GCC unroll 8")                /* at -O2, too */
+#else
+#define UNROLLED
+#endif
+#define EACH_LANE UNROLLED for (int lane_ = 0; lane_ < WRCONTACT_LANES / LANE_WIDTH; lane_ += 1)
 #define each(rates) ((rates).part[lane_])
 #endif
 
@@ -39,9 +44,9 @@ static inline lanes *lanes_checked_at(const array_lanes_1d *span, int64_t index,
     span_check(0 <= index && index < span->shape[0], index, span->shape[0], function);
     return span->data + index;
 }
-#define lanes_at(span, index) lanes_checked_at((span), (index), __func__)
+#define RATE_AT(span, index) (*lanes_checked_at(&(span), (index), __func__))
 #else
-#define lanes_at(span, index) ((span)->data + (index))
+#define RATE_AT(span, index) ((span).data[index])
 #endif
 
 /* The rate along direction `k`. */

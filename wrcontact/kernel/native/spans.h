@@ -1,7 +1,7 @@
 /* What the generated kernel needs of its surroundings: a span of doubles, and min, max, // and % as Python has them.
  *
- * The names are those that Pyccel writes; the meaning is that of the Python source.  An index is not checked, except with
- * -DWRCONTACT_CHECK_BOUNDS, where one outside its span ends the program with a line on stderr.
+ * The meaning is that of the Python source.  An index is not checked, except with -DWRCONTACT_CHECK_BOUNDS, where one
+ * outside its span ends the program with a line on stderr.
  */
 #ifndef WRCONTACT_SPANS_H
 #define WRCONTACT_SPANS_H
@@ -66,34 +66,20 @@ static inline double *span_checked_at(const array_double_1d *span, int64_t index
     return span->data + index;
 }
 
-#define cspan_at(span, index) span_checked_at((span), (index), __func__)
+#define AT(span, index) (*span_checked_at(&(span), (index), __func__))
 
 #else
 
 #define span_check(inside, index, length, function) ((void)0)
-#define cspan_at(span, index) ((span)->data + (index))
+#define AT(span, index) ((span).data[index])
 
 #endif
 
-/* x[first:end], x[first:] and x[:]: a span of the same memory. */
-#define c_END INT64_MAX
-#define c_ALL 0, c_END
-#define cspan_slice(span, type, ...) span_slice((span), (const int64_t[2])__VA_ARGS__)
-
-static inline array_double_1d span_slice(const array_double_1d *span, const int64_t range[2])
-{
-    const int64_t first = range[0];
-    const int64_t end = range[1] == c_END ? span->shape[0] : range[1];
-    span_check(0 <= first && first <= end, first, end, "slice");
-    span_check(end <= span->shape[0], end, span->shape[0], "slice");
-    return span_of(span->data + first, end - first);
-}
-
 /* min(a, b) and max(a, b) as Python orders them: the first one unless the second is truly smaller, or larger. */
-static inline double double_min(int two, double a, double b) { (void)two; return b < a ? b : a; }
-static inline double double_max(int two, double a, double b) { (void)two; return b > a ? b : a; }
-static inline int64_t int64_t_min(int two, int64_t a, int64_t b) { (void)two; return b < a ? b : a; }
-static inline int64_t int64_t_max(int two, int64_t a, int64_t b) { (void)two; return b > a ? b : a; }
+static inline double double_min(double a, double b) { return b < a ? b : a; }
+static inline double double_max(double a, double b) { return b > a ? b : a; }
+static inline int64_t int64_min(int64_t a, int64_t b) { return b < a ? b : a; }
+static inline int64_t int64_max(int64_t a, int64_t b) { return b > a ? b : a; }
 
 /* Exponents of floats, as the Python source has them (elementary/binary.py). */
 static ALWAYS_INLINE int64_t binary__exponent(double x)
@@ -116,20 +102,20 @@ static ALWAYS_INLINE int64_t runs__copy_run(array_double_1d source, int64_t firs
                                             int64_t place, int64_t count)
 {
     if (count > 0) {
-        (void)cspan_at(&source, first + count - 1);
-        (void)cspan_at(&to, place + count - 1);
-        memcpy(cspan_at(&to, place), cspan_at(&source, first), (size_t)count * sizeof(double));
+        (void)AT(source, first + count - 1);
+        (void)AT(to, place + count - 1);
+        memcpy(&AT(to, place), &AT(source, first), (size_t)count * sizeof(double));
     }
     return count;
 }
 
 /* a // b and a % b of integers: rounded down, the remainder with the sign of b. */
-static inline int64_t py_floor_div_int64_t(int64_t a, int64_t b)
+static inline int64_t floor_div(int64_t a, int64_t b)
 {
     return a / b - (a % b != 0 && (a < 0) != (b < 0));
 }
 
-static inline int64_t pyc_modulo(int64_t a, int64_t b)
+static inline int64_t modulo(int64_t a, int64_t b)
 {
     const int64_t rest = a % b;
     return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;

@@ -1,4 +1,4 @@
-"""ANALYN on the nodes of up to three regions: from local penetrations to loads, and from a
+"""ANALYN on the nodes of up to four regions: from local penetrations to loads, and from a
 force to penetrations.
 
 Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where

@@ -3,7 +3,7 @@
 
 Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
 pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once
-(strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).
+(strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_levels).
 One round of
 
 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = p / (pi E*) and the given force, eq. (S5)
@@ -16,19 +16,20 @@ One round of
 is a sweep.  There are always as many, so that results follow the pose smoothly.
 """
 
-from math import isfinite
+from math import isfinite, pi
 from typing import Final
 
 from ..contact.deep_points import deepest_entry
 from ..contact.frame import is_yawed, locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
-from ..layout import Contact, Pair, SideSearch
+from ..layout import Contact, Pair, SideSearch, StripProblem, Tables
 from .analyn_contact import solve_analyn
 from .estimate import first_penetration
+from .strip_levels import begin_runs, deepen_levels, level_contact
 from .strip_lengths import RELAXED, correct_lengths
 from .strip_patches import add_stiffness, fill_from_strips
 from .strip_pressures import solve_pressures
-from .strip_runs import begin_runs, deepen_levels, lay_strips, renew_runs
+from .strip_runs import lay_strips, renew_runs
 from .strip_surfaces import find_zones, measure_ridges, trace_zones
 
 #: Sweeps of the form for first trials.
@@ -42,6 +43,9 @@ SUNK_DEEPER: Final[float] = 1.15
 #: place by far more.
 SUNK_LESS: Final[float] = 0.5
 SINKINGS: Final[int] = 4
+#: Strips whose load or largest pressure is off what ANALYN's levels have by more than this factor are wrong.
+#: Right ones carry 0.50 ... 1.62 of that load, and have a largest pressure of up to 2.2 times that one.
+PARTED: Final[float] = 3.0
 
 
 def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):
@@ -70,6 +74,8 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
         # strips of picometres on a straight gap can ask for less than nothing
         penetration = contact.frame.depth
     satisfied = contact.strip_problem.count > 0
+    if contact.filling and satisfied:
+        satisfied = agrees_with_levels(pair.tables, contact.strip_problem)
     if satisfied:
         add_stiffness(pair.tables, contact.regions, contact.strip_problem, contact.equations, count)
         if contact.filling:
@@ -97,6 +103,24 @@ def sink_strips(
         penetration = deeper
     start_runs(pair, contact)
     return sweep_strips(pair, contact, pair.tables.sweeps, force, by_penetration), count
+
+
+def agrees_with_levels(tables: Tables, problem: StripProblem) -> bool:
+    """Whether the load of the strips is about that of ANALYN's levels, which the sweeps leave as they are, and
+    their largest pressure not far above theirs.
+
+    Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.
+    """
+    load, pressure = level_contact(problem)
+    carried = 0.0
+    largest = 0.0
+    for i in range(problem.count):
+        strip = problem.strips[i]
+        carried += strip.half_length * strip.width * strip.counted * strip.y
+        largest = max(largest, strip.y)
+    carried *= 0.5 * pi * pi * tables.contact_modulus
+    largest *= pi * tables.contact_modulus
+    return carried > load / PARTED and carried < load * PARTED and largest < pressure * PARTED
 
 
 def coarse_contact(pair: Pair, contact: Contact, force: float):

@@ -1,4 +1,4 @@
-"""Runs of loaded strips: where they begin, which strips they have, and how they part and join.
+"""Runs of loaded strips: which strips they have, and how they part and join.
 
 A run lies between two edges on one curve of traced stations.  Its n strips lie at
 
@@ -15,114 +15,14 @@ from ..elementary.powers import log
 from ..layout import FINE_WAVES, STRIP_RUN_LIMIT, Strip, StripProblem, StripRun, TracedStation, Waves, copy
 from .strip_surfaces import between, interval, rest_gap, way_through
 
-#: A first run is where ANALYN's level is above zero, and reaches this share of its zone's depth.
-RAISED: Final[float] = 0.02
 #: Axes of a new run are no less than this share of its largest.
 FLAT_START: Final[float] = 0.25
-#: Steps of Newton's method to the levels that carry the force.
-LEVEL_ITERATIONS: Final[int] = 6
-#: The middle of a strip begins before its ridge by no more than this share of its axis.
-FIRST_LEAD: Final[float] = 0.5
-#: Runs that are narrower than this share of their zone are none.
-NARROW: Final[float] = 2e-3
+#: Runs, and gaps between two runs, that are narrower than this share of their zone are none.
+NARROW: Final[float] = 0.02
 #: A strip pulls where its pressure is below this share of the largest one, with the other sign.
 PULLING: Final[float] = 1e-3
 #: A part of a run that is a single strip counts from this share of the largest pressure on.
 SINGLE: Final[float] = 0.1
-
-
-def begin_runs(problem: StripProblem, waves: Waves):
-    """The first runs, where ANALYN's level is above zero."""
-    problem.next_count = 0
-    low = 0
-    while low < problem.traced_count:
-        high = low
-        region = problem.traced[low].region
-        while high < problem.traced_count - 1 and problem.traced[high + 1].region == region:
-            high += 1
-        begin_curve(problem, low, high)
-        low = high + 1
-    adopt_runs(problem)
-    problem.count = problem.run_count * waves.count
-    for k in range(problem.run_count):
-        run = problem.runs[k]
-        first = k * waves.count
-        j = run.low
-        for i in range(waves.count):
-            strip = problem.strips[first + i]
-            station = run_station(run, waves.cos[i])
-            j = interval(problem, j, run.high, station)
-            strip.axis = level_length(problem, j, station) / waves.sin[i]
-            zone = problem.zones[problem.traced[j].region]
-            strip.lead = limited(zone.lean * (station - zone.middle), FIRST_LEAD * strip.axis)
-        raise_axes(problem, first, waves.count)
-
-
-def deepen_levels(problem: StripProblem, force: float):
-    """Raise the levels until they carry ``force`` [N] as ANALYN has it, and how far [m].
-
-    The load is convex over the rise, so that Newton's method comes from one side.
-    """
-    rise = 0.0
-    for repeat in range(LEVEL_ITERATIONS):
-        load = 0.0
-        stiffness = 0.0
-        for i in range(problem.traced_count):
-            at = problem.traced[i]
-            zone = problem.zones[at.region]
-            line = zone.line * at.counted * zone.spacing
-            level = at.level + rise
-            if level > 0.0:
-                load += line * level
-                stiffness += line
-        if stiffness > 0.0:
-            rise += (force - load) / stiffness
-    for i in range(problem.traced_count):
-        at = problem.traced[i]
-        at.level += rise
-    return rise
-
-
-def begin_curve(problem: StripProblem, low: int, high: int):
-    """The first runs of the curve of stations ``low`` ... ``high``."""
-    i = low
-    while i <= high:
-        last = i
-        if problem.traced[i].level > 0.0:
-            highest = 0.0
-            while last <= high and problem.traced[last].level > 0.0:
-                highest = max(highest, problem.traced[last].level)
-                last += 1
-            last -= 1
-            start = level_end(problem, i, i - 1, low, high)
-            stop = level_end(problem, last, last + 1, low, high)
-            zone = problem.zones[problem.traced[i].region]
-            if highest > RAISED * zone.depth:
-                add_run(problem, low, high, start, stop)
-        i = last + 1
-
-
-def level_end(problem: StripProblem, inside: int, outside: int, low: int, high: int):
-    """Station [m] where the level falls to zero from a station to one beside it, or where the curve ends."""
-    at = problem.traced[inside]
-    station = at.station
-    if outside >= low and outside <= high:
-        beyond = problem.traced[outside]
-        station += (beyond.station - at.station) * at.level / (at.level - beyond.level)
-    elif outside < low:
-        station = problem.zones[at.region].start
-    else:
-        station = problem.zones[at.region].stop
-    return station
-
-
-def level_length(problem: StripProblem, j: int, station: float):
-    """Half-length [m] of a strip at ``station`` [m] behind station ``j``, as ANALYN has it."""
-    low = problem.traced[j]
-    high = problem.traced[j + 1]
-    u = way_through(problem, j, station)
-    level = max(between(low.level, high.level, u), 0.0)
-    return sqrt(level / (problem.zones[low.region].one_alpha * between(low.A, high.A, u)))
 
 
 def raise_axes(problem: StripProblem, first: int, count: int):
@@ -136,21 +36,23 @@ def raise_axes(problem: StripProblem, first: int, count: int):
 
 
 def add_run(problem: StripProblem, low: int, high: int, start: float, stop: float):
-    """Add a run between two stations [m] of a curve to the next ones, if it is wide enough and there is room;
-    joined to the last one where they overlap."""
-    at = problem.next_count
+    """Add a run between two stations [m] of a curve to the next ones, if it is wide enough; joined to the
+    last one where they meet.  Where there is no room, the narrowest one goes."""
+    zone = problem.zones[problem.traced[low].region]
+    least = NARROW * (zone.stop - zone.start)
     joins = False
-    if at > 0:
-        before = problem.next_runs[at - 1]
-        if before.low == low and before.next_stop >= start:
+    if problem.next_count > 0:
+        before = problem.next_runs[problem.next_count - 1]
+        if before.low == low and start - before.next_stop < least:
             joins = True
             before.next_start = min(before.next_start, start)
             before.next_stop = max(before.next_stop, stop)
             before.origin = -1
-    zone = problem.zones[problem.traced[low].region]
-    wide = stop - start > NARROW * (zone.stop - zone.start)
-    if not joins and wide and at < STRIP_RUN_LIMIT:
-        run = problem.next_runs[at]
+    room = False
+    if stop - start > least and not joins:
+        room = has_room(problem, stop - start)
+    if room:
+        run = problem.next_runs[problem.next_count]
         run.low = low
         run.high = high
         run.next_start = start
@@ -158,7 +60,28 @@ def add_run(problem: StripProblem, low: int, high: int, start: float, stop: floa
         run.start_move = 0.0
         run.stop_move = 0.0
         run.origin = -1
-        problem.next_count = at + 1
+        problem.next_count = problem.next_count + 1
+
+
+def has_room(problem: StripProblem, width: float) -> bool:
+    """Whether there is room for another run of this ``width`` [m], if need be in place of the narrowest."""
+    if problem.next_count < STRIP_RUN_LIMIT:
+        return True
+    narrowest = 0
+    for k in range(1, problem.next_count):
+        if run_width(problem.next_runs[k]) < run_width(problem.next_runs[narrowest]):
+            narrowest = k
+    if not run_width(problem.next_runs[narrowest]) < width:
+        return False
+    for k in range(narrowest, problem.next_count - 1):
+        copy(problem.next_runs[k + 1], problem.next_runs[k])
+    problem.next_count = problem.next_count - 1
+    return True
+
+
+def run_width(run: StripRun):
+    """Width of a run of the next sweep [m]."""
+    return run.next_stop - run.next_start
 
 
 def adopt_runs(problem: StripProblem):
@@ -177,8 +100,12 @@ def run_station(run: StripRun, cosine: float):
 
 
 def gap_beside(strip: Strip, x: float):
-    """Rise of the gap [m] at a distance ``x`` from the ridge."""
-    return x * x * (strip.A + strip.skew * x)
+    """Rise of the gap [m] at a distance ``x`` from the ridge.
+
+    Its sides differ no more than where they were measured: beyond, a cubic would turn over, and each side
+    keeps its own curvature.
+    """
+    return x * x * (strip.A + limited(strip.skew * x, strip.odd))
 
 
 def lay_strips(problem: StripProblem, waves: Waves, smooth: bool):
@@ -236,6 +163,7 @@ def lay_strip(strip: Strip, low: TracedStation, high: TracedStation, u: float):
     strip.x = between(low.x, high.x, u)
     strip.A = between(low.A, high.A, u)
     strip.skew = between(low.skew, high.skew, u)
+    strip.odd = between(low.odd, high.odd, u)
     strip.share = between(low.share, high.share, u)
     strip.counted = between(low.counted, high.counted, u)
 
@@ -275,10 +203,11 @@ def renew_runs(problem: StripProblem, waves: Waves):
 def keep_run(problem: StripProblem, k: int):
     """Add run ``k`` to the next runs, with its strips."""
     run = problem.runs[k]
-    before = problem.next_count
     add_run(problem, run.low, run.high, run.next_start, run.next_stop)
-    if problem.next_count > before:
-        kept = problem.next_runs[before]
+    last = problem.next_count - 1
+    if last >= 0 and problem.next_runs[last].next_start == run.next_start:
+        # neither joined nor left out
+        kept = problem.next_runs[last]
         kept.origin = k
         kept.start_move = run.start_move
         kept.stop_move = run.stop_move

@@ -4,7 +4,7 @@ overlap, and read between them.
 The overlap follows cubics with its own slope at the stations, all else straight lines.
 """
 
-from math import sqrt
+from math import fabs, sqrt
 from typing import Final
 
 from ..contact.curves import open_origin
@@ -166,6 +166,7 @@ def trace_station(pair: Pair, contact: Contact, region: Region, at: TracedStatio
     at.x = 0.0
     at.A = 0.5 * curvature
     at.skew = 0.0
+    at.odd = 0.0
     at.wheel = frame.traces[WHEEL].abscissa
     if is_yawed(frame):
         at.x = outline_x(pair, frame.place, at.wheel)
@@ -206,6 +207,7 @@ def measure_ridge(pair: Pair, place: Place, at: TracedStation, away: float):
         at.A = 0.5 * longitudinal_curvature(pair.tables, place, z, slope, mean)
         odd = 0.5 * (after - before) - slope * across
         at.skew = odd / (sqrt(1.0 + slope * slope) * away * away * away)
+        at.odd = fabs(at.skew) * away
 
 
 def place_on_middle(problem: StripProblem):
@@ -279,7 +281,7 @@ def bend_gaps(problem: StripProblem):
     for i in range(problem.traced_count - 1):
         low = problem.traced[i]
         high = problem.traced[i + 1]
-        if low.region == high.region:
+        if low.joined:
             way = high.station - low.station
             start = way * low.rise
             stop = way * high.rise

@@ -4,11 +4,15 @@ Each piece has the height, slope and second derivative of the exact definition a
 are ends of pieces, so a jump of the curvature stays where the standard has it. Where the printed coefficients
 leave a step in height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to
 their mean over REPAIR_WIDTH. Otherwise the contact would stay at an edge that no real wheel has.
+
+Where the angle of two zones differs is a corner. It is rounded by one piece: the search for contacts, and
+every model of them, needs a curvature.
 """
 
-from math import fabs
+from math import fabs, sqrt
 from typing import Final
 
+from ..elementary.circle import atan
 from ..elementary.whole import rounded_up
 from ..layout import PIECE_SIZE, Profile, offset
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_START, ZONE_STOP, zone_jet
@@ -25,6 +29,14 @@ SHORTEST_PIECE: Final[float] = 1e-3  # [mm]; measured profiles have knots this c
 #: curvature by at most 2 %.
 REPAIR_WIDTH: Final[float] = 0.5
 REPAIRED_STEP: Final[float] = 1e-6  # [mm]; smaller height steps are not repaired
+#: Where the direction changes by more than this is a corner [rad]; where the height steps, too, by more than
+#: STEPPED_CORNER (the steps of S1002 come with 8e-6).
+LEAST_CORNER: Final[float] = 1e-8
+STEPPED_CORNER: Final[float] = 1e-5
+#: A corner is rounded by about this radius, but over no less than the width on either side, and over no more
+#: than a quarter of either zone [mm].
+CORNER_RADIUS: Final[float] = 1.0
+CORNER_WIDTH: Final[float] = 0.05
 #: Width of the bins of pieces [mm], so fine that few hold two: mispredicted branches cost more than bins.
 BIN_WIDTH: Final[float] = 0.03125
 BINS_EACH_METRE: Final[float] = 32000.0
@@ -131,12 +143,69 @@ def write_refined(
     return at
 
 
-def steps(zones: "float[:]", before: int, after: int) -> bool:
-    """Whether the heights of two zones differ where the second starts."""
+def height_step(zones: "float[:]", before: int, after: int):
+    """How much larger the height of the second of two zones is where it starts [mm]."""
     y = zones[after + ZONE_START]
     z_before, slope, bend = zone_jet(zones, before, y)
     z_after, slope, bend = zone_jet(zones, after, y)
-    return fabs(z_before - z_after) > REPAIRED_STEP
+    return z_after - z_before
+
+
+def steps(zones: "float[:]", before: int, after: int) -> bool:
+    """Whether the heights of two zones differ where the second starts."""
+    return fabs(height_step(zones, before, after)) > REPAIRED_STEP
+
+
+def corner_width(zones: "float[:]", before: int, after: int):
+    """The width [mm] on either side over which the corner between two zones is rounded; 0 where there is
+    none."""
+    y = zones[after + ZONE_START]
+    z, slope, bend = zone_jet(zones, before, y)
+    z, other, bend = zone_jet(zones, after, y)
+    turn = fabs(atan(other) - atan(slope))
+    width = 0.0
+    if turn > LEAST_CORNER and (turn > STEPPED_CORNER or not steps(zones, before, after)):
+        steep = min(fabs(slope), fabs(other))
+        width = max(0.5 * CORNER_RADIUS * turn / sqrt(1.0 + steep * steep), CORNER_WIDTH)
+        width = min(width, 0.25 * (zones[before + ZONE_STOP] - zones[before + ZONE_START]))
+        width = min(width, 0.25 * (zones[after + ZONE_STOP] - zones[after + ZONE_START]))
+    return width
+
+
+def write_corner(tables: "float[:]", at: int, zones: "float[:]", before: int, after: int, width: float):
+    """The piece that rounds the corner between two zones over ``width`` [mm] on either side, each zone moved
+    by half the step in height; the offset after it, or FULL."""
+    if at + 2 * PIECE_SIZE > tables.shape[0]:
+        return FULL
+    half = 0.0
+    if steps(zones, before, after):
+        half = 0.5 * height_step(zones, before, after)
+    low = zones[after + ZONE_START] - width
+    high = zones[after + ZONE_START] + width
+    z_0, slope_0, bend_0 = zone_jet(zones, before, low)
+    z_1, slope_1, bend_1 = zone_jet(zones, after, high)
+    write_quintic(tables, at, low, high, z_0 + half, slope_0, bend_0, z_1 - half, slope_1, bend_1)
+    return at + PIECE_SIZE
+
+
+def write_moved(
+    tables: "float[:]",
+    at: int,
+    zones: "float[:]",
+    row: int,
+    low: float,
+    high: float,
+    first: float,
+    last: float,
+):
+    """A piece of one zone between ``low`` and ``high`` [mm], moved by ``first`` and ``last`` [mm] there; the
+    offset after it, or FULL."""
+    if at + 2 * PIECE_SIZE > tables.shape[0]:
+        return FULL
+    z_0, slope_0, bend_0 = zone_jet(zones, row, low)
+    z_1, slope_1, bend_1 = zone_jet(zones, row, high)
+    write_quintic(tables, at, low, high, z_0 + first, slope_0, bend_0, z_1 + last, slope_1, bend_1)
+    return at + PIECE_SIZE
 
 
 def write_repair(
@@ -179,24 +248,72 @@ def write_repair(
     return at + PIECE_SIZE
 
 
+def repair_end(zones: "float[:]", row: int, width: float):
+    """How far from a joint of a zone its height is repaired [mm], next to a corner of this ``width``."""
+    return min(max(REPAIR_WIDTH, 2.0 * width), 0.5 * (zones[row + ZONE_STOP] - zones[row + ZONE_START]))
+
+
+def write_start(tables: "float[:]", at: int, zones: "float[:]", before: int, row: int):
+    """What joins zone ``row`` to the one ``before`` it, but for a corner's own piece: the offset after that,
+    or FULL, and the abscissa [mm] from which the zone is followed."""
+    start = zones[row + ZONE_START]
+    inner = start
+    stepped = steps(zones, before, row)
+    width = corner_width(zones, before, row)
+    if stepped and width > 0.0:
+        inner = start + repair_end(zones, row, width)
+        half = -0.5 * height_step(zones, before, row)
+        at = write_moved(tables, at, zones, row, start + width, inner, half, 0.0)
+    elif stepped:
+        inner = min(start + REPAIR_WIDTH, 0.5 * (start + zones[row + ZONE_STOP]))
+        at = write_repair(tables, at, zones, before, row, start, inner)
+    elif width > 0.0:
+        inner = start + width
+    return at, inner
+
+
+def write_stop(tables: "float[:]", at: int, zones: "float[:]", row: int, after: int, last: float):
+    """What joins zone ``row``, followed up to ``last`` [mm], to the one ``after`` it; the offset after that,
+    or FULL."""
+    stop = zones[row + ZONE_STOP]
+    width = corner_width(zones, row, after)
+    if width > 0.0:
+        if steps(zones, row, after):
+            half = 0.5 * height_step(zones, row, after)
+            at = write_moved(tables, at, zones, row, last, stop - width, 0.0, half)
+        if at != FULL:
+            at = write_corner(tables, at, zones, row, after, width)
+    elif steps(zones, row, after):
+        at = write_repair(tables, at, zones, row, after, last, stop)
+    return at
+
+
+def followed_end(zones: "float[:]", row: int, after: int):
+    """The abscissa [mm] up to which zone ``row`` is followed before it joins the one ``after`` it."""
+    start = zones[row + ZONE_START]
+    stop = zones[row + ZONE_STOP]
+    width = corner_width(zones, row, after)
+    if steps(zones, row, after):
+        last = max(stop - REPAIR_WIDTH, 0.5 * (start + stop))
+        if width > 0.0:
+            last = stop - repair_end(zones, row, width)
+        return last
+    return stop - width
+
+
 def write_zone(
     tables: "float[:]", at: int, zones: "float[:]", base: int, index: int, work: "float[:]", scratch: int
 ):
     """Pieces of zone ``index``; the offset after them, or FULL."""
     size = int(zones[base + DEFINITION_ROW])
     row = base + DEFINITION_ZONES + index * size
-    zone_start = zones[row + ZONE_START]
-    start = zone_start
-    stop = zones[row + ZONE_STOP]
-    if index > 0 and steps(zones, row - size, row):
-        inner = min(start + REPAIR_WIDTH, 0.5 * (start + stop))
-        at = write_repair(tables, at, zones, row - size, row, start, inner)
-        start = inner
-    last = stop
-    repaired = False
-    if index + 1 < int(zones[base + DEFINITION_COUNT]) and steps(zones, row, row + size):
-        repaired = True
-        last = max(stop - REPAIR_WIDTH, 0.5 * (zone_start + stop))
+    start = zones[row + ZONE_START]
+    last = zones[row + ZONE_STOP]
+    joined = index + 1 < int(zones[base + DEFINITION_COUNT])
+    if index > 0:
+        at, start = write_start(tables, at, zones, row - size, row)
+    if joined:
+        last = followed_end(zones, row, row + size)
     if last > start and at != FULL:
         count = rounded_up((last - start) / LONGEST_PIECE)
         length = (last - start) / float(count)
@@ -206,8 +323,8 @@ def write_zone(
                 high = last
             if at != FULL:
                 at = write_refined(tables, at, zones, row, float(i) * length + start, high, work, scratch)
-    if repaired and at != FULL:
-        at = write_repair(tables, at, zones, row, row + size, last, stop)
+    if joined and at != FULL:
+        at = write_stop(tables, at, zones, row, row + size, last)
     return at
 
 

@@ -18,6 +18,7 @@ from ..layout import (
     CORRECTION_RADII,
     CORRECTION_SCALES,
     CORRECTION_SIZE,
+    CORRECTION_SLOPES,
     DEPTH_ALL,
     LATERAL_LIMIT,
     MODEL_ANALYN_STRIP,
@@ -58,6 +59,7 @@ from .waves import write_waves
 from .zones import (
     DEFINITION_COUNT,
     DEFINITION_ROW,
+    DEFINITION_WORN,
     DEFINITION_ZONES,
     highest_point,
     inner_face,
@@ -180,6 +182,13 @@ def write_corrections(table: RollingTable, fixed: "float[:]", first: int, poisso
             + middle * fixed[at + CORRECTION_SIZE + i]
             + high * fixed[at + 2 * CORRECTION_SIZE + i]
         )
+    at += 3 * CORRECTION_SIZE
+    for i in range(CORRECTION_SLOPES):
+        table.slopes[i] = (
+            low * fixed[at + i]
+            + middle * fixed[at + CORRECTION_SLOPES + i]
+            + high * fixed[at + 2 * CORRECTION_SLOPES + i]
+        )
 
 
 def copy_definition(definition: "float[:]", work: "float[:]", at: int):
@@ -217,6 +226,7 @@ def write_settings(setup: Setup, tables: Tables):
     tables.penetration[0] = setup.absent
     tables.penetration[1] = setup.absent
     tables.sides = float(SIDES_BOTH)
+    tables.alone = False
     tables.depth = float(DEPTH_ALL)
     tables.absent = setup.absent
     tables.stations = float(STATION_COUNT)
@@ -292,7 +302,7 @@ def write_rail(
     turn_zones(work, 0, angle, -y_top, -z_top)
     if keep_around_top(work, 0) == 0:
         return WITHOUT_HEAD
-    pair.rail_y = setup.parameters.gauge / 2.0 + (y_top - y_gauge) * MM
+    pair.rail_y = setup.parameters.gauge / 2.0 + work[DEFINITION_WORN] * MM + (y_top - y_gauge) * MM
     pair.rail = Profile.at(tables, at)
     end = write_profile(tables.raw, at, work, 0, setup.absent, work, scratch)
     if end != FULL:

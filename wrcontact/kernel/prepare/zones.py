@@ -1,7 +1,7 @@
 """The zones that a profile is defined with, as numbers: polynomials and circular arcs,
 upright or turned; in millimetres.
 
-A definition is one array: how many zones, the length of their rows, then the rows.
+A definition is one array: how many zones, the length of their rows, the wear of a rail's inner face, then the rows.
 wrcontact/profiles/zones.py has the same zones as objects, and
 wrcontact/profiles/definition.py turns one into the other.
 
@@ -16,7 +16,8 @@ from ..elementary.circle import atan, sine_cosine
 
 DEFINITION_COUNT: Final[int] = 0
 DEFINITION_ROW: Final[int] = 1
-DEFINITION_ZONES: Final[int] = 2
+DEFINITION_WORN: Final[int] = 2  # how far the inner face of a rail has worn since it was laid
+DEFINITION_ZONES: Final[int] = 3
 
 # a row
 ZONE_FAMILY: Final[int] = 0  # one of FAMILY_...
@@ -47,8 +48,10 @@ VERTICAL: Final[float] = 1e-90  # where an arc is as steep as that it ends [mm]
 STEEPEST: Final[float] = 1.3962634015954636
 #: Less of an arc than this is nothing [mm].
 SLIVER: Final[float] = 1e-6
-#: Zones this close meet [mm].
-MEETING: Final[float] = 1e-9
+#: Zones this close meet [mm]: where the height steps by up to 2e-4 mm, the ends of turned zones are apart by
+#: that times the angle. Ends that differ by more than rounding become one.
+MEETING: Final[float] = 1e-4
+SAME_END: Final[float] = 1e-9
 NO_FACE: Final[float] = -1e300  # in place of a depth: the inner face does not reach it
 
 
@@ -302,7 +305,17 @@ def keep_around_top(zones: "float[:]", base: int):
     for k in range(kept * size):
         zones[base + DEFINITION_ZONES + k] = zones[base + DEFINITION_ZONES + first * size + k]
     zones[base + DEFINITION_COUNT] = float(kept)
+    close_joints(zones, base)
     return kept
+
+
+def close_joints(zones: "float[:]", base: int):
+    """Let every zone end where the next one starts."""
+    size = int(zones[base + DEFINITION_ROW])
+    for i in range(int(zones[base + DEFINITION_COUNT]) - 1):
+        row = base + DEFINITION_ZONES + i * size
+        if fabs(zones[row + ZONE_STOP] - zones[row + size + ZONE_START]) > SAME_END:
+            zones[row + ZONE_STOP] = zones[row + size + ZONE_START]
 
 
 def meets_next(zones: "float[:]", row: int, size: int) -> bool:

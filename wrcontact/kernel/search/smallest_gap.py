@@ -9,7 +9,7 @@ Gap, slope and a lower bound of the second derivative tell over how many cells t
 than the smallest one known; that stretch, of up to 32 cells, is skipped. Where not even one cell can be
 skipped, the cell itself is searched, or the part of it that is above the rail: it is halved until it is
 settled. The gap between both ends lies above its chord by no less than -M h^2 / 8, where M bounds its second
-derivative from above.
+derivative from above; of short parts M is that of the pieces that they cover.
 
 The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
 nodes, does not look between them, and ends at the first node beside the rail.
@@ -18,7 +18,7 @@ nodes, does not look between them, and ends at the first node beside the rail.
 from math import fabs
 from typing import Final
 
-from ..layout import EXPONENTS, Cell, Pair, Place, SideSearch
+from ..layout import EXPONENTS, Cell, Pair, Place, SideSearch, copy
 from ..surface.gap import FOLDED, above_rail, vertical_gap
 from .bounds import (
     above_rail_end,
@@ -30,11 +30,13 @@ from .bounds import (
     only_rises_or_falls,
     rising_from_minimum,
 )
+from .own_bounds import own_bounds
 from .rising_cell import rises_in_cell
 
-#: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m
-#: at worst.
-NARROW: Final[float] = 2e-6
+#: A part of a cell in which the gap is nowhere lower than this below both ends is not halved [m].
+HIDDEN: Final[float] = 1e-11
+#: Parts no wider than this are bounded by their own pieces [m].
+SHORT: Final[float] = 5e-5
 #: Abscissa to which a minimum is refined [m]; its gap is then exact to rounding, being second order.
 SHARP: Final[float] = 1e-13
 REFINEMENTS: Final[int] = 60
@@ -78,28 +80,39 @@ def search_cell(pair: Pair, side: SideSearch, least: float, most: float, first: 
     gap_high, mismatch_high, rate = vertical_gap(pair, at, last)
     at.gap_count += 2.0
     write_cell(side.stack[0], first, last, gap_low, gap_high, mismatch_low, mismatch_high)
+    side.stack[0].least = least
+    side.stack[0].most = most
     depth = 1
     while depth > 0:
         depth -= 1
         cell = side.stack[depth]
         low, high, gap_low, gap_high, mismatch_low, mismatch_high = cell_ends(cell)
+        least = cell.least
+        most = cell.most
         width = high - low
         lowest = gap_low
         keep_smaller(side, low, gap_low)
         if gap_high < gap_low:
             lowest = gap_high
             keep_smaller(side, high, gap_high)
-        if lowest - most * width * width / 8.0 < side.best:
+        hidden = most * width * width / 8.0
+        if width <= SHORT and lowest - hidden < side.best:
+            least, most = own_bounds(pair, at, low, high, least, most)
+            hidden = most * width * width / 8.0
+        if lowest - hidden < side.best:
             folded = mismatch_low == FOLDED or mismatch_high == FOLDED
             turns = mismatch_low < 0.0 and mismatch_high >= 0.0 and not folded
             steady = only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) and not folded
-            if turns and (least > 0.0 or width <= NARROW):
+            if turns and (least > 0.0 or hidden <= HIDDEN):
                 y, gap = refine_minimum(pair, at, cell)
                 keep_refined(side, y, gap, width)
-            elif width > NARROW and not steady and (folded or not least > 0.0):
+            elif hidden > HIDDEN and not steady and (folded or not least > 0.0):
                 middle = 0.5 * (low + high)
                 gap, mismatch, rate = vertical_gap(pair, at, middle)
                 at.gap_count += 1.0
+                cell.least = least
+                cell.most = most
+                copy(cell, side.stack[depth + 1])
                 write_cell(side.stack[depth + 1], middle, high, gap, gap_high, mismatch, mismatch_high)
                 write_cell(cell, low, middle, gap_low, gap, mismatch_low, mismatch)
                 depth += 2
@@ -245,7 +258,8 @@ def search_end(pair: Pair, side: SideSearch, node: int, outward: int):
         if beyond < abscissa:
             abscissa = pair.rail.start
         least, most = bend_bounds(pair.scan, at, cell, abscissa)
-        search_cell(pair, side, -1.0, most, low, high)
+        # a minimum is not taken for the only one: the rail's bounds are those of its last cell
+        search_cell(pair, side, min(least, -1.0), most, low, high)
 
 
 def search_side(pair: Pair, side: SideSearch, known: bool) -> bool:

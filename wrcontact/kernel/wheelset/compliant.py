@@ -6,7 +6,7 @@ from ..search.roll import nearest_start, place_both
 from ..surface.rails import is_sprung
 from .at_height import is_damped, load_at_height, search_near
 from .leaning import set_reference
-from .requested import is_requested
+from .requested import counted_outcome, is_needed
 from .rubbing import open_given_motion
 from .settling import settle_rail
 from .side import clear_side
@@ -32,11 +32,10 @@ def solve_compliant(tables: Tables, work: Work):
     status = VALID
     clear_side(work.sides[0])
     clear_side(work.sides[1])
-    if is_requested(tables, 0):
-        status = load_standing(tables, work, 0, height)
-    if is_requested(tables, 1):
-        outcome = load_standing(tables, work, 1, height)
-        status = max(status, outcome)
+    for index in range(2):
+        if is_needed(tables, work.inputs, index):
+            outcome = load_standing(tables, work, index, height)
+            status = counted_outcome(tables, index, status, outcome)
     return status
 
 
@@ -46,9 +45,9 @@ def search_requested(tables: Tables, work: Work) -> bool:
     rails."""
     row = nearest_start(tables.starts, work.inputs.lateral_shift)
     above = True
-    if is_requested(tables, 0):
+    if is_needed(tables, work.inputs, 0):
         above = search_near(tables, work, 0, row)
-    if is_requested(tables, 1) and not search_near(tables, work, 1, row):
+    if is_needed(tables, work.inputs, 1) and not search_near(tables, work, 1, row):
         above = False
     return above
 

@@ -8,7 +8,7 @@ velocities that are sought, as that of its height does in equilibrium: the deriv
 and so is the method, Broyden's (elastic.py).
 """
 
-from math import fabs
+from math import fabs, sqrt
 from typing import Final
 
 from ..creep.motion import constraint_residual, set_rates
@@ -17,11 +17,11 @@ from ..normal.normal_contact import residual_rate
 from ..search.roll import place_both
 from .elastic import find_move, update
 from .leaning import set_reference
-from .requested import is_rolling, side_force
+from .requested import is_moving, side_force
 from .trial import balance_side
 
 #: So far both ways a wheel is displaced against its rail [m].
-DISPLACED: Final[float] = 1e-6
+DISPLACED: Final[float] = 5e-7
 #: The velocities are found when they change by less than this share of how fast wheel and rail move [-].
 SETTLED: Final[float] = 1e-5
 #: Residuals are found so often at most.
@@ -30,7 +30,7 @@ PASSES: Final[int] = 6
 
 def follow_depths(tables: Tables, work: Work):
     """Correct the vertical velocity and roll rate of an elastic wheelset by how its depth changes."""
-    if tables.mode == MODE_ELASTIC and is_rolling(tables, work.inputs):
+    if tables.mode == MODE_ELASTIC and is_moving(tables, work.inputs):
         right = work.sides[1].motion
         work.wheelset.vertical_velocity = right.vertical
         work.wheelset.roll_rate = right.turn_x * right.ahead_x + right.turn_y * right.ahead_y
@@ -43,19 +43,23 @@ def follow_depths(tables: Tables, work: Work):
 
 
 def motion_size(tables: Tables, inputs: Inputs):
-    """About how fast wheels and rails move against each other [m/s], but for rolling."""
-    turning = tables.arm * fabs(inputs.yaw_rate)
-    left = (
-        fabs(inputs.left_rail_lateral_velocity)
-        + fabs(inputs.left_rail_vertical_velocity)
-        + tables.height * fabs(inputs.left_rail_roll_velocity)
+    """About how fast wheels and rails move against each other [m/s], but for rolling; smooth, as the velocities
+    that are found follow it where a kink lies within the displacement."""
+    turning = tables.arm * inputs.yaw_rate
+    left_rolling = tables.height * inputs.left_rail_roll_velocity
+    right_rolling = tables.height * inputs.right_rail_roll_velocity
+    square = inputs.lateral_velocity * inputs.lateral_velocity + turning * turning
+    square += (
+        inputs.left_rail_lateral_velocity * inputs.left_rail_lateral_velocity
+        + inputs.left_rail_vertical_velocity * inputs.left_rail_vertical_velocity
+        + left_rolling * left_rolling
     )
-    right = (
-        fabs(inputs.right_rail_lateral_velocity)
-        + fabs(inputs.right_rail_vertical_velocity)
-        + tables.height * fabs(inputs.right_rail_roll_velocity)
+    square += (
+        inputs.right_rail_lateral_velocity * inputs.right_rail_lateral_velocity
+        + inputs.right_rail_vertical_velocity * inputs.right_rail_vertical_velocity
+        + right_rolling * right_rolling
     )
-    return fabs(inputs.lateral_velocity) + turning + left + right
+    return sqrt(square)
 
 
 @seldom

@@ -2,7 +2,8 @@
 
 Outputs of the left wheel are mirrored here.  On the right the creepages of the outputs have the opposite
 signs of the patch's lateral creepage and spin, and so have their moments: they hold for y to the left and the
-normal from the rail to the wheel on both sides.
+normal from the rail to the wheel on both sides.  Where nothing rolls there is no rolling speed to refer
+creepages and wear numbers to: they are zero, also where a wheelset slides.
 """
 
 from math import sqrt
@@ -42,7 +43,7 @@ from ..patch.outline import wear_place
 from ..surface.rails import on_springs
 from .fatigue import shakedown_ratio, wear_number_damage
 from .shared_power import share_power
-from .requested import has_creep_forces, is_requested
+from .requested import has_creep_forces, is_requested, is_rolling
 from .rubbing import strip_slip
 
 #: Runs of an outline that are there without friction: stations, half-lengths and pressures.
@@ -72,6 +73,14 @@ def report(tables: Tables, work: Work):
         outputs.driving_torque = tables.absent
 
 
+def found_rate(tables: Tables, work: Work, index: int):
+    """The rotation that the creepages of side ``index`` hold for [rad/s]."""
+    rate = 0.0
+    if is_rolling(tables, work.inputs) or has_creep_forces(tables, work):
+        rate = work.sides[index].motion.wheel_rate
+    return rate
+
+
 def report_side(tables: Tables, work: Work, index: int):
     """The outputs of side ``index``."""
     side = work.sides[index]
@@ -81,11 +90,13 @@ def report_side(tables: Tables, work: Work, index: int):
     if first > 0:
         report_point(side.point, out, mirror)
     if first > SIDE_PENETRATION:
-        report_load(side, out, mirror)
+        rolling = is_rolling(tables, work.inputs)
+        report_load(side, out, mirror, rolling)
+        out.wheel_rate_found = found_rate(tables, work, index)
         report_deflection(tables, side, out, mirror)
-        report_patches(side, out, mirror)
+        report_patches(side, out, mirror, rolling)
         if tables.fatigue:
-            report_fatigue(side, out, tables.parameters.yield_shear)
+            report_fatigue(side, out, tables.parameters.yield_shear, rolling)
     for i in range(first, SIDE_SIZE):
         out[i] = tables.absent
     if first <= SIDE_PENETRATION:
@@ -131,7 +142,7 @@ def report_point(point: ContactPoint, out: SideOutputs, mirror: float):
     out.curvature_y = point.curvature_y
 
 
-def report_load(side: SideSearch, out: SideOutputs, mirror: float):
+def report_load(side: SideSearch, out: SideOutputs, mirror: float, rolling: bool):
     """How a wheel carries its load: totals and forces."""
     totals = side.totals
     out.patch_count = float(side.patch_count)
@@ -148,7 +159,9 @@ def report_load(side: SideSearch, out: SideOutputs, mirror: float):
     write_vector(out.normal_part, forces.normal_force, 1.0, mirror)
     write_vector(out.normal_moment, forces.normal_moment, mirror, 1.0)
     out.friction_power = forces.friction_power
-    out.wear_number = forces.wear_number
+    out.wear_number = 0.0
+    if rolling:
+        out.wear_number = forces.wear_number
     out.driving_torque = forces.driving_torque
     out.damping_power = forces.damping_power
     # Y over Q, outwards over downwards, both on the rail
@@ -166,7 +179,7 @@ def report_deflection(tables: Tables, side: SideSearch, out: SideOutputs, mirror
         out.rail_deflection_vertical = side.deflection.vertical + 0.0
 
 
-def report_patches(side: SideSearch, out: SideOutputs, mirror: float):
+def report_patches(side: SideSearch, out: SideOutputs, mirror: float, rolling: bool):
     """The heaviest patches of a wheel by falling load, and zeros for missing ones."""
     for rank in range(side.patch_count, PATCH_LIMIT):
         clear(out.patch[rank])
@@ -175,10 +188,10 @@ def report_patches(side: SideSearch, out: SideOutputs, mirror: float):
         if rank == 0 and number < PATCH_LIMIT:
             clear(out.patch[number])
         elif rank > 0 and rank <= PATCH_LIMIT:
-            report_patch(side.patches[number], out.patch[rank - 1], mirror)
+            report_patch(side.patches[number], out.patch[rank - 1], mirror, rolling)
 
 
-def report_patch(patch: Patch, out: PatchOutputs, mirror: float):
+def report_patch(patch: Patch, out: PatchOutputs, mirror: float, rolling: bool):
     """One patch."""
     totals = patch.totals
     out.normal_force = totals.load
@@ -194,9 +207,13 @@ def report_patch(patch: Patch, out: PatchOutputs, mirror: float):
     out.y_track = mirror * patch.y_track
     out.z_track = patch.z_track
     write_vector(out.force, patch.forces.force, 1.0, mirror)
-    out.creepage_x = patch.creepage_x
-    out.creepage_y = 0.0 - mirror * patch.creepage_y
-    out.spin = 0.0 - mirror * patch.spin
+    out.creepage_x = 0.0
+    out.creepage_y = 0.0
+    out.spin = 0.0
+    if rolling:
+        out.creepage_x = patch.creepage_x
+        out.creepage_y = 0.0 - mirror * patch.creepage_y
+        out.spin = 0.0 - mirror * patch.spin
     out.creep_force_x = patch.creep_x
     out.creep_force_y = patch.creep_y
     out.creep_moment = 0.0 - mirror * patch.creep_moment
@@ -211,14 +228,15 @@ def report_patch(patch: Patch, out: PatchOutputs, mirror: float):
 
 
 @seldom
-def report_fatigue(side: SideSearch, out: SideOutputs, yield_shear: float):
+def report_fatigue(side: SideSearch, out: SideOutputs, yield_shear: float, rolling: bool):
     """The outputs of fatigue of a wheel, for this yield stress in cyclic shear [Pa]."""
     for number in range(side.patch_count):
         patch = side.patches[number]
         if patch.rank > 0 and patch.rank <= PATCH_LIMIT:
             found = out.patch[patch.rank - 1]
-            found.wear_number = patch.forces.wear_number
-            found.fatigue_damage = wear_number_damage(patch.forces.wear_number)
+            if rolling:
+                found.wear_number = patch.forces.wear_number
+                found.fatigue_damage = wear_number_damage(patch.forces.wear_number)
             ratio = shakedown_ratio(patch, yield_shear)
             found.shakedown_ratio = ratio
             if ratio > 0.0:

@@ -8,6 +8,7 @@ from ..creep.friction import is_frictional
 from ..creep.motion import are_independent, is_moderate
 from ..layout import (
     DEPTH_ALL,
+    DEPTH_GEOMETRY,
     FRICTION_LIMIT,
     INPUT_COUNT,
     INVALID_INPUT,
@@ -90,6 +91,23 @@ def is_requested(tables: Tables, index: int) -> bool:
     return tables.sides == SIDES_BOTH or tables.sides == SIDES_LEFT + index
 
 
+def is_needed(tables: Tables, inputs: Inputs, index: int) -> bool:
+    """Whether side ``index`` is requested, or the rotation of the wheelset follows from it, too."""
+    needed = is_requested(tables, index)
+    if not needed and not tables.alone and tables.depth != DEPTH_GEOMETRY:
+        needed = is_free(tables, inputs, index) and not are_independent(tables) and is_moving(tables, inputs)
+    return needed
+
+
+def counted_outcome(tables: Tables, index: int, status: int, outcome: int):
+    """``status`` with the ``outcome`` of side ``index``; a wheel that is needed and not requested may be
+    without load."""
+    counted = status
+    if outcome > UNLOADED or is_requested(tables, index):
+        counted = max(status, outcome)
+    return counted
+
+
 def requested_outcome(tables: Tables, work: Work, status: int):
     """The outcome of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
     without load."""
@@ -100,17 +118,70 @@ def requested_outcome(tables: Tables, work: Work, status: int):
     return outcome
 
 
+def is_free(tables: Tables, inputs: Inputs, index: int) -> bool:
+    """Whether the rotation of the wheel of side ``index`` follows from the torque on it, where creep forces
+    tell of one."""
+    if tables.tangential == TANGENTIAL_NONE:
+        return False
+    given = inputs.wheel_rate
+    if are_independent(tables):
+        given = inputs.left_wheel_rate
+        if index == 1:
+            given = inputs.right_wheel_rate
+    return given == 0.0 and inputs.free_rolling != 0.0 and tables.parameters.nominal_rolling == 0.0
+
+
+def outer_torque(tables: Tables, inputs: Inputs, index: int):
+    """Torque from outside on the wheelset, or on the wheel of side ``index`` that turns by itself [N m]."""
+    torque = inputs.axle_torque
+    if are_independent(tables):
+        torque = inputs.left_axle_torque
+        if index == 1:
+            torque = inputs.right_axle_torque
+    return torque
+
+
+def is_driven(tables: Tables, inputs: Inputs, index: int) -> bool:
+    """Whether a torque from outside is carried by the creep forces of side ``index``."""
+    return outer_torque(tables, inputs, index) != 0.0 and is_free(tables, inputs, index)
+
+
 def is_rolling(tables: Tables, inputs: Inputs) -> bool:
-    """Whether the wheelset runs or its wheels turn: otherwise there are no creepages."""
+    """Whether the wheelset runs or its wheels turn: otherwise there is no rolling speed for creepages."""
     rolling = inputs.speed != 0.0 or inputs.wheel_rate != 0.0
     if are_independent(tables):
         rolling = inputs.speed != 0.0 or inputs.left_wheel_rate != 0.0 or inputs.right_wheel_rate != 0.0
-    return rolling
+    return rolling or is_driven(tables, inputs, 0) or is_driven(tables, inputs, 1)
+
+
+def is_moving(tables: Tables, inputs: Inputs) -> bool:
+    """Whether wheelset or rails have a velocity: otherwise nothing rolls or slides."""
+    if is_rolling(tables, inputs) or inputs.lateral_velocity != 0.0 or inputs.yaw_rate != 0.0:
+        return True
+    moving = is_rail_moving(inputs)
+    if tables.mode == MODE_COMPLIANT and (inputs.vertical_velocity != 0.0 or inputs.roll_rate != 0.0):
+        moving = True
+    return moving
+
+
+def is_rail_moving(inputs: Inputs) -> bool:
+    """Whether a rail is given a velocity."""
+    left = (
+        inputs.left_rail_lateral_velocity != 0.0
+        or inputs.left_rail_vertical_velocity != 0.0
+        or inputs.left_rail_roll_velocity != 0.0
+    )
+    return (
+        left
+        or inputs.right_rail_lateral_velocity != 0.0
+        or inputs.right_rail_vertical_velocity != 0.0
+        or inputs.right_rail_roll_velocity != 0.0
+    )
 
 
 def has_creep_forces(tables: Tables, work: Work) -> bool:
-    """Whether there are creep forces: a model is chosen, and the wheelset rolls."""
-    return tables.tangential != TANGENTIAL_NONE and is_rolling(tables, work.inputs)
+    """Whether there are creep forces: a model is chosen, and the wheelset rolls or slides."""
+    return tables.tangential != TANGENTIAL_NONE and is_moving(tables, work.inputs)
 
 
 def has_wear(tables: Tables) -> bool:

@@ -15,7 +15,7 @@ from .leaning import (
     open_reference,
     set_reference,
 )
-from .requested import is_requested, side_force
+from .requested import counted_outcome, is_needed, side_force
 from .side import clear_side, solve_side
 
 #: After a longer lateral move the search does not start at the last contacts [m].
@@ -70,11 +70,10 @@ def solve_rigid(tables: Tables, work: Work, roll: float):
     work.wheelset.vertical_shift = work.sides[1].best
     clear_side(work.sides[0])
     clear_side(work.sides[1])
-    if is_requested(tables, 0):
-        status = solve_side(tables, work, 0, side_force(work, 0))
-    if is_requested(tables, 1):
-        outcome = solve_side(tables, work, 1, side_force(work, 1))
-        status = max(status, outcome)
+    for index in range(2):
+        if is_needed(tables, work.inputs, index):
+            outcome = solve_side(tables, work, index, side_force(work, index))
+            status = counted_outcome(tables, index, status, outcome)
     return status
 
 

@@ -15,8 +15,8 @@ middles of strips both follow straight lines; a strip that would gain power coun
 from math import sqrt
 
 from ..creep.creep_force import solve_creep_force
-from ..creep.creepage import STANDSTILL, move_patch, move_strips
-from ..creep.friction import multiply_creepages, patch_friction, slope_factor
+from ..creep.creepage import move_patch, move_strips
+from ..creep.friction import multiply_creepages, set_friction, slope_factor
 from ..creep.motion import (
     are_independent,
     carry_rail,
@@ -35,6 +35,7 @@ from ..layout import (
     MODE_COMPLIANT,
     MODE_ELASTIC,
     ROLLING_STRIP_LIMIT,
+    SOLVED_PATCH_LIMIT,
     TANGENTIAL_NONE,
     Outline,
     Patch,
@@ -46,7 +47,7 @@ from ..layout import (
 )
 from ..surface.rails import on_springs
 from .forces import sum_side
-from .requested import has_creep_forces, is_requested, is_rolling
+from .requested import has_creep_forces, is_free, is_moving, is_needed
 from .side import touch_side
 
 
@@ -63,6 +64,9 @@ def open_given_motion(tables: Tables, work: Work):
     if on_springs(tables):
         carry_rail(left.rail, work.sides[0].deflection)
         carry_rail(right.rail, work.sides[1].deflection)
+    for index in range(2):
+        if is_free(tables, work.inputs, index):
+            work.sides[index].motion.wheel_rate = work.turning.rates[index]
     set_rates(left, right, work.inputs.vertical_velocity, work.inputs.roll_rate)
 
 
@@ -70,7 +74,7 @@ def move_wheelset(tables: Tables, work: Work):
     """The velocities of the wheelset, if it rolls; in compliant contact vertical velocity and roll rate are
     given, otherwise they follow from contact with both rails, without what the depth of an elastic wheelset
     adds (depth_rates.py)."""
-    if is_rolling(tables, work.inputs):
+    if is_moving(tables, work.inputs):
         open_given_motion(tables, work)
         if tables.mode != MODE_COMPLIANT:
             constrain_side(tables, work, 0)
@@ -80,7 +84,7 @@ def move_wheelset(tables: Tables, work: Work):
 
 def move_patches(tables: Tables, work: Work):
     """Creepages of all patches and their strips, if the wheelset rolls."""
-    if not is_rolling(tables, work.inputs):
+    if not is_moving(tables, work.inputs):
         return
     for index in range(2):
         move_side(tables, work.sides[index])
@@ -91,7 +95,7 @@ def move_side(tables: Tables, side: SideSearch):
     for number in range(side.patch_count):
         patch = side.patches[number]
         move_patch(side.motion, patch)
-        if tables.tangential != TANGENTIAL_NONE and patch.speed > STANDSTILL:
+        if tables.tangential != TANGENTIAL_NONE:
             move_strips(side.motion, patch)
 
 
@@ -103,7 +107,7 @@ def constrain_side(tables: Tables, work: Work, index: int):
         sum_side(side, False)
         constrain_loaded(side.motion, side.forces)
     else:
-        if not is_requested(tables, index):
+        if not is_needed(tables, work.inputs, index):
             touch_side(tables, work, index)
         constrain_touching(side.motion, side.point)
 
@@ -191,26 +195,41 @@ def rub_patches(tables: Tables, work: Work):
 
 def rub_side(tables: Tables, work: Work, index: int):
     """Creep forces of the patches of side ``index``, and shear and slip over its outline."""
-    side = work.sides[index]
+    rub_wheel(tables, work, index)
+    write_side_wear(tables, work.sides[index])
+
+
+def write_side_wear(tables: Tables, side: SideSearch):
+    """Shear and slip over the outline of a side, if it is requested."""
+    if tables.depth == DEPTH_ALL:
+        write_wear(side, tables.stations)
+
+
+def side_friction(work: Work, index: int):
+    """The coefficient of friction of side ``index``."""
     friction = work.inputs.left_friction
     if index == 1:
         friction = work.inputs.right_friction
+    return friction
+
+
+def rub_wheel(tables: Tables, work: Work, index: int):
+    """Creep forces of the patches of side ``index``."""
+    side = work.sides[index]
+    friction = side_friction(work, index)
     for number in range(side.patch_count):
         patch = side.patches[number]
-        if patch.speed > STANDSTILL:
-            factor = open_rolling(tables, work.rolling, patch, friction)
-            solve_creep_force(tables, work.rolling, patch)
-            close_rolling(patch, factor)
-    if tables.depth == DEPTH_ALL:
-        write_wear(side, tables.stations)
+        work.rolling.place = SOLVED_PATCH_LIMIT * index + number
+        factor = open_rolling(tables, work.rolling, patch, friction)
+        solve_creep_force(tables, work.rolling, patch)
+        close_rolling(patch, factor)
 
 
 def open_rolling(tables: Tables, rolling: Rolling, patch: Patch, friction: float):
     """Friction of a patch, and the factor of its creepages that stands for a reduced slope."""
     rolling.bare = False
     rolling.published = tables.parameters.published_spin == 1.0
-    sliding = patch.speed * sqrt(patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)
-    patch.friction = patch_friction(tables, friction, patch.contact_angle, sliding)
+    set_friction(tables, patch, friction, rolling.resting)
     factor = slope_factor(tables, patch)
     if factor != 1.0:
         multiply_creepages(patch, factor)

@@ -15,7 +15,7 @@ from ..search.roll import follow_side, place_both
 from ..search.smallest_gap import search_side
 from .at_height import GRAZING, is_damped
 from .brackets import BRACKET_SHARP, BRACKETINGS, narrow_bracket, next_in_bracket
-from .requested import is_rolling
+from .requested import is_moving
 from .rubbing import open_given_motion
 from .springs import deflect, has_settled, weigh_rail
 from .trial import DEEPEST
@@ -51,7 +51,7 @@ def press_rail(tables: Tables, work: Work, index: int, height: float, lateral: f
     """The side with its rail deflected: its load, and the residuals; the outcome."""
     if not stand_on(tables, work, index, lateral, vertical):
         return OFF_PROFILE
-    if is_damped(tables) or is_rolling(tables, work.inputs):
+    if is_damped(tables) or is_moving(tables, work.inputs):
         open_given_motion(tables, work)
     return weigh_rail(tables, work, index, height)
 

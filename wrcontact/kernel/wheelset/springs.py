@@ -18,7 +18,7 @@ from typing import Final
 from ..layout import UNLOADED, Settling, SideSearch, Tables, Work
 from .at_height import load_at_height
 from .forces import sum_side
-from .requested import has_creep_forces, is_rolling
+from .requested import has_creep_forces, is_moving
 from .rubbing import move_side, rub_side
 
 #: Springs carry what the wheel presses but for this share of it [-]; what misses it lies on a jump.
@@ -97,7 +97,7 @@ def weigh_rail(tables: Tables, work: Work, index: int, height: float):
         side = work.sides[index]
         settling = work.settling
         rubbing = has_creep_forces(tables, work)
-        if is_rolling(tables, work.inputs):
+        if is_moving(tables, work.inputs):
             move_side(tables, side)
         if rubbing:
             rub_side(tables, work, index)

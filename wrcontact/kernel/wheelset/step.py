@@ -2,7 +2,8 @@
 
 The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
 solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
-their loads. If the wheelset rolls, creepages follow, and from them the creep forces; all forces are added up.
+their loads. If the wheelset rolls, creepages follow, and from them the creep forces, with the rotation that is
+given or that follows from the torque on the axle; all forces are added up.
 Where the load is a vertical one, friction carries some of it, and the wheelset is solved again. The report
 writes the outputs.
 """
@@ -28,6 +29,7 @@ from .compliant import solve_compliant
 from .depth_rates import follow_depths
 from .elastic import solve_elastic
 from .forces import sum_forces
+from .free_rolling import release_rates, roll_freely, turns_freely
 from .requested import check_inputs, requested_outcome, side_force
 from .leaning import (
     ELASTIC_MET,
@@ -51,6 +53,7 @@ def evaluate(tables: Tables, work: Work, state: State):
     if status != VALID:
         return status
     release_friction(work)
+    release_rates(tables, work)
     status = solve_wheelset(tables, work, state)
     if status <= UNLOADED and carries_friction(tables, work):
         status = solve_with_friction(tables, work, state, status)
@@ -77,8 +80,13 @@ def solve_wheelset(tables: Tables, work: Work, state: State):
     if status <= UNLOADED:
         move_wheelset(tables, work)
         follow_depths(tables, work)
-        move_patches(tables, work)
-        rub_patches(tables, work)
+        outcome = VALID
+        if turns_freely(tables, work):
+            outcome = roll_freely(tables, work)
+        else:
+            move_patches(tables, work)
+            rub_patches(tables, work)
+        status = max(status, outcome)
         sum_forces(tables, work)
     return status
 
