@@ -110,6 +110,7 @@ def test_springs_settle_in_few_searches(friction, most):
             "yaw": random.normal(0, 5e-3),
             "vertical_shift_input": load / 5e7 + 1e-4 * (load / 8e4) ** (2 / 3),
             "speed": 20.0,
+            "wheel_rate": 20.0 / 0.46,
             "lateral_velocity": random.normal(0, 0.02),
             "rail_time_step": 1e-3,
         }
