@@ -1326,6 +1326,11 @@ static const double bounds__FINE_CELL = 0.000501;
 /* search/first_root.py */
 static const double first_root__APART = 1e-13;
 static const int64_t first_root__ROOT_TRIALS = INT64_C(300);
+static const double first_root__ROUNDS = 6291456.0;
+static const double first_root__GRID = 9.313225746154785e-10;
+static const double first_root__UNSURE = 2e-12;
+static const double first_root__SETTLED_ROLL = 1e-12;
+static const double first_root__SETTLED_PLACE = 1e-09;
 static const double first_root__LEVER_TURNED_SHARE = 1.1;
 static const double first_root__LEVER_YAWED_SHARE = 1.2;
 static const double first_root__LEANING_SHARE = 1.1;
