@@ -80,9 +80,9 @@ def test_a_histogram_begins_with_its_first_bin():
     """Each place in its own bin, by hand."""
     table_of = wrcontact.fatigue(table(), yield_shear=300e6)
     place = table_of.of_side("rail_place", "right")
-    value = table_of.of_side("damage", "right")
+    value = table_of.of_side("shakedown_ratio", "right")
     there = np.isfinite(place) & np.isfinite(value)
-    places, sums = table_of.histogram("damage", "rail", "right", width=1e-3)
+    places, sums = table_of.histogram("shakedown_ratio", "rail", "right", width=1e-3)
     for middle, one in zip(places, sums):
         inside = there & (np.abs(place - middle) < 0.5e-3)
         assert one == pytest.approx(value[inside].sum(), rel=1e-12, abs=1e-30)
