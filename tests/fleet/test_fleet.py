@@ -277,6 +277,18 @@ def test_damaged_lines_are_done_again(files, tmp_path, examined, fleet, folder, 
     assert [row["conicity_3mm"] for row in again] == [row["conicity_3mm"] for row in fleet]
 
 
+def test_a_pair_that_lacks_its_picture_is_done_again(tmp_path, examined):
+    """Its JSON alone is not all of it; and other parameters make other pairs."""
+    given = ("S1002", "UIC60", tmp_path / "out")
+    (row,) = wrcontact.check_fleet(*given, processes=1, pictures="all")
+    assert len(examined) == 1
+    (tmp_path / "out" / row["picture"]).unlink()
+    wrcontact.check_fleet(*given, processes=1, pictures="all")
+    assert len(examined) == 2 and (tmp_path / "out" / row["picture"]).is_file()
+    (other,) = wrcontact.check_fleet(*given, processes=1, pictures="all", rail_inclination=1 / 20)
+    assert len(examined) == 3 and other["conicity_3mm"] != row["conicity_3mm"]
+
+
 def test_a_full_disk_is_told_with_the_file(files, tmp_path, monkeypatch):
     class Full:
         def __enter__(self):

@@ -6,7 +6,7 @@ STRANGERS, FOREIGN, HEADS, SMOOTH = (
     f"profiles/test_{name}.py" for name in ("strangers", "foreign_files", "orientation", "smoothing")
 )
 FLEET = "fleet/test_fleet.py"
-STORES, ADDING, RUNNING = (f"wear/test_{name}.py" for name in ("stores", "accumulate", "run"))
+STORES, BLIND = (f"wear/test_{name}.py" for name in ("stores", "blind_spots"))
 
 FILED = [
     (
@@ -214,7 +214,7 @@ FILED = [
         'good &= self["status"] == 0',
         'good &= self["status"] <= 1',
         "rows of an unloaded wheel count as run",
-        ADDING,
+        BLIND,
         "wrcontact/wear/rows.py",
     ),
     (
@@ -222,7 +222,7 @@ FILED = [
         'side = "left" if name.startswith("left.") else "right"',
         'side = "right"',
         "the left wheel wears by the right one's radius",
-        ADDING,
+        BLIND,
         "wrcontact/wear/accumulate.py",
     ),
     (
@@ -230,7 +230,7 @@ FILED = [
         '[prefix + name.partition(".")[2] for prefix in self.prefixes] if self.mirrored',
         "[name] if self.mirrored",
         "mirrored shares are those of the right side alone",
-        ADDING,
+        BLIND,
         "wrcontact/wear/accumulate.py",
     ),
     (
@@ -238,7 +238,7 @@ FILED = [
         "total += count @ self._sums(added, name) * (np.sum(added.distance) / length)",
         "total += count @ self._sums(added, name)",
         "the bootstrap leaves out the distance of its samples",
-        ADDING,
+        BLIND,
         "wrcontact/wear/accumulate.py",
     ),
     (
@@ -246,7 +246,7 @@ FILED = [
         "inner[:, -1] = (2.0 * values[:, -1] + values[:, -2]) / 3.0",
         "inner[:, -1] = (2.0 * values[:, 0] + values[:, -2]) / 3.0",
         "the mean around the last station is from the first one",
-        ADDING,
+        BLIND,
         "wrcontact/wear/cells.py",
     ),
     (
@@ -254,7 +254,63 @@ FILED = [
         "deepest = max(np.max(wear.depth(name)[1])",
         "deepest = min(np.max(wear.depth(name)[1])",
         "a step is as long as the side that wears less permits",
-        RUNNING,
+        BLIND,
         "wrcontact/wear/run.py",
+    ),
+    (
+        "first_bin",
+        "np.floor(np.min(place[there]) / width)",
+        "np.ceil(np.min(place[there]) / width)",
+        "a histogram of fatigue lacks its first bin",
+        BLIND,
+        "wrcontact/wear/fatigue.py",
+    ),
+    (
+        "us2_datum",
+        '"us2": (3 + 1 / 16) * INCH',
+        '"us2": 3 * INCH',
+        "Vampire's datum US2 is 1.6 mm off",
+        FOREIGN,
+        f"{PROFILES}/readers.py",
+    ),
+    (
+        "one_digit",
+        "profile[ \\t]*(\\d+)[ \\t]*(info",
+        "profile[ \\t]*(\\d)[ \\t]*(info",
+        "profiles of a .mpt beyond the ninth are not read",
+        FOREIGN,
+        f"{PROFILES}/readers.py",
+    ),
+    (
+        "left_zero",
+        "if not (ROWS[name].right and value == 0)",
+        "if not (ROWS[name].right and value is None)",
+        "0 of a parameter of the left side is no longer as on the right",
+        "interface/test_table.py",
+        "wrcontact/fmu/settings.py",
+    ),
+    (
+        "some_files",
+        "row if row and all((self",
+        "row if row and any((self",
+        "a pair of a fleet is kept with some of its files",
+        FLEET,
+        "wrcontact/fleet/folder.py",
+    ),
+    (
+        "fewer_jumps",
+        '"jump_count": max(jumps)',
+        '"jump_count": min(jumps)',
+        "the jumps of a pair are those of the side with fewer",
+        FLEET,
+        "wrcontact/fleet/table.py",
+    ),
+    (
+        "fleet_mark",
+        'profiles["rail"][rail], parameters)',
+        'profiles["rail"][rail])',
+        "a fleet keeps pairs that were checked with other parameters",
+        FLEET,
+        "wrcontact/fleet/run.py",
     ),
 ]
