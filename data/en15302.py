@@ -3,6 +3,7 @@
 
 import csv
 import warnings
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -11,6 +12,7 @@ import numpy as np
 
 import wrcontact
 from wrcontact import ContactSystem, Profile, ProfileWarning
+from wrcontact.profiles.zones import Arc, Polynomial
 
 FOLDER = Path(__file__).with_name("en15302")
 MM = 1e-3
@@ -94,6 +96,53 @@ def found_curve(case):
 def found_conicity(case):
     """Our conicities (n,) at the amplitudes of the reference."""
     return wrcontact.conditioning.equivalent_conicity(*found_curve(case), limits(case).amplitude)
+
+
+def exact_profile(name):
+    """ "wheel_H" or "rail_A" from the zones of the edition of 2021."""
+    with open(FOLDER / "exact_zones.csv", newline="", encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if row["profile"] == name]
+    return Profile(name, name.split("_")[0], meeting([zone_of(row) for row in rows]), smooth=False)
+
+
+def zone_of(row):
+    """The zone of a row of the file."""
+    row = {key: float(value) for key, value in row.items() if value and key not in ("profile", "family")}
+    if "radius" in row:
+        side = int(row["side"])
+        return Arc(row["start"], row["stop"], row["radius"], row["y_centre"], row["z_centre"], side)
+    return Polynomial(row["start"], row["stop"], (row["z"], row["slope"]), row["origin"])
+
+
+def meeting(zones):
+    """The zones of a wheel, each of which is moved down so that it meets the next one: printed numbers of
+    flanges leave steps of up to 1.5 um, more than a profile may have."""
+    kept = [zones[-1]]
+    for zone in zones[-2::-1]:
+        rise = float(kept[0](kept[0].start)[0] - zone(kept[0].start)[0])
+        if isinstance(zone, Arc):
+            kept.insert(0, replace(zone, z_centre=zone.z_centre + rise))
+        else:
+            first, *others = zone.coefficients
+            kept.insert(0, replace(zone, coefficients=(first + rise, *others)))
+    return tuple(kept)
+
+
+def exact_conicity():
+    """Conicities of wheel H on rail A of the edition of 2021 (33, 6): amplitude [m], value, the limits of the
+    value, and those that follow from the tolerance on the lateral shift; and ours (33,)."""
+    with open(FOLDER / "exact_conicity.csv", newline="", encoding="utf-8") as file:
+        table = np.array([row[1:] for row in csv.reader(file)][1:], dtype=float)
+    table[:, 0] *= MM
+    system = ContactSystem(
+        exact_profile("wheel_H"),
+        exact_profile("rail_A"),
+        rail_inclination=0.0,
+        gauge=GAUGE,
+        nominal_radius=0.46,
+    )
+    curve = wrcontact.check(system).conicity_curves["level"]
+    return table, wrcontact.conditioning.equivalent_conicity(*curve, table[:, 0])
 
 
 def distances(points, curve):

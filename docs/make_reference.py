@@ -21,6 +21,7 @@ WHEN = {
     "outside": "out of range",
     "negative": "negative",
     "zero": "zero",
+    "nonzero": "",
     "always": "",
 }
 MODE = {None: "", True: " (compliant contact)", False: " (rigid and elastic contact)"}

@@ -97,6 +97,7 @@ static bool holds(const model_sentence *said, double value)
     case TEST_OUTSIDE: return !(0.0 <= value && value <= said->limit);
     case TEST_NEGATIVE: return value < 0.0;
     case TEST_ZERO: return value == 0.0;
+    case TEST_NONZERO: return value != 0.0;
     default: return true;
     }
 }

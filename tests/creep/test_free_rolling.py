@@ -314,9 +314,9 @@ def test_falling_friction_carries_less():
 
 BY = {
     "lateral_shift": 1e-8,
-    "yaw": 1e-7,
+    "yaw": 1e-8,
     "speed": 1e-4,
-    "lateral_velocity": 1e-6,
+    "lateral_velocity": 1e-7,
     "yaw_rate": 1e-6,
     "normal_force": 1.0,
     "left.friction": 1e-6,

@@ -336,6 +336,11 @@ def side_torque(wheel):
     yield -moment @ axle(wheel), EXACT * 1e3 + EXACT * np.abs(moment).max() + bowed(wheel)
 
 
+def wheel_rate(wheel):
+    """That of the inputs; nothing turns without one in these scenes."""
+    yield wheel.inputs.get("wheel_rate", 0.0), 0.0
+
+
 def driving_torque(scene):
     """That of both wheels."""
     parts = [next(side_torque(wheel)) for wheel in scene.wheels.values()]

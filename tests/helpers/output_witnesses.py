@@ -509,6 +509,7 @@ LOAD = {
     "friction_power": ("W", creep.side_power),
     "wear_number": ("N", creep.wear_number),
     "driving_torque": ("N.m", creep.side_torque),
+    "wheel_rate_found": ("rad/s", creep.wheel_rate),
     "damping_power": ("W", wear.damping_power),
     "derailment_quotient": ("1", wear.derailment_quotient),
     "rail_deflection_lateral": ("m", rigid_rail),

@@ -2,10 +2,11 @@
 planted.py."""
 
 PROFILES = "wrcontact/profiles"
-STRANGERS, FOREIGN, HEADS = (
-    f"profiles/test_{name}.py" for name in ("strangers", "foreign_files", "orientation")
+STRANGERS, FOREIGN, HEADS, SMOOTH = (
+    f"profiles/test_{name}.py" for name in ("strangers", "foreign_files", "orientation", "smoothing")
 )
 FLEET = "fleet/test_fleet.py"
+STORES, ADDING, RUNNING = (f"wear/test_{name}.py" for name in ("stores", "accumulate", "run"))
 
 FILED = [
     (
@@ -34,8 +35,8 @@ FILED = [
     ),
     (
         "silent_cut",
-        "        if abs(last - end) > CUT:",
-        "        if abs(last - end) > 1e9:",
+        "        if outwards * (last - end) > CUT:",
+        "        if outwards * (last - end) > 1e9:",
         "a flange that is lost behind a fold is not told",
         FOREIGN,
         f"{PROFILES}/repair.py",
@@ -135,5 +136,125 @@ FILED = [
         "one of two heads is cut out in metres of a file in millimetres",
         STRANGERS,
         f"{PROFILES}/repair.py",
+    ),
+    (
+        "noise_everywhere",
+        "    return float(most), most / noise\n",
+        "    return float(most), np.ones(len(noise))\n",
+        "the noise of a part of a file smooths all of it",
+        SMOOTH,
+        f"{PROFILES}/repair.py",
+    ),
+    (
+        "joints_as_noise",
+        "PLACE, UNEVEN, JOINTS = 61, 3.0, 1e-3",
+        "PLACE, UNEVEN, JOINTS = 61, 3.0, 1e-6",
+        "joints of exact points count as noise by place",
+        SMOOTH,
+        f"{PROFILES}/smoothing.py",
+    ),
+    (
+        "rough_unsaid",
+        "    if scatter > ROUGH:\n",
+        "    if scatter > 1e9:\n",
+        "only a check tells that the contact follows noise",
+        SMOOTH,
+        f"{PROFILES}/plausible.py",
+    ),
+    (
+        "place_of_the_worn_face",
+        "setup.parameters.gauge / 2.0 + work[DEFINITION_WORN] * MM + (y_top",
+        "setup.parameters.gauge / 2.0 + (y_top",
+        "a worn rail is placed by its own worn face",
+        STORES,
+        "wrcontact/kernel/prepare/tables.py",
+    ),
+    (
+        "face_of_the_first_wear",
+        "worn, face = np.flatnonzero(depth > NOTHING), profile.worn_face",
+        "worn, face = np.flatnonzero(depth > NOTHING), 0.0",
+        "only the last wear of a rail's face counts",
+        STORES,
+        "wrcontact/wear/update.py",
+    ),
+    (
+        "law_by_name",
+        '"law": _digest(law_mark(plan.law))',
+        '"law": _digest(repr(plan.law))',
+        "a store of wear goes on with another law of the same name",
+        STORES,
+        "wrcontact/wear/store.py",
+    ),
+    (
+        "law_without_numbers",
+        "*((one.name, getattr(law, one.name)) for one in fields(law))",
+        "*(one.name for one in fields(law))",
+        "the mark of a law lacks its numbers",
+        STORES,
+        "wrcontact/wear/laws.py",
+    ),
+    (
+        "no_sum",
+        'if content.pop("sum") == _sum(content):',
+        'if content.pop("sum"):',
+        "a step of a store whose numbers have changed is gone on with",
+        STORES,
+        "wrcontact/wear/store.py",
+    ),
+    (
+        "missing_is_zero",
+        "            good &= np.isfinite(self[name])\n",
+        "            good &= True\n",
+        "numbers that a file lacks are zero wear",
+        STORES,
+        "wrcontact/wear/rows.py",
+    ),
+    (
+        "rows_unloaded",
+        'good &= self["status"] == 0',
+        'good &= self["status"] <= 1',
+        "rows of an unloaded wheel count as run",
+        ADDING,
+        "wrcontact/wear/rows.py",
+    ),
+    (
+        "left_radius",
+        'side = "left" if name.startswith("left.") else "right"',
+        'side = "right"',
+        "the left wheel wears by the right one's radius",
+        ADDING,
+        "wrcontact/wear/accumulate.py",
+    ),
+    (
+        "shares_of_the_right",
+        '[prefix + name.partition(".")[2] for prefix in self.prefixes] if self.mirrored',
+        "[name] if self.mirrored",
+        "mirrored shares are those of the right side alone",
+        ADDING,
+        "wrcontact/wear/accumulate.py",
+    ),
+    (
+        "sample_distance",
+        "total += count @ self._sums(added, name) * (np.sum(added.distance) / length)",
+        "total += count @ self._sums(added, name)",
+        "the bootstrap leaves out the distance of its samples",
+        ADDING,
+        "wrcontact/wear/accumulate.py",
+    ),
+    (
+        "last_mean",
+        "inner[:, -1] = (2.0 * values[:, -1] + values[:, -2]) / 3.0",
+        "inner[:, -1] = (2.0 * values[:, 0] + values[:, -2]) / 3.0",
+        "the mean around the last station is from the first one",
+        ADDING,
+        "wrcontact/wear/cells.py",
+    ),
+    (
+        "deeper_side",
+        "deepest = max(np.max(wear.depth(name)[1])",
+        "deepest = min(np.max(wear.depth(name)[1])",
+        "a step is as long as the side that wears less permits",
+        RUNNING,
+        "wrcontact/wear/run.py",
     ),
 ]

@@ -9,11 +9,61 @@ ROLLING_STEP, ORIENTATION = "wrcontact/halfspace/rolling_step.py", "wrcontact/pr
 LAW, SLIP, THEORY, OF_STRIPS = (
     f"creep/test_{name}.py" for name in ("friction_law", "full_slip", "strip_theory", "strip_laws")
 )
+STRAIGHT, CORRECTION = "derivative/test_linearisation.py", f"{CREEP}/correction.py"
 FALLS, FALLING = "creep/test_falling_friction.py", f"{CREEP}/falling.py"
 DAMPING, RAILS, HEADS = "wheelset/test_damping.py", "creep/test_rails.py", "profiles/test_orientation.py"
 
 LAWS = [
     # --- friction
+    # --- slopes where a wheelset runs straight
+    (
+        "straight_bend",
+        "if azimuth == MIDDLE_AZIMUTH:",
+        "if azimuth == MIDDLE_AZIMUTH + 1:",
+        "the correction has a corner at no lateral creepage",
+        STRAIGHT,
+        CORRECTION,
+    ),
+    (
+        "straight_even",
+        "on_elevation *= on_elevation",
+        "on_elevation *= 1.0",
+        "the correction has a corner at no longitudinal creepage",
+        STRAIGHT,
+        CORRECTION,
+    ),
+    (
+        "straight_slope",
+        "faint = (1.0 - on_radius) / (1.0 + radius)",
+        "faint = 0.0 * radius",
+        "strips lack some per cent of Kalker's slopes",
+        STRAIGHT,
+        CORRECTION,
+    ),
+    (
+        "straight_fastrip",
+        "whole = 0.5 * float(POINT_LIMIT + 1) * march.rate",
+        "whole = 0.5 * float(POINT_LIMIT) * march.rate",
+        "FaStrip's slopes are those of its points",
+        STRAIGHT,
+        "wrcontact/kernel/creep/fastrip.py",
+    ),
+    (
+        "straight_polach",
+        "own * own * floor",
+        "first * first * floor",
+        "Polach's lateral force begins with the longitudinal coefficient",
+        STRAIGHT,
+        "wrcontact/kernel/creep/polach.py",
+    ),
+    (
+        "straight_displaced",
+        "left_roll -= rate_of(left)",
+        "left_roll -= 1.02 * rate_of(left)",
+        "the roll rate of an elastic wheelset follows another slope",
+        STRAIGHT,
+        "wrcontact/kernel/derivative/motion_rules.py",
+    ),
     (
         "fall_spin",
         "across = falling.slide_y[i] + falling.slide_turn[i] * x",
@@ -52,7 +102,7 @@ LAWS = [
         "bound = patch.friction * patch.totals.load",
         "the correction has the friction of rest where that falls",
         FALLS,
-        "wrcontact/kernel/creep/correction.py",
+        CORRECTION,
     ),
     (
         "fall_wet",

@@ -28,6 +28,9 @@ CORNER, STEPPED, WIDTH, RADIUS = 1e-8, 1e-5, 0.05, 1.0
 STEP, REPAIR = 1e-6, 0.5
 #: Ends of zones this close meet [mm]: steps in height part those of a rail that is turned.
 MEETING = 1e-4
+ROLLS = 0.1  # [rad] rolls are permitted up to here
+JUMP = 1e-9  # [m] gaps that differ by more where no roll is left between jump there
+AT_END = 3e-6  # [m] a place this close to the end of a profile is on it
 PIECE = 400  # points of a piece that joins two zones
 
 
@@ -235,7 +238,8 @@ class SampledPair:
         return np.interp(across, *self.rail_points, left=np.nan, right=np.nan) - down
 
     def smallest(self, shift, roll):
-        """Smallest gap [m] of the right wheel without yaw, and its wheel abscissa [m]."""
+        """Smallest gap [m] of the right wheel without yaw, its wheel abscissa [m], and a zero, the angle
+        around the wheel."""
         y, z = self.wheel_points
         low, high = y[:1], y[-1:]
         for step, hidden in SCREENS:
@@ -245,41 +249,67 @@ class SampledPair:
             near = np.nonzero(np.fmin(gaps[:-1], gaps[1:]) < np.nanmin(gaps) + hidden)
             low, high = seen[:-1][near], seen[1:][near]
         best = np.nanargmin(gaps)
-        return gaps.flat[best], seen.flat[best]
+        return gaps.flat[best], seen.flat[best], 0.0
 
-    def yawed_gaps(self, y, around, shift, roll, yaw):
-        """Gap [m] of points of the wheel's surface: at abscissae ``y`` [m] and angles ``around`` it [rad]."""
+    def on_surface(self, y, around, shift, roll, yaw):
+        """Lateral and downward track coordinate [m] of points of the wheel's surface: at abscissae ``y`` [m]
+        and angles ``around`` it [rad]."""
         r = self.radius + np.interp(y, *self.wheel_points)
         s, c = np.sin(roll), np.cos(roll)
         lateral = (self.arm + y) * c - r * np.cos(around) * s
         across = shift + np.sin(yaw) * r * np.sin(around) + np.cos(yaw) * lateral
-        down = (self.arm + y) * s + r * np.cos(around) * c - self.radius
-        return np.interp(across, *self.rail_points, left=np.nan, right=np.nan) - down
+        return across, (self.arm + y) * s + r * np.cos(around) * c - self.radius
+
+    def surface_gaps(self, y, around, shift, roll, yaw):
+        """Gap [m] of points of the wheel's surface; infinite beside the rail."""
+        across, down = self.on_surface(y, around, shift, roll, yaw)
+        return np.interp(across, *self.rail_points, left=np.inf, right=np.inf) - down
 
     def smallest_yawed(self, shift, roll, yaw, places=()):
-        """Smallest gap [m] of the yawed right wheel: on a raster over its surface, refined around the lowest
-        places and around these ``places`` (abscissa, angle)."""
+        """Smallest gap [m] of the yawed right wheel, and its abscissa [m] and angle [rad]: on a raster over
+        its surface, refined around the lowest places and around these ``places`` (abscissa, angle)."""
         y = np.linspace(*self.wheel_points[0, [0, -1]], 2001)
         around = np.linspace(-0.16, 0.16, 161)
-        gaps = self.yawed_gaps(y[:, None], around, shift, roll, yaw)
-        gaps = np.where(np.isnan(gaps), np.inf, gaps)
+        gaps = self.surface_gaps(y[:, None], around, shift, roll, yaw)
         lowest = gaps.min(axis=1)
         turns = (lowest <= np.roll(lowest, 1)) & (lowest <= np.roll(lowest, -1))
         near = np.flatnonzero(turns & (lowest < lowest.min() + 60e-6))
-        raster = [(y[k], around[gaps[k].argmin()], 1.5 * (y[1] - y[0]), 1.5e-3 * 2) for k in near]
-        own = [(at, angle, 1e-6, 1e-4) for at, angle in places]
-        return min(self.refined(*start, shift, roll, yaw) for start in raster + own)
+        starts = [(y[k], around[gaps[k].argmin()], 1.5 * (y[1] - y[0]), 3e-3) for k in near]
+        starts += [(*place, 1e-6, 1e-4) for place in places]
+        return min(self.refined(*start, shift, roll, yaw) for start in starts)
 
     def refined(self, at, angle, reach, turn, shift, roll, yaw):
-        """The smallest gap [m] beside a place of the wheel's surface, by finer and finer rasters."""
-        share = np.linspace(-1.0, 1.0, 31)
-        least = np.inf
+        """The smallest gap [m] beside a place of the wheel's surface, its abscissa and angle, by finer and
+        finer rasters.
+
+        Many arguments because a place has two coordinates and two reaches, and a pose three.
+        """
+        share, found = np.linspace(-1.0, 1.0, 31), (np.inf, at, angle)
         for _ in range(14):
-            y = np.clip(at + reach * share, *self.wheel_points[0, [0, -1]])
-            around = angle + turn * share
-            gaps = self.yawed_gaps(y[:, None], around, shift, roll, yaw)
-            gaps = np.where(np.isnan(gaps), np.inf, gaps)
+            y = np.clip(found[1] + reach * share, *self.wheel_points[0, [0, -1]])
+            around = found[2] + turn * share
+            gaps = self.surface_gaps(y[:, None], around, shift, roll, yaw)
             i, k = np.unravel_index(gaps.argmin(), gaps.shape)
-            at, angle, least = y[i], around[k], min(least, gaps[i, k])
+            found = min(found, (gaps[i, k], y[i], around[k]))
             reach, turn = 0.35 * reach, 0.35 * turn
-        return least
+        return found
+
+    def touches_end(self, shift, yaw):
+        """Whether a wheelset of two such pairs rests on the end of a profile, or on nothing within the
+        permitted rolls."""
+        found = self.smallest_yawed if yaw else lambda shift, roll, yaw: self.smallest(shift, roll)
+        low, high = -ROLLS, ROLLS
+        for _ in range(40):
+            roll = 0.5 * (low + high)
+            right, left = found(shift, roll, yaw), found(-shift, -roll, -yaw)
+            if not np.isfinite(right[0] + left[0]):
+                return True
+            low, high = (roll, high) if right[0] > left[0] else (low, roll)
+        if abs(right[0] - left[0]) > JUMP:
+            return True
+        for sign, (_, y, around) in ((1.0, right), (-1.0, left)):
+            across, _ = self.on_surface(y, around, sign * shift, sign * roll, sign * yaw)
+            ends = [y - self.wheel_points[0, [0, -1]], across - self.rail_points[0, [0, -1]]]
+            if np.abs(ends).min() < AT_END:
+                return True
+        return False

@@ -83,3 +83,14 @@ def test_limit_cycle(archives, beyond, start):
     assert (amplitude < start / 2) if start < 1e-3 else (amplitude == pytest.approx(6.2e-3, abs=0.1e-3))
     with Linear(archives, SOFT) as found:
         assert 36.0 < found.critical_speed(20.0, 80.0) < 50.0
+
+
+@pytest.mark.parametrize("tangential", ["polach", "fastsim", "fastrip", "strips"])
+def test_each_model_of_creep_forces_has_roots(archives, model, tangential):
+    """From derivatives at no lateral creepage: a model whose slope was none there had a singular matrix."""
+    contact = LINEAR | {"tangential_model": tangential}
+    wanted = theory.hunting_root(theory.state_matrix(model, 40.0))
+    with Linear(archives, SUSPENSION, contact, LINEAR_FRICTION) as linear:
+        found = linear.root(40.0)
+    assert found.imag == pytest.approx(wanted.imag, rel=1e-3)
+    assert found.real == pytest.approx(wanted.real, abs=5e-3 * wanted.imag)

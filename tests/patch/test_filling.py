@@ -61,4 +61,4 @@ def test_what_a_region_carries_stays_in_it():
     side = filled((5.0, -1.0, 4.0), [(0, 0, 5.0), (1, 0, -2.0), (1, 1, 1.0), (2, 1, 4.0)])
     finish_patches(side)
     assert carried(side)[0] == [4.0, 4.0]
-    assert [list(patch.loads) for patch in side.patches[:2]] == [[3.0, 1.0, 0.0], [0.0, 4.0, 0.0]]
+    assert [list(patch.loads) for patch in side.patches[:2]] == [[3.0, 1.0, 0.0, 0.0], [0.0, 4.0, 0.0, 0.0]]

@@ -20,7 +20,15 @@ RULES = {
 #: A part of a rule, and the function whose rule it is a part of.
 PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
 #: The modules of the room kernel/derivative, which are differentiated and not translated themselves.
-RULE_MODULES = ("contact_rules", "elementary_rules", "intrinsics", "wheelset_rules")
+RULE_MODULES = (
+    "compliant_rules",
+    "contact_rules",
+    "elementary_rules",
+    "intrinsics",
+    "motion_rules",
+    "turning_rules",
+    "wheelset_rules",
+)
 ROOT = "differentiate"
 ACTIVE_ARRAYS = {"work", "place"}
 INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated", "nonzero", "common_rate"}

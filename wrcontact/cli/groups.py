@@ -73,7 +73,7 @@ WORDS = {
     "vertical_velocity": "How fast the vertical shift grows, read with --contact-mode compliant alone",
     "roll_rate": "How fast the roll grows, read with --contact-mode compliant alone",
     "wheel_rate": "Rotation of the wheelset about its axle, positive when it rolls forward; 0 is that of "
-    "free rolling, --speed / --nominal-radius-mm",
+    "free rolling, without torque or under --axle-torque",
     **{
         f"{side}_wheel_rate": f"{side.capitalize()} wheel: rotation about the axle with --independent-wheels, "
         "positive when it rolls forward; 0 is that of free rolling"

@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
-from ..profiles.plausible import remarks_on
-from ..profiles.remarks import Grave
+from ..profiles.plausible import ROUGH, remarks_on
+from ..profiles.remarks import Grave, counted, stretch
 from .curves import merged_jumps
 
 # [m] a pair is usable if there is contact up to this shift, the smallest amplitude of the conicity
@@ -18,7 +18,6 @@ FAST = 20.0  # rate of the contact position: 10 um of gauge or profile then move
 # treads and roots of wheels in use are less steep where they touch, flanges steeper
 FLANGE = math.radians(45.0)
 OFF_MIDDLE = 0.05e-3  # [m] largest distance of an oscillation's middle from the middle of the track
-ROUGH = 1.0  # [1/m] a fifth of the relative curvature of S1002 on the shoulder of UIC60, 5 to 8 1/m
 
 
 def sentences(found):
@@ -159,6 +158,13 @@ def _on_profile(profile, side):
             f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where it is in "
             f"contact{more}"
         )
+        outwards = -1.0 if profile.kind == "wheel" else 1.0
+        convex = [y for y, turn in profile.kinks if outwards * turn > 0.0]
+        if convex:
+            yield (
+                f"{name} is convex at {counted(len(convex), 'kink')} ({stretch([y * 1e3 for y in convex])}): "
+                "the pressure of hertz has no limit there, and is that of the rounding; use another normal_model"
+            )
     if profile.roughness > ROUGH:
         yield (
             f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where it is in "

@@ -45,6 +45,8 @@ limit. The step itself still succeeds, and the next valid input gives a valid re
 <tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
 <tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1, or friction outside 0 &hellip; 2</td>
 <td>last valid values</td></tr>
+<tr><td>5</td><td>beyond adhesion: friction does not carry the <code>axle_torque</code> of wheels whose rotation follows from it</td>
+<td>last valid values</td></tr>
 </table>
 """
 
@@ -81,7 +83,9 @@ from the motion, &minus;V<sub>ref</sub> (&xi; F<sub>x</sub> + &eta; F<sub>y</sub
 directions; <code>wear_number</code> is T&gamma; without spin. If <code>fatigue_outputs</code> is true, each patch also has its
 T&gamma;, the damage of a passage that follows from it, and its place in the shakedown map for the yield stress
 <code>yield_shear</code>. <code>driving_torque</code> is the torque of the creep forces about
-the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. <code>shear</code> times
+the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. With a <code>wheel_rate</code> of 0 and
+<code>free_rolling</code> the rotation is the one at which it cancels <code>axle_torque</code>, and
+<code>wheel_rate_found</code> of a wheel tells it. <code>shear</code> times
 <code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
 vertical load.</p>
 <p><code>flange_friction_ratio</code> lubricates the flange; <code>friction_fall</code> A and <code>friction_fall_rate</code> B let

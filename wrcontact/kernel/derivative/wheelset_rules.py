@@ -8,90 +8,30 @@ equation that the result solves gives its rate. From r(x, p) = 0 follows
 
 Each iteration has one rule: it takes the kernel's own result, evaluates the equation there with rates, and
 gives the result the rate that follows. Values stay as they are. contact_rules.py has the rules of
-the rooms contact and normal, this file the wheelset and the whole step, ``differentiate``. The files are
-inputs of ``tools/differentiate`` and are not translated themselves; intrinsics.py has the words in which
+the rooms contact and normal, motion_rules.py those of yaw and velocities, compliant_rules.py those of rails on
+springs, turning_rules.py those of free rolling, this file the wheelset and the whole step, ``differentiate``.
+The files are inputs of ``tools/differentiate`` and are not translated themselves; intrinsics.py has the words in which
 they speak of rates.
 """
 
 from math import fabs
 
-from ..creep.motion import are_independent, constraint_residual, set_rates
-from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Inputs, Tables, Work
-from ..search.roll import lean_both, place_both, turn_both
+from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Tables, Work
 from ..surface.gap import gap_per_roll, vertical_gap
-from ..surface.rails import is_sprung
-from ..wheelset.at_height import is_damped, load_at_height
-from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
 from ..wheelset.elastic import UNBALANCED
-from ..wheelset.forces import rub_patch, sum_forces
-from ..wheelset.free_rolling import UNCARRIED, nominal_rate, turns_freely
-from ..wheelset.requested import (
-    is_free,
-    is_moving,
-    is_needed,
-    outer_torque,
-    side_force,
-)
+from ..wheelset.forces import sum_forces
+from ..wheelset.free_rolling import turns_freely
+from ..wheelset.requested import is_moving, side_force
 from ..wheelset.leaning import set_reference
-from ..wheelset.rubbing import (
-    move_patches,
-    move_side,
-    move_wheelset,
-    open_given_motion,
-    rub_patches,
-    rub_side,
-)
+from ..wheelset.rubbing import move_patches, move_wheelset, rub_patches
 from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
-from ..wheelset.springs import UNSETTLED, deflect, has_settled, open_settling, weigh_rail
 from ..wheelset.trial import balance_side
 from ..wheelset.vertical_load import carried_share, carries_friction
-from .elementary_rules import sine_cosine_rule
+from .compliant_rules import follow_compliant, follow_minimum
 from .intrinsics import held, moving, nonzero, rate_of, seeded
-
-
-def place_moving(tables: Tables, work: Work, inputs: Inputs, roll: float):
-    """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
-    place_both(tables, inputs, work.sides, roll)
-    if work.sides[1].place.leaning:
-        begin_yaw(work, inputs, roll)
-    else:
-        begin_yaw(work, inputs, roll)
-        if nonzero(rate_of(inputs.left_rail_roll)) or nonzero(rate_of(inputs.right_rail_roll)):
-            lean_both(tables, inputs, work.sides, roll)
-
-
-def begin_yaw(work: Work, inputs: Inputs, roll: float):
-    """Place wheels that begin to yaw as yawed ones."""
-    yaw = inputs.yaw
-    if yaw == 0.0 and nonzero(rate_of(yaw)):
-        sine, cosine = sine_cosine_rule(yaw)
-        work.sides[1].place.sin_yaw = sine
-        work.sides[1].place.cos_yaw = cosine
-        work.sides[1].place.yawed = True
-        work.sides[0].place.sin_yaw = -sine
-        work.sides[0].place.cos_yaw = cosine
-        work.sides[0].place.yawed = True
-        for index in range(2):
-            place = work.sides[index].place
-            if place.leaning:
-                place.track_sin_yaw = place.sin_yaw
-                place.track_cos_yaw = place.cos_yaw
-        turn_both(work.sides, roll)
-
-
-def follow_minimum(tables: Tables, work: Work, index: int):
-    """Let the smallest gap of side ``index`` and its place move with the placed wheel: there the slopes of
-    wheel and rail agree, mismatch(y) = 0."""
-    pair = tables.pairs[index]
-    side = work.sides[index]
-    at = work.sides[index].place
-    y = held(side.best_y)
-    gap, mismatch, rate = vertical_gap(pair, at, y)
-    y = moving(y, -mismatch / held(rate))
-    gap, mismatch, rate = vertical_gap(pair, at, y)
-    side.best_y = y
-    side.best = moving(side.best, gap)
+from .motion_rules import follow_rates, place_moving
+from .turning_rules import follow_turning
 
 
 def follow_roll(tables: Tables, work: Work):
@@ -182,139 +122,6 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
     return False
 
 
-def follow_residuals(tables: Tables, work: Work, time: float, vertical: float, roll_rate: float):
-    """How much faster than the wheelset each side of an elastic one comes down [m/s], from ``time`` [s] before
-    to after or, in a standing one, until then (``depth_rates.find_residuals``)."""
-    set_rates(work.sides[0].motion, work.sides[1].motion, vertical, roll_rate)
-    follow_displaced(tables, work, time, vertical, roll_rate)
-    left = work.supports[0].height
-    right = work.supports[1].height
-    if motion_size(tables, work.inputs) > 0.0:
-        follow_displaced(tables, work, -time, vertical, roll_rate)
-        time *= 2.0
-    else:
-        work.supports[0].height = work.wheelset.vertical_shift
-        work.supports[1].height = work.wheelset.vertical_shift
-    left = (left - work.supports[0].height) / time - vertical
-    right = (right - work.supports[1].height) / time - vertical
-    if not side_force(work, 0) > 0.0:
-        left = constraint_residual(work.sides[0].motion)
-    if not side_force(work, 1) > 0.0:
-        right = constraint_residual(work.sides[1].motion)
-    return left, right
-
-
-def follow_displaced(tables: Tables, work: Work, time: float, vertical: float, roll_rate: float):
-    """Both sides of an elastic wheelset that has moved on by ``time`` [s], each under its load."""
-    displace_inputs(work, time)
-    height = work.wheelset.vertical_shift + time * vertical
-    set_reference(work.sides, height)
-    place_moving(tables, work, work.displaced, work.wheelset.roll + time * roll_rate)
-    work.contact.filling = False
-    for index in range(2):
-        force = side_force(work, index)
-        if force > 0.0:
-            balance_side(tables, work, index, force, height)
-    work.contact.filling = True
-
-
-def follow_rates(tables: Tables, work: Work):
-    """Vertical velocity and roll rate of an elastic wheelset: the residuals of both sides vanish
-    (``depth_rates.settle_rates``).  Their own derivatives by both are taken where the sides are displaced to: a
-    kink may lie on the way, and then those of the heights in between are others.
-
-    A wheelset that stands still has none, but begins to move; time, by which rates are multiplied, is any
-    then."""
-    vertical = held(work.wheelset.vertical_velocity)
-    roll_rate = held(work.wheelset.roll_rate)
-    left_motion = work.sides[0].motion
-    right_motion = work.sides[1].motion
-    speed = motion_size(tables, work.inputs)
-    time = 1.0
-    if speed > 0.0:
-        time = DISPLACED / speed
-    keep_sides(work)
-    left, right = follow_residuals(tables, work, time, seeded(vertical, 1.0), roll_rate)
-    left_vertical = rate_of(left)
-    right_vertical = rate_of(right)
-    left, right = follow_residuals(tables, work, time, vertical, seeded(roll_rate, 1.0))
-    left_roll = rate_of(left)
-    right_roll = rate_of(right)
-    left, right = follow_residuals(tables, work, time, vertical, roll_rate)
-    restore_sides(work)
-    left_vertical -= rate_of(left)
-    right_vertical -= rate_of(right)
-    left_roll -= rate_of(left)
-    right_roll -= rate_of(right)
-    determinant = left_vertical * right_roll - right_vertical * left_roll
-    vertical_rate = (rate_of(right) * left_roll - rate_of(left) * right_roll) / determinant
-    rate = (rate_of(left) * right_vertical - rate_of(right) * left_vertical) / determinant
-    set_rates(left_motion, right_motion, seeded(vertical, vertical_rate), seeded(roll_rate, rate))
-
-
-def follow_deflection(tables: Tables, work: Work, index: int, lateral: float, vertical: float):
-    """A side at the height and roll of the inputs with its rail deflected."""
-    deflect(work, index, lateral, vertical)
-    place_moving(tables, work, work.inputs, work.inputs.roll)
-    if is_damped(tables) or is_moving(tables, work.inputs):
-        open_given_motion(tables, work)
-    follow_minimum(tables, work, index)
-    weigh_rail(tables, work, index, work.inputs.vertical_shift)
-
-
-def follow_settled(tables: Tables, work: Work, index: int) -> bool:
-    """The rail of a side, settled on its springs: the residuals of both deflections vanish.
-
-    Whether they do not: then a force jumps past what the springs carry (settling_brackets.py), and no
-    equation gives the rate of that place.
-    """
-    settling = work.settling
-    open_settling(tables, work, index)
-    lateral = held(work.sides[index].deflection.lateral)
-    vertical = held(work.sides[index].deflection.vertical)
-    follow_deflection(tables, work, index, lateral, vertical)
-    if not has_settled(settling, work.sides[index], UNSETTLED):
-        return True
-    residual_lateral = rate_of(settling.lateral)
-    residual_vertical = rate_of(settling.vertical)
-    follow_deflection(tables, work, index, seeded(lateral, 1.0), vertical)
-    lateral_lateral = rate_of(settling.lateral) - residual_lateral
-    vertical_lateral = rate_of(settling.vertical) - residual_vertical
-    follow_deflection(tables, work, index, lateral, seeded(vertical, 1.0))
-    lateral_vertical = rate_of(settling.lateral) - residual_lateral
-    vertical_vertical = rate_of(settling.vertical) - residual_vertical
-    determinant = lateral_lateral * vertical_vertical - lateral_vertical * vertical_lateral
-    if not nonzero(determinant):
-        return True
-    lateral_rate = (residual_vertical * lateral_vertical - residual_lateral * vertical_vertical) / determinant
-    vertical_rate = (residual_lateral * vertical_lateral - residual_vertical * lateral_lateral) / determinant
-    follow_deflection(tables, work, index, seeded(lateral, lateral_rate), seeded(vertical, vertical_rate))
-    return False
-
-
-def follow_compliant(tables: Tables, work: Work) -> bool:
-    """Both sides of a wheelset at the height and roll of the inputs; whether their rates are not defined
-    (``follow_settled``)."""
-    outcome = False
-    roll = work.inputs.roll
-    height = work.inputs.vertical_shift
-    set_reference(work.sides, height)
-    place_moving(tables, work, work.inputs, roll)
-    work.wheelset.roll = roll
-    work.wheelset.vertical_shift = height
-    if is_damped(tables):
-        open_given_motion(tables, work)
-    for index in range(2):
-        if is_needed(tables, work.inputs, index):
-            if is_sprung(tables, index):
-                undefined = follow_settled(tables, work, index)
-                outcome = outcome or undefined
-            else:
-                follow_minimum(tables, work, index)
-                load_at_height(tables, work, index, height)
-    return outcome
-
-
 def differentiate(tables: Tables, work: Work) -> bool:
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
     left it; whether the rates are not defined (``follow_elastic``, ``follow_settled``)."""
@@ -385,61 +192,3 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
         rub_patches(tables, work)
     sum_forces(tables, work)
     return outcome
-
-
-def follow_turning(tables: Tables, work: Work) -> bool:
-    """The rotations that follow from the torque on the axle (``free_rolling.roll_freely``); whether their
-    rates are not defined."""
-    undefined = False
-    if are_independent(tables):
-        for index in range(2):
-            if is_free(tables, work.inputs, index):
-                lost = follow_turn(tables, work, index, index)
-                undefined = undefined or lost
-            else:
-                move_side(tables, work.sides[index])
-                rub_side(tables, work, index)
-    else:
-        undefined = follow_turn(tables, work, 0, 1)
-    return undefined
-
-
-def follow_turn(tables: Tables, work: Work, first: int, last: int) -> bool:
-    """The rotation of the wheels ``first`` ... ``last``: the torque that is left vanishes; whether it does
-    not, or does not change with the rotation."""
-    rate = held(work.turning.rates[first])
-    torque, scale = follow_torque(tables, work, first, last, rate)
-    if not scale > 0.0:
-        follow_torque(tables, work, first, last, nominal_rate(tables, work, first))
-        return False
-    if fabs(torque) > UNCARRIED * scale:
-        return True
-    missing = rate_of(torque)
-    torque, scale = follow_torque(tables, work, first, last, seeded(rate, 1.0))
-    slope = rate_of(torque) - missing
-    if not nonzero(slope):
-        return True
-    follow_torque(tables, work, first, last, seeded(rate, -missing / slope))
-    return False
-
-
-def follow_torque(tables: Tables, work: Work, first: int, last: int, rate: float):
-    """What ``rate`` leaves of the torques about the axle, and the torque of all friction [N m]."""
-    for index in range(first, last + 1):
-        work.turning.rates[index] = rate
-    if tables.sprung:
-        follow_compliant(tables, work)
-        open_given_motion(tables, work)
-    scale = 0.0
-    torque = outer_torque(tables, work.inputs, first)
-    for index in range(first, last + 1):
-        side = work.sides[index]
-        side.motion.wheel_rate = rate
-        move_side(tables, side)
-        rub_side(tables, work, index)
-        for number in range(side.patch_count):
-            patch = side.patches[number]
-            rub_patch(side.motion, patch)
-            torque += patch.forces.driving_torque
-            scale += held(patch.friction * patch.totals.load * patch.rolling_radius)
-    return torque, scale

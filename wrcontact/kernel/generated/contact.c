@@ -22,11 +22,12 @@ static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, doubl
 static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work);
 static OUT_OF_LINE bool deep_points__is_listed(array_double_1d work, double x);
 static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work);
-static OUT_OF_LINE int64_t deep_points__shallowest_entry(array_double_1d work);
+static OUT_OF_LINE double deep_points__fallen(array_double_1d tables, array_double_1d work, int64_t pair, int64_t point);
+static OUT_OF_LINE int64_t deep_points__last_touched(array_double_1d tables, array_double_1d work, int64_t pair);
 static OUT_OF_LINE int64_t deep_points__keep_deepest(array_double_1d work);
 static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t entry);
-static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work);
+static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kept);
 static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height);
 static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height);
@@ -558,20 +559,35 @@ static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work)
     return best;
 }
 
-/* The least deep of the list. */
-static OUT_OF_LINE int64_t deep_points__shallowest_entry(array_double_1d work)
+/* How far the wheel has come down since it touched at a deepest point [m]. */
+static OUT_OF_LINE double deep_points__fallen(array_double_1d tables, array_double_1d work, int64_t pair, int64_t point)
 {
-    int64_t least, entry, entry_end;
-    least = 0;
+    double z, slope;
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL));
+    return AT(work, point + layout__DEEP_POINT_DEPTH) * sqrt(1.0 + slope * slope);
+}
+
+/* The one of the list that was touched last.
+ *
+ * Not the least deep one: along its normal, a flange is less deep than a tread that was touched later.
+ */
+static OUT_OF_LINE int64_t deep_points__last_touched(array_double_1d tables, array_double_1d work, int64_t pair)
+{
+    int64_t last, entry, entry_end;
+    double least, height;
+    last = 0;
+    least = deep_points__fallen(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
     entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    for (entry = 0; entry < entry_end; entry += 1)
+    for (entry = 1; entry < entry_end; entry += 1)
     {
-        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH) < AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * least + layout__DEEP_POINT_DEPTH))
+        height = deep_points__fallen(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry);
+        if (height < least)
         {
-            least = entry;
+            last = entry;
+            least = height;
         }
     }
-    return least;
+    return last;
 }
 
 /* Leave only the deepest of the list, which then has no bounds. */
@@ -620,8 +636,8 @@ static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t
     return 0;
 }
 
-/* Join points with a low saddle between them, or hardly one, and keep the deepest REGION_LIMIT. */
-static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
+/* Join points with a low saddle between them, or hardly one, and keep REGION_LIMIT of them. */
+static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     double depth, lower;
     int64_t entry, point, following, less;
@@ -651,7 +667,7 @@ static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d work)
     }
     while ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > layout__REGION_LIMIT)
     {
-        deep_points__drop_point(work, deep_points__shallowest_entry(work));
+        deep_points__drop_point(work, deep_points__last_touched(tables, work, pair));
     }
     return 0;
 }
@@ -1058,7 +1074,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > 0)
     {
         overlaps__find_saddles(tables, work, pair, place);
-        deep_points__merge_points(work);
+        deep_points__merge_points(tables, work, pair);
     }
     return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
 }

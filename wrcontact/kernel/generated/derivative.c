@@ -2,22 +2,137 @@
 #include "derivatives.h"
 
 
-/* ---- From derivative_wheelset_rules.py; change that one.
+/* ---- From derivative_compliant_rules.py; change that one.
  *
- * Derivatives of wheelset_rules.py.
+ * Derivatives of compliant_rules.py.
+ */
+
+/* Derivative of ``follow_minimum``. */
+static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    int64_t pair, side, at;
+    lanes y_t, gap_t, mismatch_t, rate_t;
+    double y, gap, mismatch, rate, v1;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
+    y_t = all_lanes(0.0);
+    y = AT(work, side + layout__SIDE_SEARCH_BEST_Y);
+    derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
+    v1 = -mismatch;
+    EACH_LANE each(y_t) = -each(mismatch_t) / rate;
+    derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST_Y)) = each(y_t);
+    AT(work, side + layout__SIDE_SEARCH_BEST_Y) = y;
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) = each(gap_t);
+    return 0;
+}
+
+/* Derivative of ``follow_deflection``. */
+static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
+{
+    derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
+    {
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+    }
+    derivative_compliant_rules__follow_minimum_t(tables, work, work_t, index);
+    derivative_springs__weigh_rail_t(tables, work, work_t, index, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    return 0;
+}
+
+/* Derivative of ``follow_settled``. */
+static inline bool derivative_compliant_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    double lateral, vertical;
+    lanes residual_lateral, residual_vertical, lateral_lateral, vertical_lateral, lateral_vertical, vertical_vertical, determinant, lateral_rate, vertical_rate;
+    derivative_springs__open_settling_t(tables, work, work_t, index);
+    lateral = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
+    vertical = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL);
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(0.0));
+    if (!springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
+    {
+        return true;
+    }
+    EACH_LANE each(residual_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
+    EACH_LANE each(residual_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(1.0), vertical, all_lanes(0.0));
+    EACH_LANE each(lateral_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - each(residual_lateral);
+    EACH_LANE each(vertical_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - each(residual_vertical);
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(1.0));
+    EACH_LANE each(lateral_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - each(residual_lateral);
+    EACH_LANE each(vertical_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - each(residual_vertical);
+    EACH_LANE each(determinant) = each(lateral_lateral) * each(vertical_vertical) - each(lateral_vertical) * each(vertical_lateral);
+    if (!derivative_rates__nonzero(determinant))
+    {
+        return true;
+    }
+    EACH_LANE each(lateral_rate) = (each(residual_vertical) * each(lateral_vertical) - each(residual_lateral) * each(vertical_vertical)) / each(determinant);
+    EACH_LANE each(vertical_rate) = (each(residual_lateral) * each(vertical_lateral) - each(residual_vertical) * each(lateral_lateral)) / each(determinant);
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, lateral_rate, vertical, vertical_rate);
+    return false;
+}
+
+/* Derivative of ``follow_compliant``. */
+static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    bool outcome, n1, undefined;
+    lanes roll_t, height_t;
+    double roll, height;
+    int64_t index;
+    outcome = false;
+    EACH_LANE each(roll_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    roll = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL);
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
+    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_t);
+    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
+    if (at_height__is_damped(tables))
+    {
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+    }
+    for (index = 0; index < 2; index += 1)
+    {
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        {
+            if (rails__is_sprung(tables, index))
+            {
+                n1 = derivative_compliant_rules__follow_settled_t(tables, work, work_t, index);
+                undefined = n1;
+                outcome = outcome || undefined;
+            }
+            else
+            {
+                derivative_compliant_rules__follow_minimum_t(tables, work, work_t, index);
+                derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
+            }
+        }
+    }
+    return outcome;
+}
+
+
+/* ---- From derivative_motion_rules.py; change that one.
+ *
+ * Derivatives of motion_rules.py.
  */
 
 /* Derivative of ``place_moving``. */
-static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
+static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
 {
     derivative_roll__place_both_t(work, work_t, tables, inputs, roll, roll_t);
     if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
     {
-        derivative_wheelset_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
+        derivative_motion_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
     }
     else
     {
-        derivative_wheelset_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
+        derivative_motion_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
         if (derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) || derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)))
         {
             derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
@@ -27,7 +142,7 @@ static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d 
 }
 
 /* Derivative of ``begin_yaw``. */
-static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
+static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
 {
     lanes yaw_t, sine_t, cosine_t;
     double yaw, sine, cosine;
@@ -65,26 +180,240 @@ static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d wor
     return 0;
 }
 
-/* Derivative of ``follow_minimum``. */
-static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+/* Derivative of ``follow_residuals``. */
+static inline void derivative_motion_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
 {
-    int64_t pair, side, at;
-    lanes y_t, gap_t, mismatch_t, rate_t;
-    double y, gap, mismatch, rate, v1;
-    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-    y_t = all_lanes(0.0);
-    y = AT(work, side + layout__SIDE_SEARCH_BEST_Y);
-    derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
-    v1 = -mismatch;
-    EACH_LANE each(y_t) = -each(mismatch_t) / rate;
-    derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST_Y)) = each(y_t);
-    AT(work, side + layout__SIDE_SEARCH_BEST_Y) = y;
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) = each(gap_t);
+    lanes left_t, right_t, v5_t, v6_t, rates;
+    double left, right, v1, v2, v3, v4, v5, v6;
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION, vertical, vertical_t, roll_rate, roll_rate_t);
+    derivative_motion_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
+    EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    left = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
+    EACH_LANE each(right_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
+    right = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
+    if (depth_rates__motion_size(work, tables, layout__WORK_INPUTS) > 0.0)
+    {
+        EACH_LANE each(rates) = -each(time_t);
+        derivative_motion_rules__follow_displaced_t(tables, work, work_t, -time, rates, vertical, vertical_t, roll_rate, roll_rate_t);
+        EACH_LANE each(time_t) = each(time_t) * 2.0;
+        time = time * 2.0;
+    }
+    else
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
+    }
+    v1 = left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
+    v2 = v1 / time;
+    EACH_LANE each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time - each(vertical_t);
+    left = v2 - vertical;
+    v3 = right - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
+    v4 = v3 / time;
+    EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time - each(vertical_t);
+    right = v4 - vertical;
+    if (!(requested__side_force(work, 0) > 0.0))
+    {
+        derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
+        EACH_LANE each(left_t) = each(v5_t);
+        left = v5;
+    }
+    if (!(requested__side_force(work, 1) > 0.0))
+    {
+        derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
+        EACH_LANE each(right_t) = each(v6_t);
+        right = v6;
+    }
+    *left_out = left;
+    EACH_LANE each(*left_t_out) = each(left_t);
+    *right_out = right;
+    EACH_LANE each(*right_t_out) = each(right_t);
+}
+
+/* Derivative of ``follow_displaced``. */
+static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+{
+    lanes height_t, v1_t, force_t, rates;
+    double height, v1, force;
+    int64_t index;
+    derivative_depth_rates__displace_inputs_t(work, work_t, time, time_t);
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + (each(time_t) * vertical + time * each(vertical_t));
+    height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
+    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + (each(time_t) * roll_rate + time * each(roll_rate_t));
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate, rates);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+    for (index = 0; index < 2; index += 1)
+    {
+        derivative_requested__side_force_t(&v1, &v1_t, work, work_t, index);
+        EACH_LANE each(force_t) = each(v1_t);
+        force = v1;
+        if (force > 0.0)
+        {
+            derivative_trial__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
+        }
+    }
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
     return 0;
 }
+
+/* Derivative of ``follow_rates``. */
+static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    double vertical, roll_rate, v1, speed, time, v2, left, right;
+    int64_t right_motion;
+    lanes v1_t, speed_t, time_t, left_t, right_t, left_vertical, right_vertical, left_roll, right_roll, determinant, vertical_rate, rate;
+    vertical = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY);
+    roll_rate = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE);
+    right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
+    derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
+    EACH_LANE each(speed_t) = each(v1_t);
+    speed = v1;
+    time_t = all_lanes(0.0);
+    time = 1.0;
+    if (speed > 0.0)
+    {
+        v2 = depth_rates__DISPLACED / speed;
+        EACH_LANE each(time_t) = -v2 * each(speed_t) / speed;
+        time = v2;
+    }
+    derivative_depth_rates__keep_sides_t(work, work_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(1.0), roll_rate, all_lanes(0.0));
+    EACH_LANE each(left_vertical) = each(left_t);
+    EACH_LANE each(right_vertical) = each(right_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(1.0));
+    EACH_LANE each(left_roll) = each(left_t);
+    EACH_LANE each(right_roll) = each(right_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
+    derivative_depth_rates__restore_sides_t(work, work_t);
+    EACH_LANE each(left_vertical) = each(left_vertical) - each(left_t);
+    EACH_LANE each(right_vertical) = each(right_vertical) - each(right_t);
+    EACH_LANE each(left_roll) = each(left_roll) - each(left_t);
+    EACH_LANE each(right_roll) = each(right_roll) - each(right_t);
+    EACH_LANE each(determinant) = each(left_vertical) * each(right_roll) - each(right_vertical) * each(left_roll);
+    EACH_LANE each(vertical_rate) = (each(right_t) * each(left_roll) - each(left_t) * each(right_roll)) / each(determinant);
+    EACH_LANE each(rate) = (each(left_t) * each(right_vertical) - each(right_t) * each(left_vertical)) / each(determinant);
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
+    return 0;
+}
+
+
+/* ---- From derivative_turning_rules.py; change that one.
+ *
+ * Derivatives of turning_rules.py.
+ */
+
+/* Derivative of ``follow_turning``. */
+static inline bool derivative_turning_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    bool undefined, n1, lost, n2;
+    int64_t index;
+    undefined = false;
+    if (motion__are_independent(tables))
+    {
+        for (index = 0; index < 2; index += 1)
+        {
+            if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+            {
+                n1 = derivative_turning_rules__follow_turn_t(tables, work, work_t, index, index);
+                lost = n1;
+                undefined = undefined || lost;
+            }
+            else
+            {
+                derivative_rubbing__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+                derivative_rubbing__rub_side_t(tables, work, work_t, index);
+            }
+        }
+    }
+    else
+    {
+        n2 = derivative_turning_rules__follow_turn_t(tables, work, work_t, 0, 1);
+        undefined = n2;
+    }
+    return undefined;
+}
+
+/* Derivative of ``follow_turn``. */
+static inline bool derivative_turning_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last)
+{
+    double rate, torque, scale, v3, n1, n2, n4, n5;
+    lanes torque_t, scale_t, v3_t, n1_t, n2_t, missing, slope, n4_t, n5_t, rates;
+    rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
+    derivative_turning_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(0.0));
+    if (!(scale > 0.0))
+    {
+        derivative_free_rolling__nominal_rate_t(&v3, &v3_t, tables, work, work_t, first);
+        derivative_turning_rules__follow_torque_t(&n1, &n1_t, &n2, &n2_t, tables, work, work_t, first, last, v3, v3_t);
+        return false;
+    }
+    if (fabs(torque) > free_rolling__UNCARRIED * scale)
+    {
+        return true;
+    }
+    EACH_LANE each(missing) = each(torque_t);
+    derivative_turning_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(1.0));
+    EACH_LANE each(slope) = each(torque_t) - each(missing);
+    if (!derivative_rates__nonzero(slope))
+    {
+        return true;
+    }
+    EACH_LANE each(rates) = -each(missing) / each(slope);
+    derivative_turning_rules__follow_torque_t(&n4, &n4_t, &n5, &n5_t, tables, work, work_t, first, last, rate, rates);
+    return false;
+}
+
+/* Derivative of ``follow_torque``. */
+static inline void derivative_turning_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t)
+{
+    int64_t index, side, number, patch, number_end;
+    double scale, v1, torque;
+    lanes v1_t, torque_t;
+    for (index = first; index < last + 1; index += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index)) = each(rate_t);
+        AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
+    }
+    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
+    {
+        derivative_compliant_rules__follow_compliant_t(tables, work, work_t);
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+    }
+    scale = 0.0;
+    derivative_requested__outer_torque_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS, first);
+    EACH_LANE each(torque_t) = each(v1_t);
+    torque = v1;
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(rate_t);
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
+        derivative_rubbing__move_side_t(work, work_t, tables, side);
+        derivative_rubbing__rub_side_t(tables, work, work_t, index);
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            derivative_forces__rub_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+            EACH_LANE each(torque_t) = each(torque_t) + each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE));
+            torque = torque + AT(work, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
+            scale = scale + AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_ROLLING_RADIUS);
+        }
+    }
+    *torque_out = torque;
+    EACH_LANE each(*torque_t_out) = each(torque_t);
+    *scale_out = scale;
+    *out_3 = all_lanes(0.0);
+}
+
+
+/* ---- From derivative_wheelset_rules.py; change that one.
+ *
+ * Derivatives of wheelset_rules.py.
+ */
 
 /* Derivative of ``follow_roll``. */
 static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
@@ -92,7 +421,7 @@ static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, la
     double roll, left, right, gap_left, mismatch_left, rate_left, gap_right, mismatch_right, rate_right, v1, v2, lever, v3;
     lanes gap_left_t, mismatch_left_t, rate_left_t, gap_right_t, mismatch_right_t, rate_right_t, v1_t, v2_t, lever_t;
     roll = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, all_lanes(0.0));
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, all_lanes(0.0));
     left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
     right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
     derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
@@ -112,7 +441,7 @@ static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes
     double left, mismatch, rate, right;
     lanes left_t, mismatch_t, rate_t, right_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
     derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
     *out_0 = left - height;
@@ -151,11 +480,11 @@ static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_
     double v1, v2;
     lanes v1_t, v2_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, 0);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 0);
     derivative_requested__side_force_t(&v1, &v1_t, work, work_t, 0);
     derivative_trial__balance_side_t(tables, work, work_t, 0, v1, v1_t, height, height_t);
-    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, 1);
+    derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 1);
     derivative_requested__side_force_t(&v2, &v2_t, work, work_t, 1);
     derivative_trial__balance_side_t(tables, work, work_t, 1, v2, v2_t, height, height_t);
     return 0;
@@ -192,222 +521,12 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d t
     }
     EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
     EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
-    RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) = all_lanes(0.0);
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) = derivative_rates__common_rate(left_height);
-    RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) = all_lanes(0.0);
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) = derivative_rates__common_rate(right_height);
-    RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) = all_lanes(0.0);
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) = derivative_rates__common_rate(left_roll);
-    RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) = all_lanes(0.0);
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) = derivative_rates__common_rate(right_roll);
     derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, roll_rate, height, height_rate);
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_rate);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_rate);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
     return false;
-}
-
-/* Derivative of ``follow_residuals``. */
-static inline void derivative_wheelset_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
-{
-    lanes left_t, right_t, v5_t, v6_t, rates;
-    double left, right, v1, v2, v3, v4, v5, v6;
-    derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
-    EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
-    left = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
-    EACH_LANE each(right_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
-    right = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
-    if (depth_rates__motion_size(work, tables, layout__WORK_INPUTS) > 0.0)
-    {
-        EACH_LANE each(rates) = -each(time_t);
-        derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, -time, rates, vertical, vertical_t, roll_rate, roll_rate_t);
-        EACH_LANE each(time_t) = each(time_t) * 2.0;
-        time = time * 2.0;
-    }
-    else
-    {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
-    }
-    v1 = left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
-    v2 = v1 / time;
-    EACH_LANE each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time;
-    left = v2;
-    v3 = right - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
-    v4 = v3 / time;
-    EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time;
-    right = v4;
-    if (!(requested__side_force(work, 0) > 0.0))
-    {
-        derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
-        EACH_LANE each(left_t) = each(v5_t);
-        left = v5;
-    }
-    if (!(requested__side_force(work, 1) > 0.0))
-    {
-        derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
-        EACH_LANE each(right_t) = each(v6_t);
-        right = v6;
-    }
-    *left_out = left;
-    EACH_LANE each(*left_t_out) = each(left_t);
-    *right_out = right;
-    EACH_LANE each(*right_t_out) = each(right_t);
-}
-
-/* Derivative of ``follow_displaced``. */
-static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
-{
-    lanes height_t, v1_t, force_t, rates;
-    double height, v1, force;
-    int64_t index;
-    derivative_depth_rates__displace_inputs_t(work, work_t, time, time_t);
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + (each(time_t) * vertical + time * each(vertical_t));
-    height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + (each(time_t) * roll_rate + time * each(roll_rate_t));
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate, rates);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
-    for (index = 0; index < 2; index += 1)
-    {
-        derivative_requested__side_force_t(&v1, &v1_t, work, work_t, index);
-        EACH_LANE each(force_t) = each(v1_t);
-        force = v1;
-        if (force > 0.0)
-        {
-            derivative_trial__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
-        }
-    }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
-    return 0;
-}
-
-/* Derivative of ``follow_rates``. */
-static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
-{
-    double vertical, roll_rate, v1, speed, time, left, right, determinant;
-    int64_t right_motion;
-    lanes v1_t, speed_t, left_t, right_t, determinant_t, v2, v3, vertical_rate_t, vertical_rate, v4, v5, rate_t, rate;
-    vertical = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY);
-    roll_rate = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE);
-    right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
-    derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
-    EACH_LANE each(speed_t) = each(v1_t);
-    speed = v1;
-    time = 1.0;
-    if (speed > 0.0)
-    {
-        time = depth_rates__DISPLACED / speed;
-    }
-    derivative_depth_rates__keep_sides_t(work, work_t);
-    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, all_lanes(0.0), vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
-    derivative_depth_rates__restore_sides_t(work, work_t);
-    EACH_LANE each(determinant_t) = each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) - (each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)));
-    determinant = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL);
-    EACH_LANE each(v2) = each(right_t) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) - each(left_t) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL);
-    EACH_LANE each(v3) = each(v2) / determinant;
-    EACH_LANE each(vertical_rate_t) = (each(right_t) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) - each(left_t) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) - each(v3) * each(determinant_t)) / determinant;
-    EACH_LANE each(vertical_rate) = each(v3);
-    EACH_LANE each(v4) = each(left_t) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) - each(right_t) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT);
-    EACH_LANE each(v5) = each(v4) / determinant;
-    EACH_LANE each(rate_t) = (each(left_t) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) - each(right_t) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) - each(v5) * each(determinant_t)) / determinant;
-    EACH_LANE each(rate) = each(v5);
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
-    return 0;
-}
-
-/* Derivative of ``follow_deflection``. */
-static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
-{
-    derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
-    {
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
-    }
-    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
-    derivative_springs__weigh_rail_t(tables, work, work_t, index, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
-    return 0;
-}
-
-/* Derivative of ``follow_settled``. */
-static inline bool derivative_wheelset_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
-{
-    double lateral, vertical;
-    lanes residual_lateral, residual_vertical, lateral_lateral, vertical_lateral, lateral_vertical, vertical_vertical, determinant, lateral_rate, vertical_rate;
-    derivative_springs__open_settling_t(tables, work, work_t, index);
-    lateral = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
-    vertical = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL);
-    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(0.0));
-    if (!springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
-    {
-        return true;
-    }
-    EACH_LANE each(residual_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
-    EACH_LANE each(residual_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
-    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(1.0), vertical, all_lanes(0.0));
-    EACH_LANE each(lateral_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - each(residual_lateral);
-    EACH_LANE each(vertical_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - each(residual_vertical);
-    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(1.0));
-    EACH_LANE each(lateral_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - each(residual_lateral);
-    EACH_LANE each(vertical_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - each(residual_vertical);
-    EACH_LANE each(determinant) = each(lateral_lateral) * each(vertical_vertical) - each(lateral_vertical) * each(vertical_lateral);
-    if (!derivative_rates__nonzero(determinant))
-    {
-        return true;
-    }
-    EACH_LANE each(lateral_rate) = (each(residual_vertical) * each(lateral_vertical) - each(residual_lateral) * each(vertical_vertical)) / each(determinant);
-    EACH_LANE each(vertical_rate) = (each(residual_lateral) * each(vertical_lateral) - each(residual_vertical) * each(lateral_lateral)) / each(determinant);
-    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, lateral_rate, vertical, vertical_rate);
-    return false;
-}
-
-/* Derivative of ``follow_compliant``. */
-static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
-{
-    bool outcome, n1, undefined;
-    lanes roll_t, height_t;
-    double roll, height;
-    int64_t index;
-    outcome = false;
-    EACH_LANE each(roll_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-    roll = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL);
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
-    height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
-    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_t);
-    AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
-    if (at_height__is_damped(tables))
-    {
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
-    }
-    for (index = 0; index < 2; index += 1)
-    {
-        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
-        {
-            if (rails__is_sprung(tables, index))
-            {
-                n1 = derivative_wheelset_rules__follow_settled_t(tables, work, work_t, index);
-                undefined = n1;
-                outcome = outcome || undefined;
-            }
-            else
-            {
-                derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
-                derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
-            }
-        }
-    }
-    return outcome;
 }
 
 /* Derivative of ``differentiate``. */
@@ -485,9 +604,9 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
             EACH_LANE each(roll_t) = each(v2_t);
             roll = v2;
         }
-        derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-        derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, 0);
-        derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, 1);
+        derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+        derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 0);
+        derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 1);
         derivative_rigid__solve_rigid_t(tables, work, work_t, roll, roll_t);
     }
     if (mode == layout__MODE_ELASTIC)
@@ -497,7 +616,7 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     }
     if (mode == layout__MODE_COMPLIANT)
     {
-        n4 = derivative_wheelset_rules__follow_compliant_t(tables, work, work_t);
+        n4 = derivative_compliant_rules__follow_compliant_t(tables, work, work_t);
         outcome = n4;
     }
     derivative_rubbing__move_wheelset_t(tables, work, work_t);
@@ -505,12 +624,12 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     {
         if (AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) == 1.0 && !outcome)
         {
-            derivative_wheelset_rules__follow_rates_t(tables, work, work_t);
+            derivative_motion_rules__follow_rates_t(tables, work, work_t);
         }
     }
     if (free_rolling__turns_freely(tables, work))
     {
-        n5 = derivative_wheelset_rules__follow_turning_t(tables, work, work_t);
+        n5 = derivative_turning_rules__follow_turning_t(tables, work, work_t);
         undefined = n5;
         outcome = outcome || undefined;
     }
@@ -521,107 +640,4 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     }
     derivative_forces__sum_forces_t(tables, work, work_t);
     return outcome;
-}
-
-/* Derivative of ``follow_turning``. */
-static inline bool derivative_wheelset_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
-{
-    bool undefined, n1, lost, n2;
-    int64_t index;
-    undefined = false;
-    if (motion__are_independent(tables))
-    {
-        for (index = 0; index < 2; index += 1)
-        {
-            if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
-            {
-                n1 = derivative_wheelset_rules__follow_turn_t(tables, work, work_t, index, index);
-                lost = n1;
-                undefined = undefined || lost;
-            }
-            else
-            {
-                derivative_rubbing__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
-                derivative_rubbing__rub_side_t(tables, work, work_t, index);
-            }
-        }
-    }
-    else
-    {
-        n2 = derivative_wheelset_rules__follow_turn_t(tables, work, work_t, 0, 1);
-        undefined = n2;
-    }
-    return undefined;
-}
-
-/* Derivative of ``follow_turn``. */
-static inline bool derivative_wheelset_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last)
-{
-    double rate, torque, scale, v3, n1, n2, n4, n5;
-    lanes torque_t, scale_t, v3_t, n1_t, n2_t, missing, slope, n4_t, n5_t, rates;
-    rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
-    derivative_wheelset_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(0.0));
-    if (!(scale > 0.0))
-    {
-        derivative_free_rolling__nominal_rate_t(&v3, &v3_t, tables, work, work_t, first);
-        derivative_wheelset_rules__follow_torque_t(&n1, &n1_t, &n2, &n2_t, tables, work, work_t, first, last, v3, v3_t);
-        return false;
-    }
-    if (fabs(torque) > free_rolling__UNCARRIED * scale)
-    {
-        return true;
-    }
-    EACH_LANE each(missing) = each(torque_t);
-    derivative_wheelset_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(1.0));
-    EACH_LANE each(slope) = each(torque_t) - each(missing);
-    if (!derivative_rates__nonzero(slope))
-    {
-        return true;
-    }
-    EACH_LANE each(rates) = -each(missing) / each(slope);
-    derivative_wheelset_rules__follow_torque_t(&n4, &n4_t, &n5, &n5_t, tables, work, work_t, first, last, rate, rates);
-    return false;
-}
-
-/* Derivative of ``follow_torque``. */
-static inline void derivative_wheelset_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t)
-{
-    int64_t index, side, number, patch, number_end;
-    double scale, v1, torque;
-    lanes v1_t, torque_t;
-    for (index = first; index < last + 1; index += 1)
-    {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index)) = each(rate_t);
-        AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
-    }
-    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
-    {
-        derivative_wheelset_rules__follow_compliant_t(tables, work, work_t);
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
-    }
-    scale = 0.0;
-    derivative_requested__outer_torque_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS, first);
-    EACH_LANE each(torque_t) = each(v1_t);
-    torque = v1;
-    for (index = first; index < last + 1; index += 1)
-    {
-        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(rate_t);
-        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
-        derivative_rubbing__move_side_t(work, work_t, tables, side);
-        derivative_rubbing__rub_side_t(tables, work, work_t, index);
-        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
-        for (number = 0; number < number_end; number += 1)
-        {
-            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-            derivative_forces__rub_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-            EACH_LANE each(torque_t) = each(torque_t) + each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE));
-            torque = torque + AT(work, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
-            scale = scale + AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_ROLLING_RADIUS);
-        }
-    }
-    *torque_out = torque;
-    EACH_LANE each(*torque_t_out) = each(torque_t);
-    *scale_out = scale;
-    *out_3 = all_lanes(0.0);
 }

@@ -2543,7 +2543,7 @@ static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes
         {
             break;
         }
-        derivative_strip_runs__deepen_levels_t(&v3, &v3_t, work, work_t, force, force_t);
+        derivative_strip_levels__deepen_levels_t(&v3, &v3_t, work, work_t, force, force_t);
         EACH_LANE each(deeper_t) = each(penetration_t) + each(v3_t);
         deeper = penetration + v3;
         if (deeper < strip_contact__SUNK_DEEPER * penetration)
@@ -2610,7 +2610,7 @@ static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tab
     {
         derivative_strip_surfaces__measure_ridges_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE));
     }
-    derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_WAVES));
+    derivative_strip_levels__begin_runs_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_WAVES));
     return 0;
 }
 
@@ -3061,6 +3061,226 @@ static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d 
         AT(work, strip + layout__STRIP_PRESSURE) = v13 * grown;
     }
     return 0;
+}
+
+
+/* ---- From derivative_strip_levels.py; change that one.
+ *
+ * Derivatives of strip_levels.py.
+ */
+
+/* Derivative of ``begin_runs``. */
+static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves)
+{
+    int64_t low, high, k, run, first, j, zone, i, strip, k_end, i_end;
+    double v1, station, v2, v4, v3;
+    lanes v1_t, station_t, v2_t, v3_t, rates, rates_2;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
+    low = 0;
+    while (low < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))
+    {
+        high = low;
+        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && strip_levels__is_one_curve(work, high))
+        {
+            high = high + 1;
+        }
+        derivative_strip_levels__begin_curve_t(work, work_t, low, high);
+        low = high + 1;
+    }
+    derivative_strip_runs__adopt_runs_t(work, work_t);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) * (int64_t)AT(tables, waves + layout__WAVES_COUNT));
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        j = strip_surfaces__interval(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), strip_runs__run_station(work, run, 0.0));
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
+        j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
+        i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        for (i = 0; i < i_end; i += 1)
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, AT(tables, waves + layout__WAVES_COS + i), all_lanes(0.0));
+            EACH_LANE each(station_t) = each(v1_t);
+            station = v1;
+            j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
+            derivative_strip_levels__level_length_t(&v2, &v2_t, work, work_t, j, station, station_t);
+            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(v2_t) / AT(tables, waves + layout__WAVES_SIN + i);
+            AT(work, strip + layout__STRIP_AXIS) = v2 / AT(tables, waves + layout__WAVES_SIN + i);
+            v4 = station - AT(work, zone + layout__STRIP_ZONE_MIDDLE);
+            EACH_LANE each(rates) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + AT(work, zone + layout__STRIP_ZONE_LEAN) * (each(station_t) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)));
+            EACH_LANE each(rates_2) = strip_levels__FIRST_LEAD * each(RATE_AT(work_t, strip + layout__STRIP_AXIS));
+            derivative_pressed__limited_t(&v3, &v3_t, AT(work, zone + layout__STRIP_ZONE_LEAN) * v4, rates, strip_levels__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS), rates_2);
+            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(v3_t);
+            AT(work, strip + layout__STRIP_LEAD) = v3;
+        }
+        derivative_strip_runs__raise_axes_t(work, work_t, first, (int64_t)AT(tables, waves + layout__WAVES_COUNT));
+    }
+    return 0;
+}
+
+/* Derivative of ``deepen_levels``. */
+static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, lanes* rise_t_out, array_double_1d work, array_lanes_1d work_t, double force, lanes force_t)
+{
+    lanes rise_t, load_t, stiffness_t, line_t, level_t;
+    double rise, load, stiffness, v1, line, level, v2, v3;
+    int64_t repeat, i, at, zone, i_end, i_end_2;
+    rise_t = all_lanes(0.0);
+    rise = 0.0;
+    for (repeat = 0; repeat < strip_levels__LEVEL_ITERATIONS; repeat += 1)
+    {
+        load_t = all_lanes(0.0);
+        load = 0.0;
+        stiffness_t = all_lanes(0.0);
+        stiffness = 0.0;
+        i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+        for (i = 0; i < i_end; i += 1)
+        {
+            at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
+            v1 = AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_COUNTED);
+            EACH_LANE each(line_t) = (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LINE)) * AT(work, at + layout__TRACED_STATION_COUNTED) + AT(work, zone + layout__STRIP_ZONE_LINE) * each(RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED))) * AT(work, zone + layout__STRIP_ZONE_SPACING) + v1 * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING));
+            line = v1 * AT(work, zone + layout__STRIP_ZONE_SPACING);
+            EACH_LANE each(level_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
+            if (level > 0.0)
+            {
+                EACH_LANE each(load_t) = each(load_t) + (each(line_t) * level + line * each(level_t));
+                load = load + line * level;
+                EACH_LANE each(stiffness_t) = each(stiffness_t) + (each(line_t) * AT(work, at + layout__TRACED_STATION_SHARE) + line * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+                stiffness = stiffness + line * AT(work, at + layout__TRACED_STATION_SHARE);
+            }
+        }
+        if (stiffness > 0.0)
+        {
+            v2 = force - load;
+            v3 = v2 / stiffness;
+            EACH_LANE each(rise_t) = each(rise_t) + (each(force_t) - each(load_t) - v3 * each(stiffness_t)) / stiffness;
+            rise = rise + v3;
+        }
+    }
+    i_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end_2; i += 1)
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+        AT(work, at + layout__TRACED_STATION_LEVEL) = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
+    }
+    *rise_out = rise;
+    EACH_LANE each(*rise_t_out) = each(rise_t);
+}
+
+/* Derivative of ``begin_curve``. */
+static inline int64_t derivative_strip_levels__begin_curve_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high)
+{
+    int64_t i, last, zone;
+    lanes highest_t, v1_t, v2_t, start_t, v3_t, stop_t;
+    double highest, v1, v2, start, v3, stop;
+    i = low;
+    while (i <= high)
+    {
+        last = i;
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL) > 0.0)
+        {
+            highest_t = all_lanes(0.0);
+            highest = 0.0;
+            while (last <= high && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > 0.0)
+            {
+                v1 = highest;
+                EACH_LANE each(v1_t) = each(highest_t);
+                if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > v1)
+                {
+                    v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL);
+                    EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
+                }
+                EACH_LANE each(highest_t) = each(v1_t);
+                highest = v1;
+                last = last + 1;
+            }
+            last = last - 1;
+            derivative_strip_levels__level_end_t(&v2, &v2_t, work, work_t, i, i - 1, low, high);
+            EACH_LANE each(start_t) = each(v2_t);
+            start = v2;
+            derivative_strip_levels__level_end_t(&v3, &v3_t, work, work_t, last, last + 1, low, high);
+            EACH_LANE each(stop_t) = each(v3_t);
+            stop = v3;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION);
+            if (highest > strip_levels__RAISED * AT(work, zone + layout__STRIP_ZONE_DEPTH))
+            {
+                derivative_strip_runs__add_run_t(work, work_t, low, high, start, start_t, stop, stop_t);
+            }
+        }
+        i = last + 1;
+    }
+    return 0;
+}
+
+/* Derivative of ``level_end``. */
+static inline void derivative_strip_levels__level_end_t(double* station_out, lanes* station_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high)
+{
+    int64_t at, beyond, k5, k6;
+    lanes station_t;
+    double station, v1, v2, v3, v4;
+    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
+    EACH_LANE each(station_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION));
+    station = AT(work, at + layout__TRACED_STATION_STATION);
+    if (outside >= low && outside <= high)
+    {
+        beyond = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * outside;
+        v1 = AT(work, beyond + layout__TRACED_STATION_STATION) - AT(work, at + layout__TRACED_STATION_STATION);
+        v2 = v1 * AT(work, at + layout__TRACED_STATION_LEVEL);
+        v3 = AT(work, at + layout__TRACED_STATION_LEVEL) - AT(work, beyond + layout__TRACED_STATION_LEVEL);
+        v4 = v2 / v3;
+        EACH_LANE each(station_t) = each(station_t) + ((each(RATE_AT(work_t, beyond + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION))) * AT(work, at + layout__TRACED_STATION_LEVEL) + v1 * each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) - v4 * (each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) - each(RATE_AT(work_t, beyond + layout__TRACED_STATION_LEVEL)))) / v3;
+        station = station + v4;
+    }
+    else if (outside < low)
+    {
+        k5 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_START;
+        EACH_LANE each(station_t) = each(RATE_AT(work_t, k5));
+        station = AT(work, k5);
+    }
+    else
+    {
+        k6 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_STOP;
+        EACH_LANE each(station_t) = each(RATE_AT(work_t, k6));
+        station = AT(work, k6);
+    }
+    *station_out = station;
+    EACH_LANE each(*station_t_out) = each(station_t);
+}
+
+/* Derivative of ``level_length``. */
+static inline void derivative_strip_levels__level_length_t(double* v8_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
+{
+    int64_t low, high, k4;
+    double v1, u, v2, v3, level, v5, v6, v7, v8;
+    lanes v1_t, u_t, v2_t, v3_t, level_t, v5_t;
+    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
+    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1);
+    derivative_strip_surfaces__way_through_t(&v1, &v1_t, work, work_t, j, station, station_t);
+    EACH_LANE each(u_t) = each(v1_t);
+    u = v1;
+    derivative_strip_surfaces__between_t(&v2, &v2_t, AT(work, low + layout__TRACED_STATION_LEVEL), RATE_AT(work_t, low + layout__TRACED_STATION_LEVEL), AT(work, high + layout__TRACED_STATION_LEVEL), RATE_AT(work_t, high + layout__TRACED_STATION_LEVEL), u, u_t);
+    v3 = v2;
+    EACH_LANE each(v3_t) = each(v2_t);
+    if (0.0 > v3)
+    {
+        v3 = 0.0;
+        v3_t = all_lanes(0.0);
+    }
+    EACH_LANE each(level_t) = each(v3_t);
+    level = v3;
+    k4 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, low + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_ONE_ALPHA;
+    derivative_strip_surfaces__between_t(&v5, &v5_t, AT(work, low + layout__TRACED_STATION_A), RATE_AT(work_t, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), RATE_AT(work_t, high + layout__TRACED_STATION_A), u, u_t);
+    v6 = AT(work, k4) * v5;
+    v7 = level / v6;
+    v8 = sqrt(v7);
+    *v8_out = v8;
+    EACH_LANE each(*out_1) = derivative_rates__root_rate(v8, (each(level_t) - v7 * (each(RATE_AT(work_t, k4)) * v5 + AT(work, k4) * each(v5_t))) / v6);
 }
 
 
@@ -3994,220 +4214,6 @@ static inline void derivative_strip_pressures__equilibrium_penetration_t(double*
  * Derivatives of strip_runs.py.
  */
 
-/* Derivative of ``begin_runs``. */
-static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves)
-{
-    int64_t low, high, k, run, first, j, zone, i, strip, k_end, i_end;
-    double v1, station, v2, v4, v3;
-    lanes v1_t, station_t, v2_t, v3_t, rates, rates_2;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
-    low = 0;
-    while (low < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))
-    {
-        high = low;
-        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && strip_runs__is_one_curve(work, high))
-        {
-            high = high + 1;
-        }
-        derivative_strip_runs__begin_curve_t(work, work_t, low, high);
-        low = high + 1;
-    }
-    derivative_strip_runs__adopt_runs_t(work, work_t);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) * (int64_t)AT(tables, waves + layout__WAVES_COUNT));
-    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
-    for (k = 0; k < k_end; k += 1)
-    {
-        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-        j = strip_surfaces__interval(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), strip_runs__run_station(work, run, 0.0));
-        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
-        j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
-        i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-        for (i = 0; i < i_end; i += 1)
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, AT(tables, waves + layout__WAVES_COS + i), all_lanes(0.0));
-            EACH_LANE each(station_t) = each(v1_t);
-            station = v1;
-            j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
-            derivative_strip_runs__level_length_t(&v2, &v2_t, work, work_t, j, station, station_t);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(v2_t) / AT(tables, waves + layout__WAVES_SIN + i);
-            AT(work, strip + layout__STRIP_AXIS) = v2 / AT(tables, waves + layout__WAVES_SIN + i);
-            v4 = station - AT(work, zone + layout__STRIP_ZONE_MIDDLE);
-            EACH_LANE each(rates) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + AT(work, zone + layout__STRIP_ZONE_LEAN) * (each(station_t) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)));
-            EACH_LANE each(rates_2) = strip_runs__FIRST_LEAD * each(RATE_AT(work_t, strip + layout__STRIP_AXIS));
-            derivative_pressed__limited_t(&v3, &v3_t, AT(work, zone + layout__STRIP_ZONE_LEAN) * v4, rates, strip_runs__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS), rates_2);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(v3_t);
-            AT(work, strip + layout__STRIP_LEAD) = v3;
-        }
-        derivative_strip_runs__raise_axes_t(work, work_t, first, (int64_t)AT(tables, waves + layout__WAVES_COUNT));
-    }
-    return 0;
-}
-
-/* Derivative of ``deepen_levels``. */
-static inline void derivative_strip_runs__deepen_levels_t(double* rise_out, lanes* rise_t_out, array_double_1d work, array_lanes_1d work_t, double force, lanes force_t)
-{
-    lanes rise_t, load_t, stiffness_t, line_t, level_t;
-    double rise, load, stiffness, v1, line, level, v2, v3;
-    int64_t repeat, i, at, zone, i_end, i_end_2;
-    rise_t = all_lanes(0.0);
-    rise = 0.0;
-    for (repeat = 0; repeat < strip_runs__LEVEL_ITERATIONS; repeat += 1)
-    {
-        load_t = all_lanes(0.0);
-        load = 0.0;
-        stiffness_t = all_lanes(0.0);
-        stiffness = 0.0;
-        i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
-        for (i = 0; i < i_end; i += 1)
-        {
-            at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
-            v1 = AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_COUNTED);
-            EACH_LANE each(line_t) = (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LINE)) * AT(work, at + layout__TRACED_STATION_COUNTED) + AT(work, zone + layout__STRIP_ZONE_LINE) * each(RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED))) * AT(work, zone + layout__STRIP_ZONE_SPACING) + v1 * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING));
-            line = v1 * AT(work, zone + layout__STRIP_ZONE_SPACING);
-            EACH_LANE each(level_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
-            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
-            if (level > 0.0)
-            {
-                EACH_LANE each(load_t) = each(load_t) + (each(line_t) * level + line * each(level_t));
-                load = load + line * level;
-                EACH_LANE each(stiffness_t) = each(stiffness_t) + (each(line_t) * AT(work, at + layout__TRACED_STATION_SHARE) + line * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
-                stiffness = stiffness + line * AT(work, at + layout__TRACED_STATION_SHARE);
-            }
-        }
-        if (stiffness > 0.0)
-        {
-            v2 = force - load;
-            v3 = v2 / stiffness;
-            EACH_LANE each(rise_t) = each(rise_t) + (each(force_t) - each(load_t) - v3 * each(stiffness_t)) / stiffness;
-            rise = rise + v3;
-        }
-    }
-    i_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
-    for (i = 0; i < i_end_2; i += 1)
-    {
-        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
-        AT(work, at + layout__TRACED_STATION_LEVEL) = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
-    }
-    *rise_out = rise;
-    EACH_LANE each(*rise_t_out) = each(rise_t);
-}
-
-/* Derivative of ``begin_curve``. */
-static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high)
-{
-    int64_t i, last, zone;
-    lanes highest_t, v1_t, v2_t, start_t, v3_t, stop_t;
-    double highest, v1, v2, start, v3, stop;
-    i = low;
-    while (i <= high)
-    {
-        last = i;
-        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL) > 0.0)
-        {
-            highest_t = all_lanes(0.0);
-            highest = 0.0;
-            while (last <= high && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > 0.0)
-            {
-                v1 = highest;
-                EACH_LANE each(v1_t) = each(highest_t);
-                if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > v1)
-                {
-                    v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL);
-                    EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
-                }
-                EACH_LANE each(highest_t) = each(v1_t);
-                highest = v1;
-                last = last + 1;
-            }
-            last = last - 1;
-            derivative_strip_runs__level_end_t(&v2, &v2_t, work, work_t, i, i - 1, low, high);
-            EACH_LANE each(start_t) = each(v2_t);
-            start = v2;
-            derivative_strip_runs__level_end_t(&v3, &v3_t, work, work_t, last, last + 1, low, high);
-            EACH_LANE each(stop_t) = each(v3_t);
-            stop = v3;
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION);
-            if (highest > strip_runs__RAISED * AT(work, zone + layout__STRIP_ZONE_DEPTH))
-            {
-                derivative_strip_runs__add_run_t(work, work_t, low, high, start, start_t, stop, stop_t);
-            }
-        }
-        i = last + 1;
-    }
-    return 0;
-}
-
-/* Derivative of ``level_end``. */
-static inline void derivative_strip_runs__level_end_t(double* station_out, lanes* station_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high)
-{
-    int64_t at, beyond, k5, k6;
-    lanes station_t;
-    double station, v1, v2, v3, v4;
-    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
-    EACH_LANE each(station_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION));
-    station = AT(work, at + layout__TRACED_STATION_STATION);
-    if (outside >= low && outside <= high)
-    {
-        beyond = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * outside;
-        v1 = AT(work, beyond + layout__TRACED_STATION_STATION) - AT(work, at + layout__TRACED_STATION_STATION);
-        v2 = v1 * AT(work, at + layout__TRACED_STATION_LEVEL);
-        v3 = AT(work, at + layout__TRACED_STATION_LEVEL) - AT(work, beyond + layout__TRACED_STATION_LEVEL);
-        v4 = v2 / v3;
-        EACH_LANE each(station_t) = each(station_t) + ((each(RATE_AT(work_t, beyond + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION))) * AT(work, at + layout__TRACED_STATION_LEVEL) + v1 * each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) - v4 * (each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) - each(RATE_AT(work_t, beyond + layout__TRACED_STATION_LEVEL)))) / v3;
-        station = station + v4;
-    }
-    else if (outside < low)
-    {
-        k5 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_START;
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, k5));
-        station = AT(work, k5);
-    }
-    else
-    {
-        k6 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_STOP;
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, k6));
-        station = AT(work, k6);
-    }
-    *station_out = station;
-    EACH_LANE each(*station_t_out) = each(station_t);
-}
-
-/* Derivative of ``level_length``. */
-static inline void derivative_strip_runs__level_length_t(double* v8_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
-{
-    int64_t low, high, k4;
-    double v1, u, v2, v3, level, v5, v6, v7, v8;
-    lanes v1_t, u_t, v2_t, v3_t, level_t, v5_t;
-    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
-    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1);
-    derivative_strip_surfaces__way_through_t(&v1, &v1_t, work, work_t, j, station, station_t);
-    EACH_LANE each(u_t) = each(v1_t);
-    u = v1;
-    derivative_strip_surfaces__between_t(&v2, &v2_t, AT(work, low + layout__TRACED_STATION_LEVEL), RATE_AT(work_t, low + layout__TRACED_STATION_LEVEL), AT(work, high + layout__TRACED_STATION_LEVEL), RATE_AT(work_t, high + layout__TRACED_STATION_LEVEL), u, u_t);
-    v3 = v2;
-    EACH_LANE each(v3_t) = each(v2_t);
-    if (0.0 > v3)
-    {
-        v3 = 0.0;
-        v3_t = all_lanes(0.0);
-    }
-    EACH_LANE each(level_t) = each(v3_t);
-    level = v3;
-    k4 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, low + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_ONE_ALPHA;
-    derivative_strip_surfaces__between_t(&v5, &v5_t, AT(work, low + layout__TRACED_STATION_A), RATE_AT(work_t, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), RATE_AT(work_t, high + layout__TRACED_STATION_A), u, u_t);
-    v6 = AT(work, k4) * v5;
-    v7 = level / v6;
-    v8 = sqrt(v7);
-    *v8_out = v8;
-    EACH_LANE each(*out_1) = derivative_rates__root_rate(v8, (each(level_t) - v7 * (each(RATE_AT(work_t, k4)) * v5 + AT(work, k4) * each(v5_t))) / v6);
-}
-
 /* Derivative of ``raise_axes``. */
 static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count)
 {
@@ -4248,47 +4254,49 @@ static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, 
 /* Derivative of ``add_run``. */
 static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t)
 {
-    bool joins, wide, room, n3;
-    int64_t before, zone, run;
-    double v1, v2;
-    lanes v1_t, v2_t, rates;
+    int64_t zone, before, run;
+    double v1, least, v2, v3;
+    lanes least_t, v2_t, v3_t, rates;
+    bool joins, room, n4;
+    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
+    v1 = AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START);
+    EACH_LANE each(least_t) = strip_runs__NARROW * (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)));
+    least = strip_runs__NARROW * v1;
     joins = false;
     if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) > 0)
     {
         before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
-        if ((int64_t)AT(work, before + layout__STRIP_RUN_LOW) == low && AT(work, before + layout__STRIP_RUN_NEXT_STOP) >= start)
+        if ((int64_t)AT(work, before + layout__STRIP_RUN_LOW) == low && start - AT(work, before + layout__STRIP_RUN_NEXT_STOP) < least)
         {
             joins = true;
-            v1 = AT(work, before + layout__STRIP_RUN_NEXT_START);
-            EACH_LANE each(v1_t) = each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_START));
-            if (start < v1)
+            v2 = AT(work, before + layout__STRIP_RUN_NEXT_START);
+            EACH_LANE each(v2_t) = each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_START));
+            if (start < v2)
             {
-                v1 = start;
-                EACH_LANE each(v1_t) = each(start_t);
+                v2 = start;
+                EACH_LANE each(v2_t) = each(start_t);
             }
-            EACH_LANE each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_START)) = each(v1_t);
-            AT(work, before + layout__STRIP_RUN_NEXT_START) = v1;
-            v2 = AT(work, before + layout__STRIP_RUN_NEXT_STOP);
-            EACH_LANE each(v2_t) = each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_STOP));
-            if (stop > v2)
+            EACH_LANE each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_START)) = each(v2_t);
+            AT(work, before + layout__STRIP_RUN_NEXT_START) = v2;
+            v3 = AT(work, before + layout__STRIP_RUN_NEXT_STOP);
+            EACH_LANE each(v3_t) = each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_STOP));
+            if (stop > v3)
             {
-                v2 = stop;
-                EACH_LANE each(v2_t) = each(stop_t);
+                v3 = stop;
+                EACH_LANE each(v3_t) = each(stop_t);
             }
-            EACH_LANE each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_STOP)) = each(v2_t);
-            AT(work, before + layout__STRIP_RUN_NEXT_STOP) = v2;
+            EACH_LANE each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_STOP)) = each(v3_t);
+            AT(work, before + layout__STRIP_RUN_NEXT_STOP) = v3;
             RATE_AT(work_t, before + layout__STRIP_RUN_ORIGIN) = all_lanes(0.0);
             AT(work, before + layout__STRIP_RUN_ORIGIN) = (double)(-1);
         }
     }
-    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
-    wide = stop - start > strip_runs__NARROW * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START));
     room = false;
-    if (wide && !joins)
+    if (stop - start > least && !joins)
     {
         EACH_LANE each(rates) = each(stop_t) - each(start_t);
-        n3 = derivative_strip_runs__has_room_t(work, work_t, stop - start, rates);
-        room = n3;
+        n4 = derivative_strip_runs__has_room_t(work, work_t, stop - start, rates);
+        room = n4;
     }
     if (room)
     {

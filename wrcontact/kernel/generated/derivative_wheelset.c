@@ -125,21 +125,25 @@ static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, a
  */
 
 /* Derivative of ``motion_size``. */
-static inline void derivative_depth_rates__motion_size_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs)
+static inline void derivative_depth_rates__motion_size_t(double* v1_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs)
 {
-    double v1, turning, v2, left, v3, right;
-    lanes turning_t, left_t, right_t;
-    v1 = fabs(AT(work, inputs + layout__INPUTS_YAW_RATE));
-    EACH_LANE each(turning_t) = AT(tables, layout__TABLES_ARM) * derivative_rates__size_rate(AT(work, inputs + layout__INPUTS_YAW_RATE), each(RATE_AT(work_t, inputs + layout__INPUTS_YAW_RATE)));
-    turning = AT(tables, layout__TABLES_ARM) * v1;
-    v2 = fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    EACH_LANE each(left_t) = derivative_rates__size_rate(AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY), each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY))) + derivative_rates__size_rate(AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY), each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + AT(tables, layout__TABLES_HEIGHT) * derivative_rates__size_rate(AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY), each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
-    left = fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) + AT(tables, layout__TABLES_HEIGHT) * v2;
-    v3 = fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    EACH_LANE each(right_t) = derivative_rates__size_rate(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY), each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY))) + derivative_rates__size_rate(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY), each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + AT(tables, layout__TABLES_HEIGHT) * derivative_rates__size_rate(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY), each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
-    right = fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) + AT(tables, layout__TABLES_HEIGHT) * v3;
-    *out_0 = fabs(AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY)) + turning + left + right;
-    EACH_LANE each(*out_1) = derivative_rates__size_rate(AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY), each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY))) + each(turning_t) + each(left_t) + each(right_t);
+    lanes turning_t, left_rolling_t, right_rolling_t, square_t;
+    double turning, left_rolling, right_rolling, square, v1;
+    EACH_LANE each(turning_t) = AT(tables, layout__TABLES_ARM) * each(RATE_AT(work_t, inputs + layout__INPUTS_YAW_RATE));
+    turning = AT(tables, layout__TABLES_ARM) * AT(work, inputs + layout__INPUTS_YAW_RATE);
+    EACH_LANE each(left_rolling_t) = AT(tables, layout__TABLES_HEIGHT) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    left_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    EACH_LANE each(right_rolling_t) = AT(tables, layout__TABLES_HEIGHT) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    right_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    EACH_LANE each(square_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)) + (each(turning_t) * turning + turning * each(turning_t));
+    square = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + turning * turning;
+    EACH_LANE each(square_t) = each(square_t) + (each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + (each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + (each(left_rolling_t) * left_rolling + left_rolling * each(left_rolling_t)));
+    square = square + (AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + left_rolling * left_rolling);
+    EACH_LANE each(square_t) = each(square_t) + (each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + (each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + (each(right_rolling_t) * right_rolling + right_rolling * each(right_rolling_t)));
+    square = square + (AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + right_rolling * right_rolling);
+    v1 = sqrt(square);
+    *v1_out = v1;
+    EACH_LANE each(*out_1) = derivative_rates__root_rate(v1, each(square_t));
 }
 
 /* Derivative of ``displace_inputs``. */
@@ -572,8 +576,6 @@ static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, 
 /* Derivative of ``report``. */
 static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    double v1, v2, v3;
-    lanes v1_t, v2_t;
     int64_t index, i;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
@@ -585,11 +587,6 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
     derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
     EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE);
-    derivative_report__found_rate_t(&v1, &v1_t, tables, work, work_t, 0);
-    derivative_report__found_rate_t(&v2, &v2_t, tables, work, work_t, 1);
-    v3 = v1 + v2;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND)) = 0.5 * (each(v1_t) + each(v2_t));
-    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = 0.5 * v3;
     for (index = 0; index < 2; index += 1)
     {
         derivative_report__report_side_t(tables, work, work_t, index);
@@ -609,8 +606,6 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
         }
         RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = all_lanes(0.0);
         AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(tables, layout__TABLES_ABSENT);
-        RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = all_lanes(0.0);
-        AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = AT(tables, layout__TABLES_ABSENT);
     }
     return 0;
 }

@@ -45,6 +45,12 @@ static inline void derivative_coefficients__adaptive_curvatures_t(double* secant
 static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
 static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes* out_1, double* v5_out, lanes* out_3, double* v6_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t);
 
+/* derivative_compliant_rules.py */
+static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
+static inline bool derivative_compliant_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+
 /* derivative_correction.py */
 static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double share, lanes share_t);
 static inline void derivative_correction__saturation_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, lanes share_t);
@@ -125,7 +131,7 @@ static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d 
 static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t);
 
 /* derivative_depth_rates.py */
-static inline void derivative_depth_rates__motion_size_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs);
+static inline void derivative_depth_rates__motion_size_t(double* v1_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs);
 static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_lanes_1d work_t, double time, lanes time_t);
 static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_lanes_1d work_t);
@@ -263,6 +269,13 @@ static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work
 static inline void derivative_motion__known_part_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion);
 static inline void derivative_motion__constraint_residual_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion);
 static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right);
+
+/* derivative_motion_rules.py */
+static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
+static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
+static inline void derivative_motion_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
+static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
+static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 
 /* derivative_node_patches.py */
 static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t count);
@@ -476,6 +489,13 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
 static inline void derivative_strip_lengths__edge_move_t(double* move_out, lanes* move_t_out, double half, lanes half_t, double away, lanes away_t, double before, lanes before_t);
 static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k);
 
+/* derivative_strip_levels.py */
+static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves);
+static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, lanes* rise_t_out, array_double_1d work, array_lanes_1d work_t, double force, lanes force_t);
+static inline int64_t derivative_strip_levels__begin_curve_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high);
+static inline void derivative_strip_levels__level_end_t(double* station_out, lanes* station_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high);
+static inline void derivative_strip_levels__level_length_t(double* v8_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t);
+
 /* derivative_strip_patches.py */
 static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t count);
 static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t k);
@@ -502,11 +522,6 @@ static inline void derivative_strip_pressures__solve_pressures_t(double* penetra
 static inline void derivative_strip_pressures__equilibrium_penetration_t(double* v6_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t);
 
 /* derivative_strip_runs.py */
-static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves);
-static inline void derivative_strip_runs__deepen_levels_t(double* rise_out, lanes* rise_t_out, array_double_1d work, array_lanes_1d work_t, double force, lanes force_t);
-static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high);
-static inline void derivative_strip_runs__level_end_t(double* station_out, lanes* station_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high);
-static inline void derivative_strip_runs__level_length_t(double* v8_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t);
 static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count);
 static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t);
 static inline bool derivative_strip_runs__has_room_t(array_double_1d work, array_lanes_1d work_t, double width, lanes width_t);
@@ -569,6 +584,11 @@ static inline void derivative_tractions__point_weight_t(double* out_0, lanes* ou
 static inline void derivative_trial__permitted_approach_t(double* approach_out, lanes* approach_t_out, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t);
 static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t);
 
+/* derivative_turning_rules.py */
+static inline bool derivative_turning_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline bool derivative_turning_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last);
+static inline void derivative_turning_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t);
+
 /* derivative_vertical_load.py */
 static inline void derivative_vertical_load__carried_share_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index);
 
@@ -578,26 +598,14 @@ static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_doubl
 static inline void derivative_wear_places__profile_places_t(double* rail_out, lanes* rail_t_out, double* wheel_out, lanes* wheel_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double station, lanes station_t);
 
 /* derivative_wheelset_rules.py */
-static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
-static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
-static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
 static inline void derivative_wheelset_rules__follow_leaning_roll_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
 static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline void derivative_wheelset_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
-static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
-static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
-static inline bool derivative_wheelset_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline bool derivative_wheelset_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline bool derivative_wheelset_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last);
-static inline void derivative_wheelset_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t);
 
 /* derivative_widths.py */
 static inline void derivative_widths__width_limit_t(double* limit_out, lanes* limit_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t);

@@ -108,6 +108,15 @@ static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_do
 static inline double strip_lengths__edge_move(double half, double away, double before);
 static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_double_1d tables, int64_t k);
 
+/* normal/strip_levels.py */
+static inline int64_t strip_levels__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves);
+static inline bool strip_levels__is_one_curve(array_double_1d work, int64_t i);
+static inline double strip_levels__deepen_levels(array_double_1d work, double force);
+static inline void strip_levels__level_contact(double* load_out, double* out_1, array_double_1d work);
+static inline int64_t strip_levels__begin_curve(array_double_1d work, int64_t low, int64_t high);
+static inline double strip_levels__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high);
+static inline double strip_levels__level_length(array_double_1d work, int64_t j, double station);
+
 /* normal/strip_patches.py */
 static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t side, int64_t count);
 static inline int64_t strip_patches__fill_run(array_double_1d work, array_double_1d tables, int64_t side, int64_t k);
@@ -134,13 +143,6 @@ static inline double strip_pressures__solve_pressures(array_double_1d work, arra
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, double force);
 
 /* normal/strip_runs.py */
-static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves);
-static inline bool strip_runs__is_one_curve(array_double_1d work, int64_t i);
-static inline double strip_runs__deepen_levels(array_double_1d work, double force);
-static inline void strip_runs__level_contact(double* load_out, double* out_1, array_double_1d work);
-static inline int64_t strip_runs__begin_curve(array_double_1d work, int64_t low, int64_t high);
-static inline double strip_runs__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high);
-static inline double strip_runs__level_length(array_double_1d work, int64_t j, double station);
 static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count);
 static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int64_t high, double start, double stop);
 static inline bool strip_runs__has_room(array_double_1d work, double width);
@@ -185,7 +187,7 @@ static OUT_OF_LINE int64_t wear_places__nearest_patch(array_double_1d work, int6
 
 /* ---- From normal/analyn.py; change that one.
  *
- * ANALYN on the nodes of up to three regions: from local penetrations to loads, and from a
+ * ANALYN on the nodes of up to four regions: from local penetrations to loads, and from a
  * force to penetrations.
  *
  * Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip at s is loaded where
@@ -2077,7 +2079,7 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
  *
  * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
  * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once
- * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).
+ * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_levels).
  * One round of
  *
  * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = p / (pi E*) and the given force, eq. (S5)
@@ -2177,7 +2179,7 @@ static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out,
         {
             break;
         }
-        deeper = penetration + strip_runs__deepen_levels(work, force);
+        deeper = penetration + strip_levels__deepen_levels(work, force);
         if (deeper < strip_contact__SUNK_DEEPER * penetration)
         {
             break;
@@ -2198,7 +2200,7 @@ static inline bool strip_contact__agrees_with_levels(array_double_1d work, array
 {
     double load, pressure, carried, largest;
     int64_t i, strip, i_end;
-    strip_runs__level_contact(&load, &pressure, work);
+    strip_levels__level_contact(&load, &pressure, work);
     carried = 0.0;
     largest = 0.0;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
@@ -2257,7 +2259,7 @@ static inline int64_t strip_contact__start_runs(array_double_1d tables, array_do
     {
         strip_surfaces__measure_ridges(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE));
     }
-    strip_runs__begin_runs(tables, work, (int64_t)AT(tables, layout__TABLES_WAVES));
+    strip_levels__begin_runs(tables, work, (int64_t)AT(tables, layout__TABLES_WAVES));
     return 0;
 }
 
@@ -2489,6 +2491,200 @@ static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_d
         AT(work, strip + layout__STRIP_PRESSURE) = M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS) * AT(work, strip + layout__STRIP_Y) * raised * grown;
     }
     return 0;
+}
+
+
+/* ---- From normal/strip_levels.py; change that one.
+ *
+ * The first runs of strips: where ANALYN's levels, eq. (S9), are above zero; and what these levels carry.
+ */
+
+/* The first runs, where ANALYN's level is above zero. */
+static inline int64_t strip_levels__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves)
+{
+    int64_t low, high, k, run, first, j, zone, i, strip, k_end, i_end;
+    double station;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
+    low = 0;
+    while (low < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))
+    {
+        high = low;
+        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && strip_levels__is_one_curve(work, high))
+        {
+            high += 1;
+        }
+        strip_levels__begin_curve(work, low, high);
+        low = high + 1;
+    }
+    strip_runs__adopt_runs(work);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) * (int64_t)AT(tables, waves + layout__WAVES_COUNT));
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
+    for (k = 0; k < k_end; k += 1)
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        j = strip_surfaces__interval(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), strip_runs__run_station(work, run, 0.0));
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
+        j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
+        i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        for (i = 0; i < i_end; i += 1)
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+            station = strip_runs__run_station(work, run, AT(tables, waves + layout__WAVES_COS + i));
+            j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
+            AT(work, strip + layout__STRIP_AXIS) = strip_levels__level_length(work, j, station) / AT(tables, waves + layout__WAVES_SIN + i);
+            AT(work, strip + layout__STRIP_LEAD) = pressed__limited(AT(work, zone + layout__STRIP_ZONE_LEAN) * (station - AT(work, zone + layout__STRIP_ZONE_MIDDLE)), strip_levels__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS));
+        }
+        strip_runs__raise_axes(work, first, (int64_t)AT(tables, waves + layout__WAVES_COUNT));
+    }
+    return 0;
+}
+
+/* Whether a run may go on from traced station ``i`` to the next one: within a zone, and where two zones
+ * meet of which one is a shoulder of the other.
+ */
+static inline bool strip_levels__is_one_curve(array_double_1d work, int64_t i)
+{
+    int64_t at, following;
+    bool one;
+    double shallower;
+    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+    following = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + 1);
+    one = AT(work, at + layout__TRACED_STATION_JOINED) == 1.0;
+    if (one && (int64_t)AT(work, at + layout__TRACED_STATION_REGION) != (int64_t)AT(work, following + layout__TRACED_STATION_REGION))
+    {
+        shallower = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_DEPTH), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, following + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_DEPTH));
+        one = double_min(AT(work, at + layout__TRACED_STATION_OVERLAP), AT(work, following + layout__TRACED_STATION_OVERLAP)) > strip_levels__SHOULDER * shallower;
+    }
+    return one;
+}
+
+/* Raise the levels until they carry ``force`` [N] as ANALYN has it, and how far [m].
+ *
+ * The load is convex over the rise, so that Newton's method comes from one side.
+ */
+static inline double strip_levels__deepen_levels(array_double_1d work, double force)
+{
+    double rise, load, stiffness, line, level;
+    int64_t repeat, i, at, zone, i_end, i_end_2;
+    rise = 0.0;
+    for (repeat = 0; repeat < strip_levels__LEVEL_ITERATIONS; repeat += 1)
+    {
+        load = 0.0;
+        stiffness = 0.0;
+        i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+        for (i = 0; i < i_end; i += 1)
+        {
+            at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
+            line = AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_COUNTED) * AT(work, zone + layout__STRIP_ZONE_SPACING);
+            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
+            if (level > 0.0)
+            {
+                load += line * level;
+                stiffness += line * AT(work, at + layout__TRACED_STATION_SHARE);
+            }
+        }
+        if (stiffness > 0.0)
+        {
+            rise += (force - load) / stiffness;
+        }
+    }
+    i_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end_2; i += 1)
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        AT(work, at + layout__TRACED_STATION_LEVEL) += rise * AT(work, at + layout__TRACED_STATION_SHARE);
+    }
+    return rise;
+}
+
+/* Load [N], as far as it counts, and largest pressure [Pa] that the levels have. */
+static inline void strip_levels__level_contact(double* load_out, double* out_1, array_double_1d work)
+{
+    double load, square;
+    int64_t i, at, zone, i_end;
+    load = 0.0;
+    square = 0.0;
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end; i += 1)
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
+        if (AT(work, at + layout__TRACED_STATION_LEVEL) > 0.0)
+        {
+            load += AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_LEVEL) * AT(work, at + layout__TRACED_STATION_COUNTED) * AT(work, zone + layout__STRIP_ZONE_SPACING);
+            square = double_max(square, AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_LEVEL) * AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) * AT(work, at + layout__TRACED_STATION_A));
+        }
+    }
+    *load_out = load;
+    *out_1 = 2.0 / M_PI * sqrt(square);
+}
+
+/* The first runs of the curve of stations ``low`` ... ``high``. */
+static inline int64_t strip_levels__begin_curve(array_double_1d work, int64_t low, int64_t high)
+{
+    int64_t i, last, zone;
+    double highest, start, stop;
+    i = low;
+    while (i <= high)
+    {
+        last = i;
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL) > 0.0)
+        {
+            highest = 0.0;
+            while (last <= high && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > 0.0)
+            {
+                highest = double_max(highest, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
+                last += 1;
+            }
+            last -= 1;
+            start = strip_levels__level_end(work, i, i - 1, low, high);
+            stop = strip_levels__level_end(work, last, last + 1, low, high);
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION);
+            if (highest > strip_levels__RAISED * AT(work, zone + layout__STRIP_ZONE_DEPTH))
+            {
+                strip_runs__add_run(work, low, high, start, stop);
+            }
+        }
+        i = last + 1;
+    }
+    return 0;
+}
+
+/* Station [m] where the level falls to zero from a station to one beside it, or where the curve ends. */
+static inline double strip_levels__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high)
+{
+    int64_t at, beyond;
+    double station;
+    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
+    station = AT(work, at + layout__TRACED_STATION_STATION);
+    if (outside >= low && outside <= high)
+    {
+        beyond = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * outside;
+        station += (AT(work, beyond + layout__TRACED_STATION_STATION) - AT(work, at + layout__TRACED_STATION_STATION)) * AT(work, at + layout__TRACED_STATION_LEVEL) / (AT(work, at + layout__TRACED_STATION_LEVEL) - AT(work, beyond + layout__TRACED_STATION_LEVEL));
+    }
+    else if (outside < low)
+    {
+        station = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_START);
+    }
+    else
+    {
+        station = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_STOP);
+    }
+    return station;
+}
+
+/* Half-length [m] of a strip at ``station`` [m] behind station ``j``, as ANALYN has it. */
+static inline double strip_levels__level_length(array_double_1d work, int64_t j, double station)
+{
+    int64_t low, high;
+    double u, level;
+    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
+    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1);
+    u = strip_surfaces__way_through(work, j, station);
+    level = double_max(strip_surfaces__between(AT(work, low + layout__TRACED_STATION_LEVEL), AT(work, high + layout__TRACED_STATION_LEVEL), u), 0.0);
+    return sqrt(level / (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, low + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_ONE_ALPHA) * strip_surfaces__between(AT(work, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), u)));
 }
 
 
@@ -3097,7 +3293,7 @@ static inline double strip_pressures__equilibrium_penetration(array_double_1d wo
 
 /* ---- From normal/strip_runs.py; change that one.
  *
- * Runs of loaded strips: where they begin, which strips they have, and how they part and join.
+ * Runs of loaded strips: which strips they have, and how they part and join.
  *
  * A run lies between two edges on one curve of traced stations.  Its n strips lie at
  *
@@ -3105,194 +3301,6 @@ static inline double strip_pressures__equilibrium_penetration(array_double_1d wo
  *
  * closer together towards the edges, where half-length and pressure fall to zero like sin t.
  */
-
-/* The first runs, where ANALYN's level is above zero. */
-static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves)
-{
-    int64_t low, high, k, run, first, j, zone, i, strip, k_end, i_end;
-    double station;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
-    low = 0;
-    while (low < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))
-    {
-        high = low;
-        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && strip_runs__is_one_curve(work, high))
-        {
-            high += 1;
-        }
-        strip_runs__begin_curve(work, low, high);
-        low = high + 1;
-    }
-    strip_runs__adopt_runs(work);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) * (int64_t)AT(tables, waves + layout__WAVES_COUNT));
-    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
-    for (k = 0; k < k_end; k += 1)
-    {
-        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-        j = strip_surfaces__interval(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), strip_runs__run_station(work, run, 0.0));
-        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
-        j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
-        i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-        for (i = 0; i < i_end; i += 1)
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-            station = strip_runs__run_station(work, run, AT(tables, waves + layout__WAVES_COS + i));
-            j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
-            AT(work, strip + layout__STRIP_AXIS) = strip_runs__level_length(work, j, station) / AT(tables, waves + layout__WAVES_SIN + i);
-            AT(work, strip + layout__STRIP_LEAD) = pressed__limited(AT(work, zone + layout__STRIP_ZONE_LEAN) * (station - AT(work, zone + layout__STRIP_ZONE_MIDDLE)), strip_runs__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS));
-        }
-        strip_runs__raise_axes(work, first, (int64_t)AT(tables, waves + layout__WAVES_COUNT));
-    }
-    return 0;
-}
-
-/* Whether a run may go on from traced station ``i`` to the next one: within a zone, and where two zones
- * meet of which one is a shoulder of the other.
- */
-static inline bool strip_runs__is_one_curve(array_double_1d work, int64_t i)
-{
-    int64_t at, following;
-    bool one;
-    double shallower;
-    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-    following = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + 1);
-    one = AT(work, at + layout__TRACED_STATION_JOINED) == 1.0;
-    if (one && (int64_t)AT(work, at + layout__TRACED_STATION_REGION) != (int64_t)AT(work, following + layout__TRACED_STATION_REGION))
-    {
-        shallower = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_DEPTH), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, following + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_DEPTH));
-        one = double_min(AT(work, at + layout__TRACED_STATION_OVERLAP), AT(work, following + layout__TRACED_STATION_OVERLAP)) > strip_runs__SHOULDER * shallower;
-    }
-    return one;
-}
-
-/* Raise the levels until they carry ``force`` [N] as ANALYN has it, and how far [m].
- *
- * The load is convex over the rise, so that Newton's method comes from one side.
- */
-static inline double strip_runs__deepen_levels(array_double_1d work, double force)
-{
-    double rise, load, stiffness, line, level;
-    int64_t repeat, i, at, zone, i_end, i_end_2;
-    rise = 0.0;
-    for (repeat = 0; repeat < strip_runs__LEVEL_ITERATIONS; repeat += 1)
-    {
-        load = 0.0;
-        stiffness = 0.0;
-        i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
-        for (i = 0; i < i_end; i += 1)
-        {
-            at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
-            line = AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_COUNTED) * AT(work, zone + layout__STRIP_ZONE_SPACING);
-            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
-            if (level > 0.0)
-            {
-                load += line * level;
-                stiffness += line * AT(work, at + layout__TRACED_STATION_SHARE);
-            }
-        }
-        if (stiffness > 0.0)
-        {
-            rise += (force - load) / stiffness;
-        }
-    }
-    i_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
-    for (i = 0; i < i_end_2; i += 1)
-    {
-        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        AT(work, at + layout__TRACED_STATION_LEVEL) += rise * AT(work, at + layout__TRACED_STATION_SHARE);
-    }
-    return rise;
-}
-
-/* Load [N], as far as it counts, and largest pressure [Pa] that the levels have. */
-static inline void strip_runs__level_contact(double* load_out, double* out_1, array_double_1d work)
-{
-    double load, square;
-    int64_t i, at, zone, i_end;
-    load = 0.0;
-    square = 0.0;
-    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
-    for (i = 0; i < i_end; i += 1)
-    {
-        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
-        if (AT(work, at + layout__TRACED_STATION_LEVEL) > 0.0)
-        {
-            load += AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_LEVEL) * AT(work, at + layout__TRACED_STATION_COUNTED) * AT(work, zone + layout__STRIP_ZONE_SPACING);
-            square = double_max(square, AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_LEVEL) * AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) * AT(work, at + layout__TRACED_STATION_A));
-        }
-    }
-    *load_out = load;
-    *out_1 = 2.0 / M_PI * sqrt(square);
-}
-
-/* The first runs of the curve of stations ``low`` ... ``high``. */
-static inline int64_t strip_runs__begin_curve(array_double_1d work, int64_t low, int64_t high)
-{
-    int64_t i, last, zone;
-    double highest, start, stop;
-    i = low;
-    while (i <= high)
-    {
-        last = i;
-        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL) > 0.0)
-        {
-            highest = 0.0;
-            while (last <= high && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > 0.0)
-            {
-                highest = double_max(highest, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
-                last += 1;
-            }
-            last -= 1;
-            start = strip_runs__level_end(work, i, i - 1, low, high);
-            stop = strip_runs__level_end(work, last, last + 1, low, high);
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION);
-            if (highest > strip_runs__RAISED * AT(work, zone + layout__STRIP_ZONE_DEPTH))
-            {
-                strip_runs__add_run(work, low, high, start, stop);
-            }
-        }
-        i = last + 1;
-    }
-    return 0;
-}
-
-/* Station [m] where the level falls to zero from a station to one beside it, or where the curve ends. */
-static inline double strip_runs__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high)
-{
-    int64_t at, beyond;
-    double station;
-    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
-    station = AT(work, at + layout__TRACED_STATION_STATION);
-    if (outside >= low && outside <= high)
-    {
-        beyond = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * outside;
-        station += (AT(work, beyond + layout__TRACED_STATION_STATION) - AT(work, at + layout__TRACED_STATION_STATION)) * AT(work, at + layout__TRACED_STATION_LEVEL) / (AT(work, at + layout__TRACED_STATION_LEVEL) - AT(work, beyond + layout__TRACED_STATION_LEVEL));
-    }
-    else if (outside < low)
-    {
-        station = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_START);
-    }
-    else
-    {
-        station = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_STOP);
-    }
-    return station;
-}
-
-/* Half-length [m] of a strip at ``station`` [m] behind station ``j``, as ANALYN has it. */
-static inline double strip_runs__level_length(array_double_1d work, int64_t j, double station)
-{
-    int64_t low, high;
-    double u, level;
-    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
-    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1);
-    u = strip_surfaces__way_through(work, j, station);
-    level = double_max(strip_surfaces__between(AT(work, low + layout__TRACED_STATION_LEVEL), AT(work, high + layout__TRACED_STATION_LEVEL), u), 0.0);
-    return sqrt(level / (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, low + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_ONE_ALPHA) * strip_surfaces__between(AT(work, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), u)));
-}
 
 /* Raise the axes of a run that begins with strip ``first`` to their smallest. */
 static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count)
@@ -3313,17 +3321,20 @@ static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first
 }
 
 /* Add a run between two stations [m] of a curve to the next ones, if it is wide enough; joined to the
- * last one where they overlap.  Where there is no room, the narrowest one goes.
+ * last one where they meet.  Where there is no room, the narrowest one goes.
  */
 static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int64_t high, double start, double stop)
 {
-    bool joins, wide, room;
-    int64_t before, zone, run;
+    int64_t zone, before, run;
+    double least;
+    bool joins, room;
+    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
+    least = strip_runs__NARROW * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START));
     joins = false;
     if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) > 0)
     {
         before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
-        if ((int64_t)AT(work, before + layout__STRIP_RUN_LOW) == low && AT(work, before + layout__STRIP_RUN_NEXT_STOP) >= start)
+        if ((int64_t)AT(work, before + layout__STRIP_RUN_LOW) == low && start - AT(work, before + layout__STRIP_RUN_NEXT_STOP) < least)
         {
             joins = true;
             AT(work, before + layout__STRIP_RUN_NEXT_START) = double_min(AT(work, before + layout__STRIP_RUN_NEXT_START), start);
@@ -3331,10 +3342,8 @@ static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int
             AT(work, before + layout__STRIP_RUN_ORIGIN) = (double)(-1);
         }
     }
-    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
-    wide = stop - start > strip_runs__NARROW * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START));
     room = false;
-    if (wide && !joins)
+    if (stop - start > least && !joins)
     {
         room = strip_runs__has_room(work, stop - start);
     }
@@ -3417,7 +3426,11 @@ static inline double strip_runs__run_station(array_double_1d work, int64_t run, 
     return 0.5 * (AT(work, run + layout__STRIP_RUN_START) + AT(work, run + layout__STRIP_RUN_STOP)) - 0.5 * (AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START)) * cosine;
 }
 
-/* Rise of the gap [m] at a distance ``x`` from the ridge. */
+/* Rise of the gap [m] at a distance ``x`` from the ridge.
+ *
+ * Its sides differ no more than where they were measured: beyond, a cubic would turn over, and each side
+ * keeps its own curvature.
+ */
 static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x)
 {
     return x * x * (AT(work, strip + layout__STRIP_A) + pressed__limited(AT(work, strip + layout__STRIP_SKEW) * x, AT(work, strip + layout__STRIP_ODD)));

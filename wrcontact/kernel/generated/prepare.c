@@ -21,8 +21,16 @@ static inline int64_t prepare_curvatures__write_abscissae(array_double_1d tables
 static inline int64_t prepare_pieces__write_quintic(array_double_1d tables, int64_t at, double low, double high, double z_low, double slope_low, double bend_low, double z_high, double slope_high, double bend_high);
 static inline bool prepare_pieces__follows_zone(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double low, double high);
 static inline int64_t prepare_pieces__write_refined(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double start, double stop, array_double_1d work, int64_t scratch);
+static inline double prepare_pieces__height_step(array_double_1d zones, int64_t before, int64_t after);
 static inline bool prepare_pieces__steps(array_double_1d zones, int64_t before, int64_t after);
+static inline double prepare_pieces__corner_width(array_double_1d zones, int64_t before, int64_t after);
+static inline int64_t prepare_pieces__write_corner(array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t after, double width);
+static inline int64_t prepare_pieces__write_moved(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double low, double high, double first, double last);
 static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t after, double low, double high);
+static inline double prepare_pieces__repair_end(array_double_1d zones, int64_t row, double width);
+static inline void prepare_pieces__write_start(int64_t* at_out, double* inner_out, array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t row);
+static inline int64_t prepare_pieces__write_stop(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, int64_t after, double last);
+static inline double prepare_pieces__followed_end(array_double_1d zones, int64_t row, int64_t after);
 static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t at, array_double_1d zones, int64_t base, int64_t index, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int64_t base, array_double_1d zones, int64_t definition, double nowhere, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t first, int64_t end);
@@ -102,6 +110,7 @@ static inline int64_t prepare_zones__turn_arc(array_double_1d zones, int64_t row
 static inline int64_t prepare_zones__turn_polynomial(array_double_1d zones, int64_t row, double angle, double y_shift, double z_shift);
 static inline int64_t prepare_zones__turn_zones(array_double_1d zones, int64_t base, double angle, double y_shift, double z_shift);
 static inline int64_t prepare_zones__keep_around_top(array_double_1d zones, int64_t base);
+static inline int64_t prepare_zones__close_joints(array_double_1d zones, int64_t base);
 static inline bool prepare_zones__meets_next(array_double_1d zones, int64_t row, int64_t size);
 
 
@@ -492,6 +501,9 @@ static inline int64_t prepare_curvatures__write_abscissae(array_double_1d tables
  * are ends of pieces, so a jump of the curvature stays where the standard has it. Where the printed coefficients
  * leave a step in height (S1002: 3.7e-5 mm at y = -26 mm and 1.2e-4 mm at y = -35 mm), both sides are led to
  * their mean over REPAIR_WIDTH. Otherwise the contact would stay at an edge that no real wheel has.
+ *
+ * Where the angle of two zones differs is a corner. It is rounded by one piece: the search for contacts, and
+ * every model of them, needs a curvature.
  */
 
 /* The quintic with given height, slope and second derivative at both ends, into
@@ -586,14 +598,80 @@ static inline int64_t prepare_pieces__write_refined(array_double_1d tables, int6
     return at;
 }
 
-/* Whether the heights of two zones differ where the second starts. */
-static inline bool prepare_pieces__steps(array_double_1d zones, int64_t before, int64_t after)
+/* How much larger the height of the second of two zones is where it starts [mm]. */
+static inline double prepare_pieces__height_step(array_double_1d zones, int64_t before, int64_t after)
 {
     double y, z_before, slope, bend, z_after;
     y = AT(zones, after + prepare_zones__ZONE_START);
     prepare_zones__zone_jet(&z_before, &slope, &bend, zones, before, y);
     prepare_zones__zone_jet(&z_after, &slope, &bend, zones, after, y);
-    return fabs(z_before - z_after) > prepare_pieces__REPAIRED_STEP;
+    return z_after - z_before;
+}
+
+/* Whether the heights of two zones differ where the second starts. */
+static inline bool prepare_pieces__steps(array_double_1d zones, int64_t before, int64_t after)
+{
+    return fabs(prepare_pieces__height_step(zones, before, after)) > prepare_pieces__REPAIRED_STEP;
+}
+
+/* The width [mm] on either side over which the corner between two zones is rounded; 0 where there is
+ * none.
+ */
+static inline double prepare_pieces__corner_width(array_double_1d zones, int64_t before, int64_t after)
+{
+    double y, z, slope, bend, other, turn, width, steep;
+    y = AT(zones, after + prepare_zones__ZONE_START);
+    prepare_zones__zone_jet(&z, &slope, &bend, zones, before, y);
+    prepare_zones__zone_jet(&z, &other, &bend, zones, after, y);
+    turn = fabs(circle__atan(other) - circle__atan(slope));
+    width = 0.0;
+    if (turn > prepare_pieces__LEAST_CORNER && (turn > prepare_pieces__STEPPED_CORNER || !prepare_pieces__steps(zones, before, after)))
+    {
+        steep = double_min(fabs(slope), fabs(other));
+        width = double_max(0.5 * prepare_pieces__CORNER_RADIUS * turn / sqrt(1.0 + steep * steep), prepare_pieces__CORNER_WIDTH);
+        width = double_min(width, 0.25 * (AT(zones, before + prepare_zones__ZONE_STOP) - AT(zones, before + prepare_zones__ZONE_START)));
+        width = double_min(width, 0.25 * (AT(zones, after + prepare_zones__ZONE_STOP) - AT(zones, after + prepare_zones__ZONE_START)));
+    }
+    return width;
+}
+
+/* The piece that rounds the corner between two zones over ``width`` [mm] on either side, each zone moved
+ * by half the step in height; the offset after it, or FULL.
+ */
+static inline int64_t prepare_pieces__write_corner(array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t after, double width)
+{
+    double half, low, high, z_0, slope_0, bend_0, z_1, slope_1, bend_1;
+    if (at + 2 * layout__PIECE_SIZE > tables.shape[0])
+    {
+        return prepare_pieces__FULL;
+    }
+    half = 0.0;
+    if (prepare_pieces__steps(zones, before, after))
+    {
+        half = 0.5 * prepare_pieces__height_step(zones, before, after);
+    }
+    low = AT(zones, after + prepare_zones__ZONE_START) - width;
+    high = AT(zones, after + prepare_zones__ZONE_START) + width;
+    prepare_zones__zone_jet(&z_0, &slope_0, &bend_0, zones, before, low);
+    prepare_zones__zone_jet(&z_1, &slope_1, &bend_1, zones, after, high);
+    prepare_pieces__write_quintic(tables, at, low, high, z_0 + half, slope_0, bend_0, z_1 - half, slope_1, bend_1);
+    return at + layout__PIECE_SIZE;
+}
+
+/* A piece of one zone between ``low`` and ``high`` [mm], moved by ``first`` and ``last`` [mm] there; the
+ * offset after it, or FULL.
+ */
+static inline int64_t prepare_pieces__write_moved(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, double low, double high, double first, double last)
+{
+    double z_0, slope_0, bend_0, z_1, slope_1, bend_1;
+    if (at + 2 * layout__PIECE_SIZE > tables.shape[0])
+    {
+        return prepare_pieces__FULL;
+    }
+    prepare_zones__zone_jet(&z_0, &slope_0, &bend_0, zones, row, low);
+    prepare_zones__zone_jet(&z_1, &slope_1, &bend_1, zones, row, high);
+    prepare_pieces__write_quintic(tables, at, low, high, z_0 + first, slope_0, bend_0, z_1 + last, slope_1, bend_1);
+    return at + layout__PIECE_SIZE;
 }
 
 /* A piece that leads from the mean of two zones into the second, or from the first into the mean; the
@@ -621,29 +699,106 @@ static inline int64_t prepare_pieces__write_repair(array_double_1d tables, int64
     return at + layout__PIECE_SIZE;
 }
 
+/* How far from a joint of a zone its height is repaired [mm], next to a corner of this ``width``. */
+static inline double prepare_pieces__repair_end(array_double_1d zones, int64_t row, double width)
+{
+    return double_min(double_max(prepare_pieces__REPAIR_WIDTH, 2.0 * width), 0.5 * (AT(zones, row + prepare_zones__ZONE_STOP) - AT(zones, row + prepare_zones__ZONE_START)));
+}
+
+/* What joins zone ``row`` to the one ``before`` it, but for a corner's own piece: the offset after that,
+ * or FULL, and the abscissa [mm] from which the zone is followed.
+ */
+static inline void prepare_pieces__write_start(int64_t* at_out, double* inner_out, array_double_1d tables, int64_t at, array_double_1d zones, int64_t before, int64_t row)
+{
+    double start, inner, width, half;
+    bool stepped;
+    start = AT(zones, row + prepare_zones__ZONE_START);
+    inner = start;
+    stepped = prepare_pieces__steps(zones, before, row);
+    width = prepare_pieces__corner_width(zones, before, row);
+    if (stepped && width > 0.0)
+    {
+        inner = start + prepare_pieces__repair_end(zones, row, width);
+        half = -0.5 * prepare_pieces__height_step(zones, before, row);
+        at = prepare_pieces__write_moved(tables, at, zones, row, start + width, inner, half, 0.0);
+    }
+    else if (stepped)
+    {
+        inner = double_min(start + prepare_pieces__REPAIR_WIDTH, 0.5 * (start + AT(zones, row + prepare_zones__ZONE_STOP)));
+        at = prepare_pieces__write_repair(tables, at, zones, before, row, start, inner);
+    }
+    else if (width > 0.0)
+    {
+        inner = start + width;
+    }
+    *at_out = at;
+    *inner_out = inner;
+}
+
+/* What joins zone ``row``, followed up to ``last`` [mm], to the one ``after`` it; the offset after that,
+ * or FULL.
+ */
+static inline int64_t prepare_pieces__write_stop(array_double_1d tables, int64_t at, array_double_1d zones, int64_t row, int64_t after, double last)
+{
+    double stop, width, half;
+    stop = AT(zones, row + prepare_zones__ZONE_STOP);
+    width = prepare_pieces__corner_width(zones, row, after);
+    if (width > 0.0)
+    {
+        if (prepare_pieces__steps(zones, row, after))
+        {
+            half = 0.5 * prepare_pieces__height_step(zones, row, after);
+            at = prepare_pieces__write_moved(tables, at, zones, row, last, stop - width, 0.0, half);
+        }
+        if (at != prepare_pieces__FULL)
+        {
+            at = prepare_pieces__write_corner(tables, at, zones, row, after, width);
+        }
+    }
+    else if (prepare_pieces__steps(zones, row, after))
+    {
+        at = prepare_pieces__write_repair(tables, at, zones, row, after, last, stop);
+    }
+    return at;
+}
+
+/* The abscissa [mm] up to which zone ``row`` is followed before it joins the one ``after`` it. */
+static inline double prepare_pieces__followed_end(array_double_1d zones, int64_t row, int64_t after)
+{
+    double start, stop, width, last;
+    start = AT(zones, row + prepare_zones__ZONE_START);
+    stop = AT(zones, row + prepare_zones__ZONE_STOP);
+    width = prepare_pieces__corner_width(zones, row, after);
+    if (prepare_pieces__steps(zones, row, after))
+    {
+        last = double_max(stop - prepare_pieces__REPAIR_WIDTH, 0.5 * (start + stop));
+        if (width > 0.0)
+        {
+            last = stop - prepare_pieces__repair_end(zones, row, width);
+        }
+        return last;
+    }
+    return stop - width;
+}
+
 /* Pieces of zone ``index``; the offset after them, or FULL. */
 static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t at, array_double_1d zones, int64_t base, int64_t index, array_double_1d work, int64_t scratch)
 {
     int64_t size, row, count, i;
-    double zone_start, start, stop, inner, last, length, high;
-    bool repaired;
+    double start, last, length, high;
+    bool joined;
     size = (int64_t)AT(zones, base + prepare_zones__DEFINITION_ROW);
     row = base + prepare_zones__DEFINITION_ZONES + index * size;
-    zone_start = AT(zones, row + prepare_zones__ZONE_START);
-    start = zone_start;
-    stop = AT(zones, row + prepare_zones__ZONE_STOP);
-    if (index > 0 && prepare_pieces__steps(zones, row - size, row))
+    start = AT(zones, row + prepare_zones__ZONE_START);
+    last = AT(zones, row + prepare_zones__ZONE_STOP);
+    joined = index + 1 < (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT);
+    if (index > 0)
     {
-        inner = double_min(start + prepare_pieces__REPAIR_WIDTH, 0.5 * (start + stop));
-        at = prepare_pieces__write_repair(tables, at, zones, row - size, row, start, inner);
-        start = inner;
+        prepare_pieces__write_start(&at, &start, tables, at, zones, row - size, row);
     }
-    last = stop;
-    repaired = false;
-    if (index + 1 < (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT) && prepare_pieces__steps(zones, row, row + size))
+    if (joined)
     {
-        repaired = true;
-        last = double_max(stop - prepare_pieces__REPAIR_WIDTH, 0.5 * (zone_start + stop));
+        last = prepare_pieces__followed_end(zones, row, row + size);
     }
     if (last > start && at != prepare_pieces__FULL)
     {
@@ -662,9 +817,9 @@ static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t
             }
         }
     }
-    if (repaired && at != prepare_pieces__FULL)
+    if (joined && at != prepare_pieces__FULL)
     {
-        at = prepare_pieces__write_repair(tables, at, zones, row, row + size, last, stop);
+        at = prepare_pieces__write_stop(tables, at, zones, row, row + size, last);
     }
     return at;
 }
@@ -1566,7 +1721,7 @@ static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_do
     {
         return prepare_tables__WITHOUT_HEAD;
     }
-    AT(tables, pair + layout__PAIR_RAIL_Y) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
+    AT(tables, pair + layout__PAIR_RAIL_Y) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE) / 2.0 + AT(work, prepare_zones__DEFINITION_WORN) * prepare_pieces__MM + (y_top - y_gauge) * prepare_pieces__MM;
     AT(tables, pair + layout__PAIR_RAIL) = (double)(at - pair);
     end = prepare_pieces__write_profile(tables, at, work, 0, AT(setup, layout__SETUP_ABSENT), work, scratch);
     if (end != prepare_pieces__FULL)
@@ -1890,7 +2045,7 @@ static inline int64_t prepare_waves__write_strip(array_double_1d tables, int64_t
  * The zones that a profile is defined with, as numbers: polynomials and circular arcs,
  * upright or turned; in millimetres.
  *
- * A definition is one array: how many zones, the length of their rows, then the rows.
+ * A definition is one array: how many zones, the length of their rows, the wear of a rail's inner face, then the rows.
  * wrcontact/profiles/zones.py has the same zones as objects, and
  * wrcontact/profiles/definition.py turns one into the other.
  *
@@ -2274,7 +2429,25 @@ static inline int64_t prepare_zones__keep_around_top(array_double_1d zones, int6
         AT(zones, base + prepare_zones__DEFINITION_ZONES + k) = AT(zones, base + prepare_zones__DEFINITION_ZONES + first * size + k);
     }
     AT(zones, base + prepare_zones__DEFINITION_COUNT) = (double)kept;
+    prepare_zones__close_joints(zones, base);
     return kept;
+}
+
+/* Let every zone end where the next one starts. */
+static inline int64_t prepare_zones__close_joints(array_double_1d zones, int64_t base)
+{
+    int64_t size, i, row, i_end;
+    size = (int64_t)AT(zones, base + prepare_zones__DEFINITION_ROW);
+    i_end = (int64_t)AT(zones, base + prepare_zones__DEFINITION_COUNT) - 1;
+    for (i = 0; i < i_end; i += 1)
+    {
+        row = base + prepare_zones__DEFINITION_ZONES + i * size;
+        if (fabs(AT(zones, row + prepare_zones__ZONE_STOP) - AT(zones, row + size + prepare_zones__ZONE_START)) > prepare_zones__SAME_END)
+        {
+            AT(zones, row + prepare_zones__ZONE_STOP) = AT(zones, row + size + prepare_zones__ZONE_START);
+        }
+    }
+    return 0;
 }
 
 /* Whether the zone ends where the one after it starts. */

@@ -33,6 +33,10 @@ static inline bool first_root__has_no_root(array_double_1d work, array_double_1d
 static inline void first_root__first_root(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, double roll);
 static inline void first_root__root_before(double* out_0, int64_t* out_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign);
 
+/* search/own_bounds.py */
+static OUT_OF_LINE void own_bounds__bends_between(double* least_out, double* most_out, double* TOO_MANY_out, array_double_1d tables, int64_t profile, double low, double high);
+static OUT_OF_LINE void own_bounds__own_bounds(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double low, double high, double least, double most);
+
 /* search/rising_cell.py */
 static ALWAYS_INLINE void rising_cell__rate_at_node(double* abscissa_out, double* bend_out, double* stretch_out, double* out_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
 static ALWAYS_INLINE void rising_cell__departure_from_line(double* out_0, double* change_share_out, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest);
@@ -742,6 +746,110 @@ static inline void first_root__root_before(double* out_0, int64_t* out_1, array_
 }
 
 
+/* ---- From search/own_bounds.py; change that one.
+ *
+ * Bounds of the gap's bend in a part of a cell, from the pieces of wheel and rail that it covers.
+ *
+ * The bounds of the raster (``bounds.py``) are those of whole cells and their neighbours. Between points that
+ * are micrometres apart, or beside a rounded corner, the pieces of a small part say far more about it.
+ */
+
+/* Bounds of the second derivative between ``low`` and ``high`` [m] from the pieces there [1/m], and of the
+ * absolute slope [-]; TOO_MANY where they are more than MOST_PIECES.
+ *
+ * Around the middle of its part a piece's second derivative is a cubic, whose terms are bounded one by one.
+ */
+static OUT_OF_LINE void own_bounds__bends_between(double* least_out, double* most_out, double* TOO_MANY_out, array_double_1d tables, int64_t profile, double low, double high)
+{
+    int64_t piece, i, following;
+    double least, most, steepest, start, stop, half, u, bend, third, fourth, slope, apart;
+    bool last;
+    piece = tables__find_piece(tables, profile, low);
+    least = 0.0;
+    most = 0.0;
+    steepest = 0.0;
+    start = low;
+    for (i = 0; i < own_bounds__MOST_PIECES; i += 1)
+    {
+        following = piece + layout__PIECE_SIZE;
+        stop = high;
+        last = true;
+        if (AT(tables, following + layout__PIECE_START) < high)
+        {
+            stop = AT(tables, following + layout__PIECE_START);
+            last = false;
+        }
+        half = 0.5 * (stop - start);
+        u = 0.5 * (start + stop) - AT(tables, piece + layout__PIECE_START);
+        bend = 2.0 * AT(tables, piece + layout__PIECE_C2) + u * (6.0 * AT(tables, piece + layout__PIECE_C3) + u * (12.0 * AT(tables, piece + layout__PIECE_C4) + u * 20.0 * AT(tables, piece + layout__PIECE_C5)));
+        third = 6.0 * AT(tables, piece + layout__PIECE_C3) + u * (24.0 * AT(tables, piece + layout__PIECE_C4) + u * 60.0 * AT(tables, piece + layout__PIECE_C5));
+        fourth = 24.0 * AT(tables, piece + layout__PIECE_C4) + u * 120.0 * AT(tables, piece + layout__PIECE_C5);
+        slope = AT(tables, piece + layout__PIECE_C1) + u * (2.0 * AT(tables, piece + layout__PIECE_C2) + u * (3.0 * AT(tables, piece + layout__PIECE_C3) + u * (4.0 * AT(tables, piece + layout__PIECE_C4) + u * 5.0 * AT(tables, piece + layout__PIECE_C5))));
+        apart = half * (fabs(third) + half * (0.5 * fabs(fourth) + half * 20.0 * fabs(AT(tables, piece + layout__PIECE_C5))));
+        if (i == 0)
+        {
+            least = bend - apart;
+            most = bend + apart;
+        }
+        least = double_min(least, bend - apart);
+        most = double_max(most, bend + apart);
+        steepest = double_max(steepest, fabs(slope) + half * (fabs(bend) + apart));
+        if (last)
+        {
+            *least_out = least;
+            *most_out = most;
+            *TOO_MANY_out = steepest;
+            return;
+        }
+        piece = following;
+        start = stop;
+    }
+    *least_out = least;
+    *most_out = most;
+    *TOO_MANY_out = own_bounds__TOO_MANY;
+}
+
+/* Bounds [1/m] of the rate at which the slope difference rises between ``low`` and ``high`` [m] on the
+ * wheel, such that (3.3) holds with them; ``least`` and ``most``, those that are known, where the part's own
+ * pieces say less.
+ */
+static OUT_OF_LINE void own_bounds__own_bounds(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double low, double high, double least, double most)
+{
+    double least_wheel, most_wheel, steepest, roll, square, bend, stretch, width, abscissa, reach, least_rail, most_rail, share, own_least, own_most;
+    own_bounds__bends_between(&least_wheel, &most_wheel, &steepest, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), low, high);
+    roll = fabs(AT(work, at + layout__PLACE_SIN_ROLL));
+    square = 0.0;
+    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
+    {
+        square = AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_SIN_YAW);
+    }
+    bend = double_max(fabs(least_wheel), fabs(most_wheel));
+    stretch = bounds__ROLL_STRETCH * roll + square * (bounds__BEND_STRETCH * AT(work, at + layout__PLACE_RADIUS) * bend + bounds__STEEP_STRETCH);
+    if (!(steepest < bounds__STEEP && stretch < bounds__WIDEST))
+    {
+        *out_0 = least;
+        *out_1 = most;
+        return;
+    }
+    width = high - low;
+    abscissa = bounds__rail_below(tables, work, pair, at, low);
+    reach = stretch * width;
+    own_bounds__bends_between(&least_rail, &most_rail, &steepest, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa - reach, abscissa + width + reach);
+    if (!(steepest < own_bounds__TOO_MANY))
+    {
+        *out_0 = least;
+        *out_1 = most;
+        return;
+    }
+    share = bounds__ROLL_BEND * roll + bounds__YAW_BEND * square;
+    own_least = least_rail - most_wheel - stretch * fabs(least_rail) - share * fabs(most_wheel);
+    own_most = most_rail - least_wheel + stretch * fabs(most_rail) + share * fabs(least_wheel);
+    own_most = double_max(own_most, 0.0) * (1.0 + stretch);
+    *out_0 = double_max(least, own_least);
+    *out_1 = double_min(most, own_most);
+}
+
+
 /* ---- From search/rising_cell.py; change that one.
  *
  * Whether a cell of the raster holds one minimum of the gap at most.
@@ -1218,7 +1326,7 @@ static inline void roll__any_roll(double* roll_out, int64_t* status_out, array_d
  * than the smallest one known; that stretch, of up to 32 cells, is skipped. Where not even one cell can be
  * skipped, the cell itself is searched, or the part of it that is above the rail: it is halved until it is
  * settled. The gap between both ends lies above its chord by no less than -M h^2 / 8, where M bounds its second
- * derivative from above.
+ * derivative from above; of short parts M is that of the pieces that they cover.
  *
  * The overlap of a pressed wheel has a walk of its own (contact/overlaps.py): it keeps what it finds at the
  * nodes, does not look between them, and ends at the first node beside the rail.
@@ -1253,20 +1361,24 @@ static inline void smallest_gap__cell_ends(double* out_0, double* out_1, double*
  */
 static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double least, double most, double first, double last)
 {
-    int64_t at, depth, cell;
-    double gap_low, mismatch_low, rate, gap_high, mismatch_high, low, high, width, lowest, y, gap, middle, mismatch;
+    int64_t at, depth, cell, i_1;
+    double gap_low, mismatch_low, rate, gap_high, mismatch_high, low, high, width, lowest, hidden, y, gap, middle, mismatch;
     bool folded, turns, steady;
     at = side + layout__SIDE_SEARCH_PLACE;
     gap__vertical_gap(&gap_low, &mismatch_low, &rate, tables, work, pair, at, first);
     gap__vertical_gap(&gap_high, &mismatch_high, &rate, tables, work, pair, at, last);
     AT(work, at + layout__PLACE_GAP_COUNT) += 2.0;
     smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK, first, last, gap_low, gap_high, mismatch_low, mismatch_high);
+    AT(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_LEAST) = least;
+    AT(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_MOST) = most;
     depth = 1;
     while (depth > 0)
     {
         depth -= 1;
         cell = side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * depth;
         smallest_gap__cell_ends(&low, &high, &gap_low, &gap_high, &mismatch_low, &mismatch_high, work, cell);
+        least = AT(work, cell + layout__CELL_LEAST);
+        most = AT(work, cell + layout__CELL_MOST);
         width = high - low;
         lowest = gap_low;
         smallest_gap__keep_smaller(work, side, low, gap_low);
@@ -1275,21 +1387,33 @@ static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_do
             lowest = gap_high;
             smallest_gap__keep_smaller(work, side, high, gap_high);
         }
-        if (lowest - most * width * width / 8.0 < AT(work, side + layout__SIDE_SEARCH_BEST))
+        hidden = most * width * width / 8.0;
+        if (width <= smallest_gap__SHORT && lowest - hidden < AT(work, side + layout__SIDE_SEARCH_BEST))
+        {
+            own_bounds__own_bounds(&least, &most, tables, work, pair, at, low, high, least, most);
+            hidden = most * width * width / 8.0;
+        }
+        if (lowest - hidden < AT(work, side + layout__SIDE_SEARCH_BEST))
         {
             folded = mismatch_low == gap__FOLDED || mismatch_high == gap__FOLDED;
             turns = mismatch_low < 0.0 && mismatch_high >= 0.0 && !folded;
             steady = bounds__only_rises_or_falls(least, most, width, mismatch_low, mismatch_high) && !folded;
-            if (turns && (least > 0.0 || width <= smallest_gap__NARROW))
+            if (turns && (least > 0.0 || hidden <= smallest_gap__HIDDEN))
             {
                 smallest_gap__refine_minimum(&y, &gap, tables, work, pair, at, cell);
                 smallest_gap__keep_refined(work, side, y, gap, width);
             }
-            else if (width > smallest_gap__NARROW && !steady && (folded || !(least > 0.0)))
+            else if (hidden > smallest_gap__HIDDEN && !steady && (folded || !(least > 0.0)))
             {
                 middle = 0.5 * (low + high);
                 gap__vertical_gap(&gap, &mismatch, &rate, tables, work, pair, at, middle);
                 AT(work, at + layout__PLACE_GAP_COUNT) += 1.0;
+                AT(work, cell + layout__CELL_LEAST) = least;
+                AT(work, cell + layout__CELL_MOST) = most;
+                for (i_1 = 0; i_1 < layout__CELL_SIZE; i_1 += 1)
+                {
+                    AT(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + 1) + i_1) = AT(work, cell + i_1);
+                }
                 smallest_gap__write_cell(work, side + layout__SIDE_SEARCH_STACK + layout__CELL_SIZE * (depth + 1), middle, high, gap, gap_high, mismatch, mismatch_high);
                 smallest_gap__write_cell(work, cell, low, middle, gap_low, gap, mismatch_low, mismatch);
                 depth += 2;

@@ -154,17 +154,37 @@ static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_d
 static OUT_OF_LINE bool settling__estimate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE void settling__one_contact(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t index, double approach, bool sideways);
 static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
-static OUT_OF_LINE int64_t settling__shorten_settling(array_double_1d work);
-static OUT_OF_LINE int64_t settling__begin_slopes(array_double_1d work, int64_t side);
 static OUT_OF_LINE int64_t settling__update_slopes(array_double_1d work, double before_lateral, double before_vertical);
-static OUT_OF_LINE bool settling__find_settling(array_double_1d work, int64_t side);
 
 /* wheelset/settling_brackets.py */
 static OUT_OF_LINE bool settling_brackets__stand_on(array_double_1d tables, array_double_1d work, int64_t index, double lateral, double vertical);
 static OUT_OF_LINE int64_t settling_brackets__press_rail(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical);
+static OUT_OF_LINE bool settling_brackets__encloses_jump(array_double_1d work, int64_t bracket);
 static OUT_OF_LINE double settling_brackets__nearer_end(array_double_1d work, int64_t bracket);
-static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral);
+static OUT_OF_LINE int64_t settling_brackets__half_way(int64_t i, double fall, double before);
+static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double near, double reach);
+static OUT_OF_LINE int64_t settling_brackets__narrow_beside(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical);
 static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
+
+/* wheelset/settling_enclosing.py */
+static OUT_OF_LINE int64_t settling_enclosing__enclose_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_enclosing__shorten_settling(array_double_1d work);
+static OUT_OF_LINE int64_t settling_enclosing__let_down(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE double settling_enclosing__scaled(double stiffness, double residual);
+static OUT_OF_LINE double settling_enclosing__residual_size(array_double_1d work);
+static OUT_OF_LINE int64_t settling_enclosing__keep_settled(array_double_1d work, int64_t place, double lateral, double vertical);
+static OUT_OF_LINE double settling_enclosing__distance_to(array_double_1d work, int64_t place);
+static OUT_OF_LINE int64_t settling_enclosing__note_settling(array_double_1d work, double lateral, double vertical, int64_t places);
+static OUT_OF_LINE bool settling_enclosing__move_between(array_double_1d tables, array_double_1d work, int64_t index, double height, bool reduced);
+static OUT_OF_LINE bool settling_enclosing__is_at_jump(array_double_1d work, double lateral, double vertical);
+static OUT_OF_LINE int64_t settling_enclosing__stand_nearer(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_enclosing__move_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
+
+/* wheelset/settling_slopes.py */
+static OUT_OF_LINE int64_t settling_slopes__begin_slopes(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_slopes__add_rates(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE bool settling_slopes__weigh_anew(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE bool settling_slopes__find_settling(array_double_1d tables, array_double_1d work, int64_t index, double height);
 
 /* wheelset/shared_power.py */
 static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64_t side, int64_t stations);
@@ -821,14 +841,19 @@ static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_d
     return 0;
 }
 
-/* About how fast wheels and rails move against each other [m/s], but for rolling. */
+/* About how fast wheels and rails move against each other [m/s], but for rolling; smooth, as the velocities
+ * that are found follow it where a kink lies within the displacement.
+ */
 static inline double depth_rates__motion_size(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
-    double turning, left, right;
-    turning = AT(tables, layout__TABLES_ARM) * fabs(AT(work, inputs + layout__INPUTS_YAW_RATE));
-    left = fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) + AT(tables, layout__TABLES_HEIGHT) * fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    right = fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) + AT(tables, layout__TABLES_HEIGHT) * fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    return fabs(AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY)) + turning + left + right;
+    double turning, left_rolling, right_rolling, square;
+    turning = AT(tables, layout__TABLES_ARM) * AT(work, inputs + layout__INPUTS_YAW_RATE);
+    left_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    right_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    square = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + turning * turning;
+    square += AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + left_rolling * left_rolling;
+    square += AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + right_rolling * right_rolling;
+    return sqrt(square);
 }
 
 /* The velocities in which both sides' residuals vanish, from those of the loads' work on, which stay
@@ -2247,7 +2272,6 @@ static inline int64_t report__report(array_double_1d tables, array_double_1d wor
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, 1.0);
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, 1.0);
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE);
-    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = 0.5 * (report__found_rate(tables, work, 0) + report__found_rate(tables, work, 1));
     for (index = 0; index < 2; index += 1)
     {
         report__report_side(tables, work, index);
@@ -2263,7 +2287,6 @@ static inline int64_t report__report(array_double_1d tables, array_double_1d wor
             AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
         }
         AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(tables, layout__TABLES_ABSENT);
-        AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = AT(tables, layout__TABLES_ABSENT);
     }
     return 0;
 }
@@ -3329,6 +3352,10 @@ static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_d
     }
     if (status > layout__UNLOADED)
     {
+        status = settling_enclosing__enclose_deflection(tables, work, index, height);
+    }
+    if (status > layout__UNLOADED)
+    {
         status = settling_brackets__bracket_rail(tables, work, index, height);
     }
     return status;
@@ -3437,17 +3464,17 @@ static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, 
         before = fabs(before_lateral) + fabs(before_vertical);
         if (trial == 0 || fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) > before)
         {
-            settling__begin_slopes(work, side);
+            settling_slopes__begin_slopes(tables, work, index, height);
         }
         else
         {
             settling__update_slopes(work, before_lateral, before_vertical);
         }
-        if (!settling__find_settling(work, side))
+        if (!settling_slopes__find_settling(tables, work, index, height))
         {
             return layout__NOT_CONVERGED;
         }
-        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) < settling__SETTLED && fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) < settling__SETTLED)
+        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) < settling_enclosing__SETTLED && fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) < settling_enclosing__SETTLED)
         {
             if (!springs__has_settled(work, side, springs__UNSETTLED))
             {
@@ -3455,62 +3482,11 @@ static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, 
             }
             return status;
         }
-        settling__shorten_settling(work);
+        settling_enclosing__shorten_settling(work);
         lateral += AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL);
         vertical += AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL);
     }
     return layout__NOT_CONVERGED;
-}
-
-/* Let the move be no longer than is permitted, in its direction. */
-static OUT_OF_LINE int64_t settling__shorten_settling(array_double_1d work)
-{
-    double longest;
-    longest = double_max(fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)), fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)));
-    if (longest > settling__LONGEST_SETTLING)
-    {
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) *= settling__LONGEST_SETTLING / longest;
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) *= settling__LONGEST_SETTLING / longest;
-    }
-    return 0;
-}
-
-/* The residuals' derivatives from the springs, and from patches whose forces grow as Hertz's along their
- * normals, friction in proportion.
- */
-static OUT_OF_LINE int64_t settling__begin_slopes(array_double_1d work, int64_t side)
-{
-    int64_t number, patch, force, number_end;
-    double stiffness;
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) = 0.0;
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) = 0.0;
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
-    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
-    for (number = 0; number < number_end; number += 1)
-    {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_PENETRATION) > 0.0)
-        {
-            stiffness = settling__GROWTH / (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_PENETRATION));
-            force = patch + layout__PATCH_FORCES + layout__FORCES_FORCE;
-            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Y);
-            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Z);
-            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Y);
-            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Z);
-        }
-    }
-    if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0))
-    {
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = 1.0;
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) = 0.0;
-    }
-    if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0))
-    {
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) = 0.0;
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) = 1.0;
-    }
-    return 0;
 }
 
 /* The derivatives that the last move has shown (Broyden 1965). */
@@ -3530,34 +3506,6 @@ static OUT_OF_LINE int64_t settling__update_slopes(array_double_1d work, double 
         AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += off_vertical * vertical;
     }
     return 0;
-}
-
-/* The move that lets both residuals vanish; whether there is one. */
-static OUT_OF_LINE bool settling__find_settling(array_double_1d work, int64_t side)
-{
-    double least, determinant;
-    least = settling__SINGULAR_SPRINGS;
-    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0)
-    {
-        least *= AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
-    }
-    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0)
-    {
-        least *= AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
-    }
-    determinant = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL);
-    if (!(determinant > least))
-    {
-        settling__begin_slopes(work, side);
-        determinant = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL);
-        if (!(determinant > least))
-        {
-            return false;
-        }
-    }
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) / determinant;
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) / determinant;
-    return true;
 }
 
 
@@ -3598,6 +3546,14 @@ static OUT_OF_LINE int64_t settling_brackets__press_rail(array_double_1d tables,
     return springs__weigh_rail(tables, work, index, height);
 }
 
+/* Whether a bracket is so narrow that its values can only differ by a jump. */
+static OUT_OF_LINE bool settling_brackets__encloses_jump(array_double_1d work, int64_t bracket)
+{
+    double width;
+    width = AT(work, bracket + layout__BRACKET_HIGH) - AT(work, bracket + layout__BRACKET_LOW);
+    return width < settling_brackets__JUMP_WIDTH && AT(work, bracket + layout__BRACKET_AT_LOW) - AT(work, bracket + layout__BRACKET_AT_HIGH) > settling_brackets__STEEPEST_FORCE * width;
+}
+
 /* The end of a bracket with the smaller value. */
 static OUT_OF_LINE double settling_brackets__nearer_end(array_double_1d work, int64_t bracket)
 {
@@ -3610,11 +3566,27 @@ static OUT_OF_LINE double settling_brackets__nearer_end(array_double_1d work, in
     return end;
 }
 
-/* Let the rail of a side with this ``lateral`` deflection [m] settle vertically; the outcome. */
-static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral)
+/* 1 where a bracket is to be halved: every other time ``i``, and where the values at its ends differ by
+ * as much as ``before``, as across a jump; else 0.
+ */
+static OUT_OF_LINE int64_t settling_brackets__half_way(int64_t i, double fall, double before)
+{
+    int64_t halved;
+    halved = modulo(i, 2);
+    if (before > 0.0 && fall > settling_brackets__LEAST_FALL * before)
+    {
+        halved = 1;
+    }
+    return halved;
+}
+
+/* Let the rail of a side with this ``lateral`` deflection [m] settle vertically, within ``reach`` [m] of
+ * ``near`` if it does; the outcome.
+ */
+static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double near, double reach)
 {
     int64_t side, status, i;
-    double rest, approach, vertical;
+    double rest, approach, fall, before, vertical;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     rest = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST);
     if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0))
@@ -3633,19 +3605,39 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d t
     AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) = rest + approach;
     AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) * approach;
     AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) = double_max(rest, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - settling_brackets__NOT_DEEPEST * trial__DEEPEST);
-    status = settling_brackets__press_rail(tables, work, index, height, lateral, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW));
-    if (status > layout__UNLOADED)
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = 0.0;
+    if (reach < trial__DEEPEST)
     {
-        return status;
+        status = settling_brackets__narrow_beside(tables, work, index, height, lateral, near + reach);
+        if (status <= layout__UNLOADED)
+        {
+            status = settling_brackets__narrow_beside(tables, work, index, height, lateral, near - reach);
+        }
+        if (status > layout__UNLOADED)
+        {
+            return status;
+        }
     }
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
     if (!(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) > 0.0))
     {
-        return layout__OFF_PROFILE;
+        status = settling_brackets__press_rail(tables, work, index, height, lateral, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW));
+        if (status > layout__UNLOADED)
+        {
+            return status;
+        }
+        AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+        if (!(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) > 0.0))
+        {
+            return layout__OFF_PROFILE;
+        }
     }
+    fall = 0.0;
     for (i = 0; i < brackets__BRACKETINGS; i += 1)
     {
-        vertical = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, i);
+        before = fall;
+        fall = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH);
+        /* a chord is no good across a jump */
+        vertical = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, settling_brackets__half_way(i, fall, before));
         status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical);
         if (status > layout__UNLOADED)
         {
@@ -3656,7 +3648,7 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d t
             return status;
         }
         brackets__narrow_bracket(work, layout__WORK_HEIGHT_BRACKET, vertical, -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
-        if (AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP)
+        if (AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP || settling_brackets__encloses_jump(work, layout__WORK_HEIGHT_BRACKET))
         {
             break;
         }
@@ -3664,13 +3656,30 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d t
     return settling_brackets__press_rail(tables, work, index, height, lateral, settling_brackets__nearer_end(work, layout__WORK_HEIGHT_BRACKET));
 }
 
+/* Let a vertical deflection be an end of the bracket if it lies within; the outcome. */
+static OUT_OF_LINE int64_t settling_brackets__narrow_beside(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical)
+{
+    int64_t status;
+    status = layout__UNLOADED;
+    if (vertical > AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) && vertical < AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH))
+    {
+        status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical);
+        if (status <= layout__UNLOADED)
+        {
+            brackets__narrow_bracket(work, layout__WORK_HEIGHT_BRACKET, vertical, -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
+        }
+    }
+    return status;
+}
+
 /* Let the rail of a side settle; the outcome. */
 static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    double lateral, reach;
-    int64_t status, i;
+    int64_t deflection, status, i;
+    double lateral, reach, fall, before, near;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
     lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST);
-    status = settling_brackets__bracket_vertical(tables, work, index, height, lateral);
+    status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, 0.0, trial__DEEPEST);
     if (status > layout__UNLOADED || !(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0) || AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) == 0.0)
     {
         return status;
@@ -3687,7 +3696,7 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d table
     for (i = 0; i < settling_brackets__DOUBLINGS; i += 1)
     {
         lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) + reach;
-        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral);
+        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, 0.0, trial__DEEPEST);
         if (status > layout__UNLOADED)
         {
             return status;
@@ -3703,21 +3712,398 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d table
     {
         return layout__NOT_CONVERGED;
     }
+    fall = 0.0;
     for (i = 0; i < brackets__BRACKETINGS; i += 1)
     {
-        lateral = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, i);
-        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral);
+        before = fall;
+        fall = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+        lateral = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, settling_brackets__half_way(i, fall, before));
+        near = AT(work, deflection + layout__DEFLECTION_VERTICAL);
+        reach = settling_brackets__STEEPEST_WAY * fabs(lateral - AT(work, deflection + layout__DEFLECTION_LATERAL)) + settling_brackets__JUMP_WIDTH;
+        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, near, reach);
         if (status > layout__UNLOADED || springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, settling_brackets__BALANCED))
         {
             return status;
         }
         brackets__narrow_bracket(work, layout__WORK_ROLL_BRACKET, lateral, -AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
-        if (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP)
+        if (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP || settling_brackets__encloses_jump(work, layout__WORK_ROLL_BRACKET))
         {
             break;
         }
     }
-    return settling_brackets__bracket_vertical(tables, work, index, height, settling_brackets__nearer_end(work, layout__WORK_ROLL_BRACKET));
+    return settling_brackets__bracket_vertical(tables, work, index, height, settling_brackets__nearer_end(work, layout__WORK_ROLL_BRACKET), 0.0, trial__DEEPEST);
+}
+
+
+/* ---- From wheelset/settling_enclosing.py; change that one.
+ *
+ * Rails that settle on their springs where Broyden's method finds nothing: between two deflections from which
+ * Newton's moves lead towards each other.
+ *
+ * What springs carry more than the wheel presses rises with the deflection, but it may jump where a region comes
+ * or goes. Then no deflection is in balance. Between both sides of a jump a share of each force balances the
+ * springs but for a rest; the next place is half way between them, moved by what lets this rest vanish. It
+ * becomes the one of both to whose residual its own is nearer. Where residuals are smooth, the share itself is
+ * the place.
+ */
+
+/* Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where nothing is
+ * found.
+ */
+static OUT_OF_LINE int64_t settling_enclosing__enclose_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t deflection, status, places, trial;
+    double before, size;
+    bool reduced;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    status = settling_brackets__press_rail(tables, work, index, height, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL));
+    if (status > layout__UNLOADED)
+    {
+        status = settling_enclosing__let_down(tables, work, index, height);
+    }
+    if (status > layout__UNLOADED)
+    {
+        return layout__NOT_CONVERGED;
+    }
+    places = 0;
+    before = 0.0;
+    for (trial = 0; trial < settling_enclosing__ENCLOSINGS; trial += 1)
+    {
+        settling_slopes__begin_slopes(tables, work, index, height);
+        if (!settling_slopes__find_settling(tables, work, index, height))
+        {
+            return layout__NOT_CONVERGED;
+        }
+        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) < settling_enclosing__SETTLED && fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) < settling_enclosing__SETTLED)
+        {
+            if (springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
+            {
+                return status;
+            }
+        }
+        settling_enclosing__shorten_settling(work);
+        places = settling_enclosing__note_settling(work, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL), places);
+        size = settling_enclosing__residual_size(work);
+        reduced = size < settling_enclosing__REDUCED * before;
+        before = size;
+        if (places == 2)
+        {
+            if (!settling_enclosing__move_between(tables, work, index, height, reduced))
+            {
+                return layout__NOT_CONVERGED;
+            }
+            if (settling_enclosing__is_at_jump(work, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL)))
+            {
+                return settling_enclosing__stand_nearer(tables, work, index, height);
+            }
+        }
+        status = settling_enclosing__move_rail(tables, work, index, height);
+        if (status > layout__UNLOADED)
+        {
+            return layout__NOT_CONVERGED;
+        }
+    }
+    return layout__NOT_CONVERGED;
+}
+
+/* Let the move be no longer than is permitted, in its direction. */
+static OUT_OF_LINE int64_t settling_enclosing__shorten_settling(array_double_1d work)
+{
+    double longest;
+    longest = double_max(fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)), fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)));
+    if (longest > settling_enclosing__LONGEST_SETTLING)
+    {
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) *= settling_enclosing__LONGEST_SETTLING / longest;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) *= settling_enclosing__LONGEST_SETTLING / longest;
+    }
+    return 0;
+}
+
+/* Let the rail down until the wheel just touches it; the outcome. */
+static OUT_OF_LINE int64_t settling_enclosing__let_down(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    double vertical;
+    vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST);
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0 && settling_brackets__stand_on(tables, work, index, AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), vertical))
+    {
+        vertical += double_max(height - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST), 0.0);
+    }
+    return settling_brackets__press_rail(tables, work, index, height, AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), vertical);
+}
+
+/* A residual as a deflection of its spring [m]. */
+static OUT_OF_LINE double settling_enclosing__scaled(double stiffness, double residual)
+{
+    if (stiffness > 0.0)
+    {
+        residual = residual / stiffness;
+    }
+    return residual;
+}
+
+/* The last residuals as deflections of their springs [m]. */
+static OUT_OF_LINE double settling_enclosing__residual_size(array_double_1d work)
+{
+    return fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) + fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)));
+}
+
+/* Keep the deflection of the last trial and its residuals. */
+static OUT_OF_LINE int64_t settling_enclosing__keep_settled(array_double_1d work, int64_t place, double lateral, double vertical)
+{
+    AT(work, place + layout__SETTLED_LATERAL) = lateral;
+    AT(work, place + layout__SETTLED_VERTICAL) = vertical;
+    AT(work, place + layout__SETTLED_RESIDUAL_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+    AT(work, place + layout__SETTLED_RESIDUAL_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+    return 0;
+}
+
+/* How far the last residuals are from those of a place, as deflections [m]. */
+static OUT_OF_LINE double settling_enclosing__distance_to(array_double_1d work, int64_t place)
+{
+    return fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - AT(work, place + layout__SETTLED_RESIDUAL_LATERAL))) + fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - AT(work, place + layout__SETTLED_RESIDUAL_VERTICAL)));
+}
+
+/* Let the deflection of the last trial be one of the two; how many of them are known. */
+static OUT_OF_LINE int64_t settling_enclosing__note_settling(array_double_1d work, double lateral, double vertical, int64_t places)
+{
+    double way_lateral, way_vertical, there, back;
+    if (places == 2)
+    {
+        if (settling_enclosing__distance_to(work, layout__WORK_SETTLING + layout__SETTLING_ONE) < settling_enclosing__distance_to(work, layout__WORK_SETTLING + layout__SETTLING_OTHER))
+        {
+            settling_enclosing__keep_settled(work, layout__WORK_SETTLING + layout__SETTLING_ONE, lateral, vertical);
+        }
+        else
+        {
+            settling_enclosing__keep_settled(work, layout__WORK_SETTLING + layout__SETTLING_OTHER, lateral, vertical);
+        }
+        return 2;
+    }
+    if (places == 1)
+    {
+        way_lateral = lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL);
+        way_vertical = vertical - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL);
+        there = AT(work, layout__WORK_SETTLING + layout__SETTLING_AWAY_LATERAL) * way_lateral + AT(work, layout__WORK_SETTLING + layout__SETTLING_AWAY_VERTICAL) * way_vertical;
+        back = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) * way_lateral + AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) * way_vertical;
+        if (there > 0.0 && back < 0.0)
+        {
+            settling_enclosing__keep_settled(work, layout__WORK_SETTLING + layout__SETTLING_OTHER, lateral, vertical);
+            return 2;
+        }
+    }
+    settling_enclosing__keep_settled(work, layout__WORK_SETTLING + layout__SETTLING_ONE, lateral, vertical);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_AWAY_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_AWAY_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL);
+    return 1;
+}
+
+/* The move from the last trial to the next place between both, which is that of the share of their forces
+ * if the last trial has ``reduced`` the residuals, else half way; whether there is one.
+ */
+static OUT_OF_LINE bool settling_enclosing__move_between(array_double_1d tables, array_double_1d work, int64_t index, double height, bool reduced)
+{
+    int64_t deflection;
+    double lateral, vertical, across, down, size, share;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    lateral = settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL));
+    vertical = settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL));
+    across = settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_LATERAL)) - lateral;
+    down = settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_VERTICAL)) - vertical;
+    size = across * across + down * down;
+    share = 0.5;
+    if (size > 0.0)
+    {
+        share = double_min(double_max(-(lateral * across + vertical * down) / size, 0.0), 1.0);
+    }
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL) + share * (AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL));
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL) + share * (AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL));
+    if (!settling_slopes__find_settling(tables, work, index, height))
+    {
+        return false;
+    }
+    if (!reduced)
+    {
+        share = 0.5;
+    }
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) += AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL) + share * (AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL)) - AT(work, deflection + layout__DEFLECTION_LATERAL);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) += AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL) + share * (AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL)) - AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    settling_enclosing__shorten_settling(work);
+    return true;
+}
+
+/* Whether both places, and the next one, are the same but for a jump. */
+static OUT_OF_LINE bool settling_enclosing__is_at_jump(array_double_1d work, double lateral, double vertical)
+{
+    double apart, move, jump;
+    apart = fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL));
+    move = fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL));
+    jump = fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL))) + fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL)));
+    return apart < settling_enclosing__JUMP_SHARP && move < settling_enclosing__JUMP_SHARP && jump > settling_enclosing__STEEPEST * apart;
+}
+
+/* Stand on the side of a jump on which the wheel's force is nearer to that of the springs; the
+ * outcome.
+ */
+static OUT_OF_LINE int64_t settling_enclosing__stand_nearer(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t i_1;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) = 0.0;
+    if (settling_enclosing__distance_to(work, layout__WORK_SETTLING + layout__SETTLING_OTHER) < settling_enclosing__distance_to(work, layout__WORK_SETTLING + layout__SETTLING_ONE))
+    {
+        for (i_1 = 0; i_1 < layout__SETTLED_SIZE; i_1 += 1)
+        {
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + i_1) = AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + i_1);
+        }
+    }
+    return settling_brackets__press_rail(tables, work, index, height, AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL), AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL));
+}
+
+/* Move the rail, less far where its wheel would stand too deep; the outcome. */
+static OUT_OF_LINE int64_t settling_enclosing__move_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t deflection, status, i;
+    double lateral, vertical, share;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    lateral = AT(work, deflection + layout__DEFLECTION_LATERAL);
+    vertical = AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    status = layout__NOT_CONVERGED;
+    share = 1.0;
+    for (i = 0; i < settling_enclosing__RETREATS; i += 1)
+    {
+        status = settling_brackets__press_rail(tables, work, index, height, lateral + share * AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL), vertical + share * AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL));
+        if (status <= layout__UNLOADED)
+        {
+            return status;
+        }
+        share *= 0.5;
+    }
+    return status;
+}
+
+
+/* ---- From wheelset/settling_slopes.py; change that one.
+ *
+ * How what the springs of a rail carry more than its wheel presses follows both deflections of the rail.
+ */
+
+/* The residuals' derivatives from the springs, and from patches whose forces grow as Hertz's along their
+ * normals, friction in proportion; over a step in time also from how forces follow the rates of the rail.
+ */
+static OUT_OF_LINE int64_t settling_slopes__begin_slopes(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t side, number, patch, force, number_end;
+    double stiffness;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) = 0.0;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_PENETRATION) > 0.0)
+        {
+            stiffness = settling_slopes__GROWTH / (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_PENETRATION));
+            force = patch + layout__PATCH_FORCES + layout__FORCES_FORCE;
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Y);
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Z);
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Y);
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Z);
+        }
+    }
+    if (AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP) > 0.0 && (at_height__is_damped(tables) || requested__has_creep_forces(tables, work)))
+    {
+        settling_slopes__add_rates(tables, work, index, height);
+    }
+    if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0))
+    {
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = 1.0;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) = 0.0;
+    }
+    if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0))
+    {
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) = 0.0;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) = 1.0;
+    }
+    return 0;
+}
+
+/* Add how the forces follow the rates of the rail, over the step in time in which these follow its
+ * deflections: by differences.
+ */
+static OUT_OF_LINE int64_t settling_slopes__add_rates(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t side, deflection;
+    double lateral, vertical, step, over;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    deflection = side + layout__SIDE_SEARCH_DEFLECTION;
+    lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+    vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+    step = settling_slopes__LEAST_RATE;
+    if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
+    {
+        step = double_max(step, settling_slopes__RATE_SHARE * AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SPEED));
+    }
+    over = 1.0 / (step * AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0)
+    {
+        AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) += step;
+        if (settling_slopes__weigh_anew(tables, work, index, height))
+        {
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) += (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - lateral) * over;
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) += (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - vertical) * over;
+        }
+        AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) -= step;
+    }
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0)
+    {
+        AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) += step;
+        if (settling_slopes__weigh_anew(tables, work, index, height))
+        {
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) += (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - lateral) * over;
+            AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - vertical) * over;
+        }
+        AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) -= step;
+    }
+    settling_slopes__weigh_anew(tables, work, index, height);
+    return 0;
+}
+
+/* The residuals with other rates of the rail; whether they are known. */
+static OUT_OF_LINE bool settling_slopes__weigh_anew(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    rubbing__open_given_motion(tables, work);
+    return springs__weigh_rail(tables, work, index, height) <= layout__UNLOADED;
+}
+
+/* The move that lets both residuals vanish; whether there is one. */
+static OUT_OF_LINE bool settling_slopes__find_settling(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    double least, determinant;
+    least = settling_slopes__SINGULAR_SPRINGS;
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0)
+    {
+        least *= AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
+    }
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0)
+    {
+        least *= AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+    }
+    determinant = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL);
+    if (!(determinant > least))
+    {
+        settling_slopes__begin_slopes(tables, work, index, height);
+        determinant = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL);
+        if (!(determinant > least))
+        {
+            return false;
+        }
+    }
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) / determinant;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) / determinant;
+    return true;
 }
 
 

@@ -119,6 +119,16 @@ class Spring:
 
 
 @record
+class Settled:
+    """A deflection of a rail, and what its springs carry there more than the wheel presses."""
+
+    lateral: float  # [m]
+    vertical: float
+    residual_lateral: float  # [N], of a rigid support the deflection [m]
+    residual_vertical: float
+
+
+@record
 class Settling:
     """A rail on springs that settles under the forces of its wheel.
 
@@ -139,6 +149,10 @@ class Settling:
     vertical_vertical: float
     move_lateral: float  # the last move [m]
     move_vertical: float
+    one: Settled  # two deflections whose moves lead towards each other,
+    other: Settled
+    away_lateral: float  # and the move from the first [m]
+    away_vertical: float
 
 
 @record

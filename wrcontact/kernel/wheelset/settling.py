@@ -11,6 +11,8 @@ from ..layout import NOT_CONVERGED, UNLOADED, Settling, SideSearch, Tables, Work
 from ..normal.estimate import first_penetration
 from .at_height import GRAZING
 from .settling_brackets import bracket_rail, press_rail, stand_on
+from .settling_enclosing import SETTLED, enclose_deflection, shorten_settling
+from .settling_slopes import begin_slopes, find_settling
 from .side import touch_side
 from .springs import UNSETTLED, has_settled, open_settling
 
@@ -21,14 +23,6 @@ SAME_PLACE: Final[float] = 1e-5
 FORCE_STEPS: Final[int] = 12
 #: Broyden's method needs seven trials; what it has not found after so many, it will not.
 SETTLING_TRIALS: Final[int] = 25
-#: A rail has settled when it moves by less [m].
-SETTLED: Final[float] = 2e-14
-#: Longest move of a rail in one trial [m].
-LONGEST_SETTLING: Final[float] = 5e-4
-#: How the load of a patch grows: d ln(load) / d ln(penetration), by Hertz.
-GROWTH: Final[float] = 1.5
-#: Smallest determinant of the residuals' derivatives over that of the springs [-].
-SINGULAR_SPRINGS: Final[float] = 0.01
 
 
 @seldom
@@ -42,6 +36,8 @@ def settle_rail(tables: Tables, work: Work, index: int, height: float):
     status = NOT_CONVERGED
     if estimate_deflection(tables, work, index, height):
         status = iterate_deflection(tables, work, index, height)
+    if status > UNLOADED:
+        status = enclose_deflection(tables, work, index, height)
     if status > UNLOADED:
         status = bracket_rail(tables, work, index, height)
     return status
@@ -122,10 +118,10 @@ def iterate_deflection(tables: Tables, work: Work, index: int, height: float):
             return NOT_CONVERGED
         before = fabs(before_lateral) + fabs(before_vertical)
         if trial == 0 or fabs(settling.lateral) + fabs(settling.vertical) > before:
-            begin_slopes(settling, side)
+            begin_slopes(tables, work, index, height)
         else:
             update_slopes(settling, before_lateral, before_vertical)
-        if not find_settling(settling, side):
+        if not find_settling(tables, work, index, height):
             return NOT_CONVERGED
         if fabs(settling.move_lateral) < SETTLED and fabs(settling.move_vertical) < SETTLED:
             if not has_settled(settling, side, UNSETTLED):
@@ -135,40 +131,6 @@ def iterate_deflection(tables: Tables, work: Work, index: int, height: float):
         lateral += settling.move_lateral
         vertical += settling.move_vertical
     return NOT_CONVERGED
-
-
-@seldom
-def shorten_settling(settling: Settling):
-    """Let the move be no longer than is permitted, in its direction."""
-    longest = max(fabs(settling.move_lateral), fabs(settling.move_vertical))
-    if longest > LONGEST_SETTLING:
-        settling.move_lateral *= LONGEST_SETTLING / longest
-        settling.move_vertical *= LONGEST_SETTLING / longest
-
-
-@seldom
-def begin_slopes(settling: Settling, side: SideSearch):
-    """The residuals' derivatives from the springs, and from patches whose forces grow as Hertz's along their
-    normals, friction in proportion."""
-    settling.lateral_lateral = settling.lateral_stiffness
-    settling.lateral_vertical = 0.0
-    settling.vertical_lateral = 0.0
-    settling.vertical_vertical = settling.vertical_stiffness
-    for number in range(side.patch_count):
-        patch = side.patches[number]
-        if patch.totals.load > 0.0 and patch.penetration > 0.0:
-            stiffness = GROWTH / (patch.totals.load * patch.penetration)
-            force = patch.forces.force
-            settling.lateral_lateral += stiffness * force[1] * patch.normal_y
-            settling.lateral_vertical += stiffness * force[1] * patch.normal_z
-            settling.vertical_lateral += stiffness * force[2] * patch.normal_y
-            settling.vertical_vertical += stiffness * force[2] * patch.normal_z
-    if not settling.lateral_stiffness > 0.0:
-        settling.lateral_lateral = 1.0
-        settling.lateral_vertical = 0.0
-    if not settling.vertical_stiffness > 0.0:
-        settling.vertical_lateral = 0.0
-        settling.vertical_vertical = 1.0
 
 
 @seldom
@@ -194,32 +156,3 @@ def update_slopes(settling: Settling, before_lateral: float, before_vertical: fl
         settling.lateral_vertical += off_lateral * vertical
         settling.vertical_lateral += off_vertical * lateral
         settling.vertical_vertical += off_vertical * vertical
-
-
-@seldom
-def find_settling(settling: Settling, side: SideSearch) -> bool:
-    """The move that lets both residuals vanish; whether there is one."""
-    least = SINGULAR_SPRINGS
-    if settling.lateral_stiffness > 0.0:
-        least *= settling.lateral_stiffness
-    if settling.vertical_stiffness > 0.0:
-        least *= settling.vertical_stiffness
-    determinant = (
-        settling.lateral_lateral * settling.vertical_vertical
-        - settling.lateral_vertical * settling.vertical_lateral
-    )
-    if not determinant > least:
-        begin_slopes(settling, side)
-        determinant = (
-            settling.lateral_lateral * settling.vertical_vertical
-            - settling.lateral_vertical * settling.vertical_lateral
-        )
-        if not determinant > least:
-            return False
-    settling.move_lateral = (
-        settling.vertical * settling.lateral_vertical - settling.lateral * settling.vertical_vertical
-    ) / determinant
-    settling.move_vertical = (
-        settling.lateral * settling.vertical_lateral - settling.vertical * settling.lateral_lateral
-    ) / determinant
-    return True

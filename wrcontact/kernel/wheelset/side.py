@@ -39,7 +39,8 @@ from ..surface.rails import on_track, pitch_of_frame
 from .requested import has_wear
 
 #: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is
-#: none.  Within a profile they may differ by CORNER, as at the last digits of printed joints.
+#: none.  Within a profile they may differ by CORNER, as where the contact stays on a step in height: one of 1 nm,
+#: which is not repaired, holds it over sqrt(2e-9 m / bend), 5e-4 for a relative bend of 100 1/m.
 PARALLEL: Final[float] = 1e-6
 CORNER: Final[float] = 1e-3
 #: A place this close to a profile's end is there [m]; the rail's is located to 1e-9 m.
