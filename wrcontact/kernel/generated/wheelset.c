@@ -241,6 +241,8 @@ static inline int64_t vertical_load__release_friction(array_double_1d work);
 static inline bool vertical_load__carries_friction(array_double_1d tables, array_double_1d work);
 static inline double vertical_load__carried_share(array_double_1d work, int64_t index);
 static inline bool vertical_load__is_load_met(array_double_1d work);
+static inline bool vertical_load__is_load_lost(array_double_1d work);
+static inline bool vertical_load__is_jump(array_double_1d work, int64_t support, double share);
 static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support);
 static inline int64_t vertical_load__share_load(array_double_1d work);
 static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t support, double share);
@@ -4719,6 +4721,10 @@ static inline int64_t step__solve_with_friction(array_double_1d tables, array_do
         {
             return outcome;
         }
+        if (vertical_load__is_load_lost(work))
+        {
+            return layout__NOT_CONVERGED;
+        }
         vertical_load__share_load(work);
         outcome = step__solve_wheelset(tables, work, state);
     }
@@ -4965,6 +4971,7 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_dou
 {
     int64_t status, outcome;
     AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_ROLL_COUNT) += 1.0;
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_TRIALS) += 1.0;
     status = trial__balance_side(tables, work, 0, left, height);
     if (status <= layout__UNLOADED)
     {
@@ -5041,7 +5048,8 @@ static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t st
  * patch reaches the flange root.  There the load is met with a multiple of it as normal force.  A wheel without
  * load carries none, so that the loads tried enclose the one that is sought as soon as one of them carries too
  * much: until then they are doubled, and what secants do not find, halving does.  Where the vertical force jumps
- * past Q, the loads end at the jump, and the one above it is taken.
+ * past Q, the loads end at the jump, and there is no answer; nor is there one where the wheel would be deeper in
+ * its rail than DEEPEST, or after so many passes or trials.
  */
 
 /* Friction carries nothing yet. */
@@ -5057,6 +5065,7 @@ static inline int64_t vertical_load__release_friction(array_double_1d work)
         AT(work, support + layout__SUPPORT_LOW_LOAD) = 0.0;
         AT(work, support + layout__SUPPORT_HIGH_LOAD) = 0.0;
         AT(work, support + layout__SUPPORT_TURNS) = 0.0;
+        AT(work, support + layout__SUPPORT_TRIALS) = 0.0;
     }
     return 0;
 }
@@ -5088,24 +5097,60 @@ static inline double vertical_load__carried_share(array_double_1d work, int64_t 
     return share;
 }
 
-/* Whether neither wheel misses the vertical force that is wanted, unless this jumps past it. */
+/* Whether neither wheel misses the vertical force that is wanted, or is deeper in its rail than
+ * DEEPEST.
+ */
 static inline bool vertical_load__is_load_met(array_double_1d work)
 {
-    bool met, jumps;
-    int64_t index, support;
-    double share;
+    bool met;
+    int64_t index;
     met = true;
     for (index = 0; index < 2; index += 1)
     {
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        share = vertical_load__carried_share(work, index);
-        jumps = vertical_load__is_enclosed(work, support) && share > 1.0 && AT(work, support + layout__SUPPORT_SHARE_BEFORE) < 1.0 && AT(work, support + layout__SUPPORT_FRICTION_LOAD) == AT(work, support + layout__SUPPORT_HIGH_LOAD) && AT(work, support + layout__SUPPORT_LOAD_BEFORE) == AT(work, support + layout__SUPPORT_LOW_LOAD);
-        if (!jumps && fabs(share - 1.0) > vertical_load__LOAD_MET)
+        if (!(fabs(vertical_load__carried_share(work, index) - 1.0) <= vertical_load__LOAD_MET))
+        {
+            met = false;
+        }
+        if (!(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PENETRATION) <= trial__DEEPEST))
         {
             met = false;
         }
     }
     return met;
+}
+
+/* Whether there is no load to be tried any more: a wheel gives too little where it is deeper in its rail
+ * than DEEPEST; or one jumps past its load, and the other one does so too or is at its own; or the trials
+ * are used up.
+ */
+static inline bool vertical_load__is_load_lost(array_double_1d work)
+{
+    bool lost, jumping;
+    int64_t index;
+    double share;
+    lost = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_TRIALS) > vertical_load__LOAD_TRIALS;
+    jumping = true;
+    for (index = 0; index < 2; index += 1)
+    {
+        share = vertical_load__carried_share(work, index);
+        if (fabs(share - 1.0) > vertical_load__LOAD_MET && !vertical_load__is_jump(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index, share))
+        {
+            jumping = false;
+        }
+        if (share < 1.0 && !(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PENETRATION) <= trial__DEEPEST))
+        {
+            lost = true;
+        }
+    }
+    return lost || jumping;
+}
+
+/* Whether the load of a side has just gone from one end of those that enclose the one that is sought to
+ * the other, and its ``share`` of what is wanted from too little to too much.
+ */
+static inline bool vertical_load__is_jump(array_double_1d work, int64_t support, double share)
+{
+    return vertical_load__is_enclosed(work, support) && share > 1.0 && AT(work, support + layout__SUPPORT_SHARE_BEFORE) < 1.0 && AT(work, support + layout__SUPPORT_FRICTION_LOAD) == AT(work, support + layout__SUPPORT_HIGH_LOAD) && AT(work, support + layout__SUPPORT_LOAD_BEFORE) == AT(work, support + layout__SUPPORT_LOW_LOAD);
 }
 
 /* Whether the loads that enclose the one that is sought have become one. */
