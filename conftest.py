@@ -8,9 +8,6 @@ found.
 
 If the installed copy differs from the source here, the test run ends at once.
 
-A shell's background ignores Ctrl-C, and so would every process that is started here: tests that send it get the
-usual answer back.
-
 Modules and tests that are collected live to the end: Python's search for garbage passes over them.  Linear
 algebra runs in one thread: several processes test at once, and threads that wait for each other use their
 cores.
@@ -19,7 +16,6 @@ cores.
 import gc
 import importlib.util
 import os
-import signal
 import sys
 from pathlib import Path
 
@@ -27,8 +23,6 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when numpy is imported
-if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
-    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def is_root(entry):

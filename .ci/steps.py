@@ -12,6 +12,7 @@ WRCONTACT_CI_SECONDS names another file.
 import codecs
 import contextlib
 import csv
+import io
 import os
 import re
 import shlex
@@ -21,7 +22,9 @@ import subprocess
 import sys
 import tempfile
 import time
+import traceback
 from collections import Counter, namedtuple
+from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime, timezone
 from pathlib import Path
 
@@ -37,7 +40,10 @@ TESTS = f'{INSTALL} ".[test]" && .venv/bin/python -m pytest -q -n auto --dist wo
 
 PYTHON = ".venv/bin/python"
 PYTEST = (PYTHON, "-m", "pytest", "-q", "-n", "auto")
-EXTRAS = ".[cluster,films,importers,site,tables,types,vehicle]"
+INSTALLED = (PYTHON, "-m", "pip", "install", "-q", "--no-compile")
+EXTRAS = ("cluster", "films", "site", "tables", "vehicle")
+#: Extras that one file of tests wants, which does not run every day.
+SELDOM = {"importers": "tests/fmu/test_importers.py", "types": "tests/docs/test_types.py"}
 #: The older processor: numpy and glibc without wide vectors and fused multiply-add.
 OLDER = {
     "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX2_Usable,-FMA_Usable",
@@ -65,26 +71,42 @@ class Run:
 
     def step(self, name, command, **environment):
         """Run a command, a list of words or a line for bash, with more ``environment``; whether it has passed."""
+        print(f"== {name} (after {time.monotonic() - self.began:.0f} s)", flush=True)
+        self.done.append(self.ended(name, command, environment, sys.stdout))
+        return self.done[-1].code == 0
+
+    def together(self, steps):
+        """Run several, {name: command}, side by side; what each of them says is shown at its end."""
+        print(f"== {', '.join(steps)} (after {time.monotonic() - self.began:.0f} s)", flush=True)
+
+        def ended(name):
+            shown = io.StringIO()
+            done = self.ended(name, steps[name], {}, shown)
+            print(f"-- {name}", shown.getvalue(), sep="\n", end="", flush=True)
+            return done
+
+        with ThreadPoolExecutor(len(steps)) as pool:
+            self.done += pool.map(ended, steps)
+
+    def ended(self, name, command, environment, screen):
+        """What came of a command that is shown on ``screen``."""
         words = ["bash", "-c", command] if isinstance(command, str) else list(map(str, command))
-        shown = command if isinstance(command, str) else shlex.join(words)
+        line = command if isinstance(command, str) else shlex.join(words)
         told = "".join(
             f"{key}={shlex.quote(str(value))} " for key, value in environment.items() if key != CHANGED
         )
-        print(f"== {name} (after {time.monotonic() - self.began:.0f} s)", flush=True)
-        began, before = time.monotonic(), os.times()
-        code, text = self.shown(words, environment)
-        after = os.times()
+        began = time.monotonic()
+        code, text, cpu = self.shown(words, environment, screen)
         tests = [found[1] for found in map(FAILED.fullmatch, text.splitlines()) if found]
         counts = [line.strip("= ") for line in text.splitlines() if COUNTS.fullmatch(line)]
         if code:
-            print(f"== {name} has failed with exit code {code}", flush=True)
-        seconds, cpu = time.monotonic() - began, sum(after[2:4]) - sum(before[2:4])
-        self.done.append(Done(name, told, shown, code, tests, counts[-1] if counts else "", seconds, cpu))
-        return code == 0
+            print(f"== {name} has failed with exit code {code}", file=screen, flush=True)
+        last = counts[-1] if counts else ""
+        return Done(name, told, line, code, tests, last, time.monotonic() - began, cpu)
 
-    def shown(self, words, environment):
-        """Exit code and output of a command, which is shown as it comes.  It goes through a file: a process that a
-        test has left behind would keep a pipe open."""
+    def shown(self, words, environment, screen):
+        """Exit code, output and processor time [s] of a command, which is shown as it comes.  It goes through a
+        file: a process that a test has left behind would keep a pipe open."""
         decoder, said = codecs.getincrementaldecoder("utf-8")("replace"), []
         with tempfile.TemporaryFile() as output, contextlib.ExitStack() as end:
             environment = os.environ | {key: str(value) for key, value in environment.items()}
@@ -98,20 +120,24 @@ class Run:
                     stderr=subprocess.STDOUT,
                 )
             except OSError as problem:
-                print(problem, flush=True)
-                return 127, ""
+                print(problem, file=screen, flush=True)
+                return 127, "", 0.0
             end.callback(command.kill)  # where this is ended meanwhile
-            code, place = None, 0
+            ended, place, cpu = False, 0, 0.0
             while True:
                 new = os.pread(output.fileno(), 1 << 20, place)
                 place += len(new)
                 said.append(decoder.decode(new))
-                print(said[-1], end="", flush=True)
-                if not new:
-                    if code is not None:
-                        return code, "".join(said)
-                    time.sleep(0.05)
-                    code = command.poll()
+                print(said[-1], end="", file=screen, flush=True)
+                if new:
+                    continue
+                if ended:
+                    return command.returncode, "".join(said), cpu
+                time.sleep(0.05)
+                number, status, used = os.wait4(command.pid, os.WNOHANG)
+                if number:  # with all the processes that it has waited for
+                    command.returncode = os.waitstatus_to_exitcode(status)
+                    ended, cpu = True, used.ru_utime + used.ru_stime
 
     def failed(self):
         return [done for done in self.done if done.code]
@@ -237,25 +263,28 @@ def all_steps(run, work, turn, changed):
         [PYTHON, "-I", "-c", COMPILED],
         WRCONTACT_KERNEL="compiled",
     )
-    run.step("everything that wrcontact can use is installed", [PYTHON, "-m", "pip", "install", "-q", EXTRAS])
-    run.step(
-        "the generated C is that of the kernel's Python", [PYTHON, "tools/transpile_kernel.py", "--check"]
-    )
+    extras = [*EXTRAS, *(extra for extra, tests in SELDOM.items() if due(tests, turn, changed))]
+    run.step("what wrcontact can use is installed", [*INSTALLED, f".[{','.join(extras)}]"])
 
+    today = {"WRCONTACT_TURN": turn} | ({CHANGED: work / "changed"} if changed is not None else {})
     features = said(run.folder / PYTHON, "-c", FEATURES, folder=run.folder).strip()
     run.step(
         "stored numbers on an older processor",
         [*PYTEST, "--dist", "worksteal", "-m", "machine and not complete"],
         NPY_DISABLE_CPU_FEATURES=features,
         **OLDER,
+        **today,
     )
+    single = {  # each of them has one or two processes
+        "the generated C is that of the kernel's Python": [PYTHON, "tools/transpile_kernel.py", "--check"],
+        "the tests see a share of the planted errors": [
+            *(PYTHON, "-m", "tests.helpers.plant_errors"),
+            *("--share", 4, "--turn", turn, "--workers", 1),
+        ],
+    }
     if due("benchmarks", turn, changed):
-        run.step("all benchmarks run", [PYTHON, "-m", "benchmarks", "--quick"])
-    run.step(
-        "the tests see a share of the planted errors",
-        [PYTHON, "-m", "tests.helpers.plant_errors", "--share", 4, "--turn", turn],
-    )
-    today = {"WRCONTACT_TURN": turn} | ({CHANGED: work / "changed"} if changed is not None else {})
+        single["all benchmarks run"] = [PYTHON, "-m", "benchmarks", "--quick"]
+    run.together(single)
     run.step(
         "the full tests",
         [*PYTEST, "--dist", "worksteal", "--durations", 60, "-m", "full and not platforms and not complete"],
@@ -266,7 +295,7 @@ def all_steps(run, work, turn, changed):
     if due("platforms", turn, changed):
         run.step(
             "what builds for other machines is installed",
-            [PYTHON, "-m", "pip", "install", "-q", ".[release]"],
+            [*INSTALLED, ".[release]"],
         )
         run.step(
             "FMUs and wheels for other machines",
@@ -276,8 +305,6 @@ def all_steps(run, work, turn, changed):
 
 
 def main():
-    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # as in a shell's background; tests send it
-        signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the copy is removed
     reason = refused()
     packages = [] if reason else list(missing_packages())
@@ -299,7 +326,11 @@ def main():
             "WRCONTACT_COMPILED": str(work / "compiled"),  # all installations compile the kernel once
         }
         run = Run(copy)
-        all_steps(run, work, turn, changed)
+        try:
+            all_steps(run, work, turn, changed)
+        except Exception:  # what has been done is told nevertheless
+            run.done.append(Done("the steps themselves", "", ".ci/run", 1, [], "", 0.0, 0.0))
+            traceback.print_exc()
         usual = Path(os.environ.get("XDG_CACHE_HOME") or "~/.cache", "wrcontact", "ci_seconds.csv")
         run.keep(os.environ.get("WRCONTACT_CI_SECONDS") or usual, commit)
         print(run.report(), flush=True)

@@ -113,6 +113,7 @@ TABLES = {
     "models": Table(BENCHMARKS, MODEL_PARTS, tables.models, ERRORS),
     "skips": Table(BENCHMARKS, ("skip_errors", "skip_times"), tables.skip_table, ERRORS),
     "counts": Table(BENCHMARKS, ("counts",), tables.count_table),
+    "worst": Table(BENCHMARKS, ("worst_steps",), tables.worst_table),
     "trajectory": Table(BENCHMARKS, ("trajectory",), tables.trajectory_table),
     "growth": Table(BENCHMARKS, ("growth",), tables.growth_table),
     "threads": Table(BENCHMARKS, ("threads",), tables.thread_table),

@@ -14,10 +14,11 @@ from wrcontact.progress import tracked
 from wrcontact.study import figures
 from wrcontact.study.figure import Study
 
-from . import creep, curvature, errors, random_poses, record, rows, studies, sweeps, times
+from . import creep, curvature, errors, random_poses, record, rows, studies, sweeps, times, worst
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
 COUNTED = 500  # poses of a count
+STEPS = 10_000  # of which the costliest are counted
 TOLERANCES = 500  # random poses on which tolerances are examined
 
 
@@ -148,6 +149,7 @@ PARTS = {
     "random_poses": Part(ERRORS, random_errors),
     "zones": Part(ERRORS, lambda effort: random_poses.by_zone()),
     "counts": Part(ERRORS, lambda effort: times.count_table(min(effort.count, COUNTED))),
+    "worst_steps": Part(ERRORS, lambda effort: worst.worst_steps(100 if effort is rows.QUICK else STEPS)),
     "choices": Part(ERRORS, lambda effort: errors.choice_changes()),
     "stations": Part(ERRORS, lambda effort: errors.station_errors()),
     "conicity": Part(ERRORS, lambda effort: studies.conicities()),

@@ -6,6 +6,7 @@ import numpy as np
 
 from wrcontact.methods import TangentialModel
 
+from . import worst
 from .creep import (
     ALONE,
     ELEMENTS,
@@ -181,6 +182,10 @@ def skip_table(parts):
 
 count_table = listed(
     "counts", ["per wheelset", FULL_RASTER, *COUNTS], dict.fromkeys((FULL_RASTER, *COUNTS), figure)
+)
+WORST_COLUMNS = (*worst.SHARES, *(f"hunting: {share}" for share in worst.SHARES), "worst over median")
+worst_table = listed(
+    "worst_steps", ["evaluations in a step", *WORST_COLUMNS], dict.fromkeys(WORST_COLUMNS, figure)
 )
 growth_table = listed("growth", ["wheelsets", "units each", "µs each"], {"units": figure, "µs": figure})
 thread_table = listed(

@@ -40,7 +40,7 @@ from .motion.reaction import rail_reaction
 from .motion.standing import stand_at
 from .profiles.catalogue import find_profiles
 from .profiles.corners import remark_corners
-from .profiles.plausible import remark_wheels
+from .profiles.plausible import remark_profiles
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
 from .status import Status
@@ -99,7 +99,7 @@ class ContactSystem:
         checked, methods = checked_parameters(given, groups)
         warn_of_parameters(checked)
         self._set_up(checked, methods, find_profiles(checked))
-        remark_wheels(self)
+        remark_profiles(self)
         remark_corners(self)
 
     def _set_up(self, parameters, methods, profiles):

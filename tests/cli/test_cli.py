@@ -205,6 +205,9 @@ def test_every_input_and_parameter_has_an_option(run):
         "--right-friction",
         "--left-wheel-rate",
         "--right-wheel-rate",
+        "--axle-torque-knm",
+        "--left-axle-torque-knm",
+        "--right-axle-torque-knm",
         "--rail-time-step",
         *(
             f"--{side}-rail-deflection-{direction}-before-mm"

@@ -8,7 +8,7 @@ import pytest
 
 import wrcontact
 from tests.helpers.cases import CREEP_MODELS, system
-from tests.helpers.inside import work_of
+from tests.helpers.inside import counts_of, work_of
 from wrcontact.interface.outputs import SIDES
 from wrcontact.kernel import layout
 from wrcontact.kernel.creep.creep_force import solve_creep_force
@@ -181,13 +181,43 @@ def missed(table):
 
 
 def test_vertical_loads_are_met_across_a_flange():
-    """In all poses, but for those in which the vertical force jumps past the load."""
+    """In all poses, but for those in which the vertical force jumps past the load: these have a status."""
     table = system(load="vertical", tangential_model="strips").evaluate_many(**CLIMBING)
-    assert not table.status.any()
-    off = missed(table)
-    jumps = off > 1e-9
-    assert np.count_nonzero(jumps) < 50  # 35 measured
-    assert (table.right.force.z[jumps] < -78.5e3).all() and table.right.normal_force[jumps].min() > 2e5
+    met = table.status == wrcontact.Status.VALID
+    assert np.isin(table.status, (wrcontact.Status.VALID, wrcontact.Status.NOT_CONVERGED)).all()
+    assert np.count_nonzero(~met) < 60  # 36 measured
+    assert (missed(table)[met] <= 1.001e-9).all()
+
+
+@pytest.mark.parametrize("normal", ["analyn", "analyn_strip"])
+@pytest.mark.parametrize("mode, count", [("rigid", 200), pytest.param("elastic", 60, marks=pytest.mark.full)])
+def test_no_answer_misses_its_vertical_load(mode, count, normal):
+    """Friction that jams flanges: answers carried up to 614 times the load that was asked, 1.34 m deep."""
+    rng = np.random.default_rng(37)
+    poses = {
+        "lateral_shift": rng.uniform(5e-3, 8.5e-3, count),
+        "yaw": rng.uniform(-30e-3, -10e-3, count),
+        "normal_force": np.exp(rng.uniform(np.log(20e3), np.log(150e3), count)),
+        "left_friction": rng.uniform(0.5, 0.9, count),
+        "right_friction": rng.uniform(0.5, 0.9, count),
+        "speed": 20.0,
+    }
+    contact = system(contact_mode=mode, load="vertical", normal_model=normal, tangential_model="polach")
+    table = contact.evaluate_many(**poses)
+    met = table.status == wrcontact.Status.VALID
+    assert np.mean(met) > 0.9
+    for side in (table.left, table.right):
+        np.testing.assert_allclose(-side.force.z[met], poses["normal_force"][met], rtol=1.1e-9)
+        assert side.penetration[met].max() <= 2e-3
+    # work is bounded: passes of a rigid wheelset, trials of an elastic one
+    stepper = contact.stepper()
+    before = 0.0
+    for row in range(count):
+        stepper.inputs[:] = table.inputs[row]
+        stepper.step()
+        rolls = counts_of(stepper)["roll"]
+        assert rolls - before < 1600
+        before = rolls
 
 
 def test_normal_forces_of_vertical_loads_have_these_vertical_forces():

@@ -217,7 +217,6 @@ def random_misses(count, seed):
 @pytest.mark.parametrize("count", [6, pytest.param(100, marks=pytest.mark.full)])
 def test_directions_of_elastic_wheelsets(count):
     """Velocities are found to 1e-5 of how fast wheel and rail move, and are differences over 1 um themselves:
-    what is left beside kinks is some 1e-4.  Measured: 99.8 % within 1e-4, the worst 2e-4."""
+    what is left beside kinks is some 1e-4.  Measured of 110 poses: 99.9 % within 1e-4, the worst 5e-4."""
     off = random_misses(count, 5)
-    print(np.quantile(off, [0.5, 0.99, 0.999]), off.max(), (off > 1e-4).mean(), len(off))
-    assert np.median(off) < 1e-6 and (off > 1e-4).mean() <= 0.004 and off.max() < 1e-3
+    assert np.median(off) < 1e-6 and (off > 1e-4).mean() <= 0.002 and off.max() < 1e-3

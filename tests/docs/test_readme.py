@@ -132,3 +132,13 @@ def test_the_model_of_one_s_own_is_a_model():
         found.append(patch.creep_x)
     along, _, _ = module["kalker_coefficients"](tables.rolling, 1.5)
     assert found == pytest.approx([tables.shear_modulus * 24e-6 * along * 1e-6, 24e3], rel=0.01)
+
+
+def test_the_page_of_data_describes_each_file_once():
+    """The tables and programs that stand in the folder data itself."""
+    page = (ROOT / "data" / "README.md").read_text(encoding="utf-8")
+    named = re.findall(r"^\| `([\w./]+)`(?:, `([\w.]+)`)? \|", page, re.MULTILINE)
+    names = [name for names in named for name in names if name]
+    assert len(set(names)) == len(names) and all((ROOT / "data" / name).exists() for name in names)
+    there = {path.name for path in (ROOT / "data").iterdir() if path.suffix in (".csv", ".json", ".py")}
+    assert there - set(names) <= {"__init__.py"}

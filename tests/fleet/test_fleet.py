@@ -1,6 +1,7 @@
 """A fleet: every pair as by itself, files that cannot be used, interrupted runs, and the report."""
 
 import csv
+import errno
 import json
 import os
 import re
@@ -18,11 +19,13 @@ from tests.helpers.fleet_files import write_fleet
 from tests.helpers.foreign_files import inclined_rail
 from tests.helpers.paths import ROOT
 from tests.helpers.profile_points import Y, Z, columns, simpack
+from wrcontact.conditioning.curves import merged_jumps
 from wrcontact.fleet import run as fleet_run
 from wrcontact.fleet import table, workers
-from wrcontact.fleet.files import named_sources
+from wrcontact.fleet.files import named_sources, slug
 from wrcontact.fleet.page import COLUMNS
 from wrcontact.fleet.pair import examine
+from wrcontact.profiles import standard_profile
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
@@ -234,6 +237,82 @@ class Rows(HTMLParser):
     def handle_data(self, data):
         if self.rows and self.rows[-1]:
             self.rows[-1][-1][1] += data
+
+
+def test_names_with_underscores_share_no_file(tmp_path):
+    """`w` on `1__r` and `w__1` on `r`, of which one conicity is another one's half."""
+    for name, profiles in (
+        ("wheels", {"w": "cone20", "w__1": "cone40"}),
+        ("rails", {"r": "UIC60", "1__r": "54E1"}),
+    ):
+        (tmp_path / name).mkdir()
+        for stem, known in profiles.items():
+            standard_profile(known).save(tmp_path / name / f"{stem}.json")
+    fleet = wrcontact.check_fleet(
+        tmp_path / "wheels", tmp_path / "rails", tmp_path / "out", processes=1, pictures="none"
+    )
+    files = [row["json"] for row in fleet]
+    assert len(set(files)) == 4 == len(list((tmp_path / "out" / "pairs").iterdir()))
+    for row in fleet:
+        report = json.loads((tmp_path / "out" / row["json"]).read_text(encoding="utf-8"))
+        assert report["conicity"]["level"][2] == row["conicity_3mm"]
+    assert not {slug(name) for name in ("w__1", "_w", "w_", "a  b")} & {"w__1", "_w", "w_", "a__b"}
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda text: text.replace(b'"usable": true', b'"usable": false'),
+        lambda text: text[: len(text) // 2],
+        lambda text: b"\xff\xfe" + text[2:],
+        lambda text: b"[]\n{}\n3\n" + text.replace(b'"flange_shift"', b'"flange_lift"'),
+    ],
+)
+def test_damaged_lines_are_done_again(files, tmp_path, examined, fleet, folder, damage):
+    shutil.copytree(folder, tmp_path / "out")
+    path = tmp_path / "out" / "fleet.jsonl"
+    path.write_bytes(damage(path.read_bytes()))
+    again = wrcontact.check_fleet(*files, tmp_path / "out", processes=1, pictures="none", gauge=1.436)
+    assert 1 <= len(examined) <= 4 and [row["usable"] for row in again] == [row["usable"] for row in fleet]
+    assert [row["conicity_3mm"] for row in again] == [row["conicity_3mm"] for row in fleet]
+
+
+def test_a_pair_that_lacks_its_picture_is_done_again(tmp_path, examined):
+    """Its JSON alone is not all of it; and other parameters make other pairs."""
+    given = ("S1002", "UIC60", tmp_path / "out")
+    (row,) = wrcontact.check_fleet(*given, processes=1, pictures="all")
+    assert len(examined) == 1
+    (tmp_path / "out" / row["picture"]).unlink()
+    wrcontact.check_fleet(*given, processes=1, pictures="all")
+    assert len(examined) == 2 and (tmp_path / "out" / row["picture"]).is_file()
+    (other,) = wrcontact.check_fleet(*given, processes=1, pictures="all", rail_inclination=1 / 20)
+    assert len(examined) == 3 and other["conicity_3mm"] != row["conicity_3mm"]
+
+
+def test_a_full_disk_is_told_with_the_file(files, tmp_path, monkeypatch):
+    class Full:
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_):
+            return False
+
+        def write(self, text):
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("wrcontact.fleet.folder.open", lambda *_, **__: Full(), raising=False)
+    with pytest.raises(OSError, match="No space left") as told:
+        wrcontact.check_fleet("S1002", "UIC60", tmp_path / "out", processes=1, pictures="none")
+    assert told.value.filename == str(tmp_path / "out" / "fleet.jsonl")
+
+
+def test_jumps_are_those_of_the_side_with_more(monkeypatch):
+    """A left wheel of its own has another number of jumps; the row has the larger one."""
+    report = wrcontact.check(wrcontact.ContactSystem(wheel=("S1002", "cone20")))
+    near = [jump for jump in report.jumps if abs(jump.lateral_shift) <= 8e-3]
+    counts = {side: len(merged_jumps(near, side)) for side in ("left", "right")}
+    assert counts["left"] != counts["right"]
+    assert table.numbers_of(report)["jump_count"] == max(counts.values())
 
 
 def test_the_report_has_every_row_with_what_it_sorts_by(fleet, folder):

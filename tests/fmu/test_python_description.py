@@ -10,7 +10,7 @@ from tests.helpers.fmus import WARM_START, assert_same, evaluated
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
 from wrcontact.interface.friction import FRICTION
-from wrcontact.interface.inputs import DEFLECTIONS, MOTION, RAILS, RATES, TIME_STEP
+from wrcontact.interface.inputs import DEFLECTIONS, MOTION, RAILS, RATES, TIME_STEP, TORQUES
 from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, VARIABLES
 from wrcontact.methods import CHOICES
 
@@ -92,7 +92,7 @@ def test_dependencies(description):
         "load_transfer",
         "vertical_shift_input",
         "roll_input",
-        *(row.name for row in (*RAILS, *MOTION, *FRICTION, *RATES, TIME_STEP, *DEFLECTIONS)),
+        *(row.name for row in (*RAILS, *MOTION, *FRICTION, *RATES, *TORQUES, TIME_STEP, *DEFLECTIONS)),
     }
     for name, inputs in follows.items():
         given = {"vertical_shift_input", "roll_input"} if name.startswith("equilibrium.") else set()
@@ -140,6 +140,9 @@ FREE = {
 OF_WHEELS = {row.name for row in RATES}
 MOVING = {row.name for row in MOTION} | OF_WHEELS
 RUBBING = {row.name for row in FRICTION}
+#: Torques on the axle, which change the rotation of wheels that roll freely; those of single wheels.
+DRIVING = {row.name for row in TORQUES}
+OF_SINGLE = DRIVING - {"axle_torque"}
 #: Read where rails stand on springs (tests/fmu/test_springs.py).
 SPRUNG = {row.name for row in (TIME_STEP, *DEFLECTIONS)}
 #: Words in the names of what creep forces change, while friction carries no part of the load.
@@ -182,10 +185,12 @@ def does_not_follow(mode, methods, moved, name):
         return True  # the rails are rigid
     if moved in ("vertical_velocity", "roll_rate") and mode != "compliant":
         return True  # they follow from contact
-    if moved in ({"wheel_rate"} if "independent_wheels" in methods else OF_WHEELS):
+    if moved in ({"wheel_rate", "axle_torque"} if "independent_wheels" in methods else OF_WHEELS | OF_SINGLE):
         return True  # it is not read
-    if moved in MOVING | RUBBING:
-        creepage = ".creepage." in name and moved in MOVING
+    if name.endswith("wheel_rate_found") and moved not in MOVING and not creep:
+        return True  # no torque tells of a rotation
+    if moved in MOVING | RUBBING | DRIVING:
+        creepage = (".creepage." in name or "wheel_rate_found" in name) and (creep or moved in MOVING)
         rubbed = creep and any(word in name for word in OF_CREEP) and "normal." not in name
         carried = "load" in methods and not (mode == "rigid" and is_geometry(name))
         return not (creepage or rubbed or carried)
@@ -208,7 +213,7 @@ def test_declared_dependencies_hold(case):
         "vertical_shift_input": 0.2e-3,
         "roll_input": -7e-5,
         "speed": 20.0,
-        **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES)), 0.0),
+        **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES, *TORQUES)), 0.0),
         **dict.fromkeys(SPRUNG, 0.0),
         "free_rolling": 1.0,
         **dict.fromkeys(RUBBING, 0.3),
@@ -223,7 +228,7 @@ def test_declared_dependencies_hold(case):
         "roll_input": 1e-6,
         **{
             row.name: 0.1 * row.nominal
-            for row in (*MOTION, *RAILS, *FRICTION, *RATES, TIME_STEP, *DEFLECTIONS)
+            for row in (*MOTION, *RAILS, *FRICTION, *RATES, *TORQUES, TIME_STEP, *DEFLECTIONS)
         },
         "free_rolling": -1.0,
     }
@@ -239,7 +244,7 @@ def test_declared_dependencies_hold(case):
             if name not in v.depends_on or does_not_follow(mode, methods, name, v.name)
         ]
         assert_same({v: changed[v] for v in free}, {v: present[v] for v in free}, WARM_START)
-        seen = ".creepage." if name in MOVING else ".tangential." if name in RUBBING else ".area"
+        seen = ".creepage." if name in MOVING else ".tangential." if name in RUBBING | DRIVING else ".area"
         moved = [v for v in present if seen in v]
         assert len(free) == len(outputs) or any(changed[v] != present[v] for v in moved), name
     if "load" in methods:

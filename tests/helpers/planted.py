@@ -16,6 +16,42 @@ Error = namedtuple("Error", "name old new meaning first module", defaults=[""])
 
 ERRORS = [
     Error(
+        "same_penetration",
+        "if prescribed == self._penetration:  # by value: an array may have changed in place",
+        "if self._penetration is not None:  # by value: an array may have changed in place",
+        "a penetration that follows another one is taken for the same",
+        "wheelset/test_bounded_work.py",
+        "wrcontact/stepper.py",
+    ),
+    Error(
+        "sliver_without_pressure",
+        "if patch.pressure_square == 0.0 and patch.totals.load > 0.0:",
+        "if patch.pressure_square < 0.0 and patch.totals.load > 0.0:",
+        "a patch between two strips has neither pressure nor length",
+        "wheelset/test_bounded_work.py",
+    ),
+    Error(
+        "jump_on_one_side",
+        "if steady == 1:\n        roll = bracket.low",
+        "if steady == 2:\n        roll = bracket.low",
+        "at a jump the wheel that jumps carries less than its load",
+        "wheelset/test_bounded_work.py",
+    ),
+    Error(
+        "unbounded_contradictions",
+        "and fabs(method.move_height) + fabs(method.move_roll) > NOT_LAST:\n            return roll, NOT_CONVERGED",
+        "and fabs(method.move_height) + fabs(method.move_roll) > NOT_LAST:\n            method.best += 0.0",
+        "trials that a search contradicts go round in a circle",
+        "wheelset/test_bounded_work.py",
+    ),
+    Error(
+        "creep_slope_over_time",
+        "over = 1.0 / (step * work.inputs.rail_time_step)",
+        "over = 0.0 / (step * work.inputs.rail_time_step)",
+        "rails on springs settle without the slope of the creep forces over the time step",
+        "wheelset/test_bounded_work.py",
+    ),
+    Error(
         "roll_sign",
         "difference = sides[1].best - sides[0].best\n    rate",
         "difference = sides[1].best + sides[0].best\n    rate",

@@ -9,11 +9,61 @@ ROLLING_STEP, ORIENTATION = "wrcontact/halfspace/rolling_step.py", "wrcontact/pr
 LAW, SLIP, THEORY, OF_STRIPS = (
     f"creep/test_{name}.py" for name in ("friction_law", "full_slip", "strip_theory", "strip_laws")
 )
+STRAIGHT, CORRECTION = "derivative/test_linearisation.py", f"{CREEP}/correction.py"
 FALLS, FALLING = "creep/test_falling_friction.py", f"{CREEP}/falling.py"
 DAMPING, RAILS, HEADS = "wheelset/test_damping.py", "creep/test_rails.py", "profiles/test_orientation.py"
 
 LAWS = [
     # --- friction
+    # --- slopes where a wheelset runs straight
+    (
+        "straight_bend",
+        "if azimuth == MIDDLE_AZIMUTH:",
+        "if azimuth == MIDDLE_AZIMUTH + 1:",
+        "the correction has a corner at no lateral creepage",
+        STRAIGHT,
+        CORRECTION,
+    ),
+    (
+        "straight_even",
+        "on_elevation *= on_elevation",
+        "on_elevation *= 1.0",
+        "the correction has a corner at no longitudinal creepage",
+        STRAIGHT,
+        CORRECTION,
+    ),
+    (
+        "straight_slope",
+        "faint = (1.0 - on_radius) / (1.0 + radius)",
+        "faint = 0.0 * radius",
+        "strips lack some per cent of Kalker's slopes",
+        STRAIGHT,
+        CORRECTION,
+    ),
+    (
+        "straight_fastrip",
+        "whole = 0.5 * float(POINT_LIMIT + 1) * march.rate",
+        "whole = 0.5 * float(POINT_LIMIT) * march.rate",
+        "FaStrip's slopes are those of its points",
+        STRAIGHT,
+        "wrcontact/kernel/creep/fastrip.py",
+    ),
+    (
+        "straight_polach",
+        "own * own * floor",
+        "first * first * floor",
+        "Polach's lateral force begins with the longitudinal coefficient",
+        STRAIGHT,
+        "wrcontact/kernel/creep/polach.py",
+    ),
+    (
+        "straight_displaced",
+        "left_roll -= rate_of(left)",
+        "left_roll -= 1.02 * rate_of(left)",
+        "the roll rate of an elastic wheelset follows another slope",
+        STRAIGHT,
+        "wrcontact/kernel/derivative/wheelset_rules.py",
+    ),
     (
         "fall_spin",
         "across = falling.slide_y[i] + falling.slide_turn[i] * x",
@@ -31,14 +81,6 @@ LAWS = [
         FALLING,
     ),
     (
-        "fall_edge",
-        "        if falls:\n            find_shares(falling, x)\n        if slipping:",
-        "        if slipping:\n            if falls:\n                find_shares(falling, x)",
-        "the point behind a stick zone has the friction of the point before",
-        FALLS,
-        MARCH,
-    ),
-    (
         "fall_limit",
         "falling.lost[i] += bound * bound * slips * (1.0 - share)",
         "falling.lost[i] += bound * bound * (1.0 - share)",
@@ -52,7 +94,7 @@ LAWS = [
         "bound = patch.friction * patch.totals.load",
         "the correction has the friction of rest where that falls",
         FALLS,
-        "wrcontact/kernel/creep/correction.py",
+        CORRECTION,
     ),
     (
         "fall_wet",
@@ -61,14 +103,6 @@ LAWS = [
         "on wet rails friction falls with the reduced creepages",
         FALLS,
         FRICTION,
-    ),
-    (
-        "fall_jump",
-        "push = NEAR_STICK * sqrt(",
-        "push = 1e-9 * sqrt(",
-        "FASTSIM's points have fallen friction as soon as they slip",
-        FALLS,
-        "wrcontact/kernel/creep/fastsim.py",
     ),
     (
         "fall_memory",

@@ -62,13 +62,6 @@ ROLLING_LAWS = [
         FREE,
     ),
     (
-        "fallen_first",
-        "    rolling.resting = True\n    status = seek(",
-        "    rolling.resting = False\n    status = seek(",
-        "where friction falls, the rotation is sought from anywhere",
-        FREE,
-    ),
-    (
         "held_rate",
         "seeded(rate, -missing / slope))",
         "seeded(rate, 0.0))",

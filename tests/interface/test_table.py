@@ -124,3 +124,15 @@ def test_every_parameter_reaches_the_kernel():
 def test_a_row_without_a_known_unit_is_an_error():
     with pytest.raises(TypeError, match="the unit of speed is 'km/h'; there are m, "):
         Input("speed", "km/h", 1.0, "Speed")
+
+
+def test_left_settings_of_zero_are_as_on_the_right():
+    """Of an FMU: 0 of a parameter of the left side is no value, and other values are its own."""
+    from wrcontact.fmu.settings import ROWS, keywords_of
+
+    left = [name for name, row in ROWS.items() if row.right]
+    assert left
+    for name in left:
+        assert keywords_of({name: 0}) == keywords_of({name: 0.0}) == {}
+    radius = next(name for name in left if ROWS[name].name == "left_nominal_radius")
+    assert keywords_of({radius: 0.4}) == {"left_nominal_radius": 0.4}

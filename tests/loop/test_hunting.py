@@ -92,6 +92,5 @@ def test_each_model_of_creep_forces_has_roots(archives, model, tangential):
     wanted = theory.hunting_root(theory.state_matrix(model, 40.0))
     with Linear(archives, SUSPENSION, contact, LINEAR_FRICTION) as linear:
         found = linear.root(40.0)
-    print(tangential, found, wanted)
     assert found.imag == pytest.approx(wanted.imag, rel=1e-3)
     assert found.real == pytest.approx(wanted.real, abs=5e-3 * wanted.imag)

@@ -56,6 +56,14 @@ def test_equal_names_are_chosen_by_number(tmp_path):
     assert Profile.from_file(write(tmp_path, text, "own.mpt"), "rail", select=2).reading.points == len(RAIL_Y)
 
 
+def test_the_number_of_a_profile_may_have_two_digits(tmp_path):
+    """Twelve profiles, each with one point fewer."""
+    text = several([(f"p{k}", RAIL_Y[k:], -RAIL_Z[k:]) for k in range(12)])
+    for number in (9, 10, 12):
+        profile = Profile.from_file(write(tmp_path, text, "own.mpt"), "rail", select=number)
+        assert profile.reading.points == len(RAIL_Y) - number + 1
+
+
 def test_a_single_profile_needs_no_choice(tmp_path):
     profile, said = read(tmp_path, several([("one", RAIL_Y, -RAIL_Z)]), "rail", "own.mpt")
     assert error(profile) < 1e-3 and "lines" not in said
@@ -76,7 +84,10 @@ def test_a_list_of_slices_is_refused_by_what_it_is(tmp_path, name, kind, sentenc
 # --- Vampire and GENSYS ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("datum, shift", [("EUROPEAN", 0.0), ("CUSTOM 65.0", 5.0), ("us1", 70.0 - 72.23125)])
+@pytest.mark.parametrize(
+    "datum, shift",
+    [("EUROPEAN", 0.0), ("CUSTOM 65.0", 5.0), ("us1", 70.0 - 72.23125), ("US2", 70.0 - 77.7875)],
+)
 def test_a_vampire_wheel_lies_at_its_tread_datum(tmp_path, datum, shift):
     text = vampire("wheel", Y - shift, Z, datum=datum)
     profile, said = read(tmp_path, text, "wheel", "own.whe")

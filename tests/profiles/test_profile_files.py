@@ -395,7 +395,7 @@ REFUSED = {
         "a spike or a fold; permitted are at most 90 deg",
     ),
     "a wall too high": (
-        columns(np.round(RAIL_Y[::4]), RAIL_Z[::4]),
+        columns(np.maximum(RAIL_Y, -28.0), RAIL_Z),
         "rail",
         "own.txt",
         r"folds back or is vertical at y = .* mm, z = .* mm; permitted is that from z = 5 "

@@ -20,14 +20,15 @@ from tests.helpers.profile_points import (
     points,
     read,
 )
-from wrcontact import Profile, ProfileWarning
+from wrcontact import ContactSystem, Profile, ProfileWarning
 from wrcontact.cli import main
 from wrcontact.fmu.archive import chosen_starts
 from wrcontact.fmu.native import packed_profiles
+from wrcontact.profiles import standard_profile
 from wrcontact.profiles.files import prepared_text
 from wrcontact.profiles.flaws import _run_errors
 from wrcontact.profiles.remarks import remarks_in_lines
-from wrcontact.profiles.smoothing import noise_of
+from wrcontact.profiles.smoothing import noise_by_place, noise_of
 
 # --- noise and smoothing --------------------------------------------------------------------------
 
@@ -149,6 +150,75 @@ def test_a_kink_and_a_step_of_curvature_are_no_outliers():
             assert np.all((off < 8.0 * quarrel) | (off < 5e-3))
     off, quarrel = _run_errors(u, np.where(u == 0.0, 0.05, 0.0), 1)
     assert np.flatnonzero(off > 8.0 * np.maximum(quarrel, 1e-9)).tolist() == [15]
+
+
+# --- noise by place -------------------------------------------------------------------------------
+
+
+def pressures(**profiles):
+    """Largest pressures [Pa] at lateral shifts of -4 ... 4 mm."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ProfileWarning)
+        system = ContactSystem(**profiles)
+    shifts = np.arange(-4.0, 4.01, 0.5) * MM
+    return system.evaluate_many(lateral_shift=shifts, outputs="patches").right.max_pressure
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_noise_on_the_tread_alone_leaves_the_pressures(tmp_path, seed):
+    """6 um on the tread, four digits elsewhere: 62 % off if all is smoothed as little as the rest."""
+    y, z = points("wheel", 1.0)
+    tread = (y > -20.0) & (y < 25.0)
+    noise = 6e-3 * np.random.default_rng(seed).standard_normal(len(y))
+    rows = columns(y.round(4), np.where(tread, z + noise, z).round(4))
+    profile, said = read(tmp_path, rows)
+    place = re.search(r"largest at y = (\S+) \.\.\. (\S+) mm; each place is smoothed by its own", said)
+    assert abs(float(place[1]) + 20.0) < 12.0 and abs(float(place[2]) - 25.0) < 12.0
+    assert profile.reading.noise == pytest.approx(6e-6, rel=0.5)
+    off = pressures(wheel=profile) / pressures() - 1.0
+    assert np.median(np.abs(off)) < 0.06
+    # the exact rest stays
+    root = np.linspace(-50.0, -40.0, 200) * MM
+    assert np.abs(profile.height(root) - standard_profile("S1002").height(root)).max() < 3e-6
+
+
+@pytest.mark.parametrize("spacing", [0.1, 0.2, 0.5, 1.0])
+@pytest.mark.parametrize("deviation", [0.0, 1e-3, 1e-2, 5e-2])
+def test_even_noise_and_joints_are_not_noise_by_place(spacing, deviation):
+    for kind in NAMES:
+        assert noise_by_place(*noisy(kind, deviation, 3, spacing)) is None
+
+
+@pytest.mark.parametrize("form", ["%.4e", "%.3e", "%.3f"])
+@pytest.mark.parametrize("step", [0.005, 0.02])
+def test_few_digits_at_close_points_leave_the_contact(tmp_path, form, step):
+    """Rounding moves points by as much as they are apart, in the corners alone: it folds them back."""
+    rail = standard_profile("UIC60")
+    close = np.r_[np.arange(-36.05, -23.0, step), np.arange(23.0, 36.05, step)]
+    y = np.unique(np.r_[np.arange(-37.0, 37.01, 0.25), close].round(6))
+    np.savetxt(tmp_path / "own.txt", np.c_[y, rail.height(y * MM) / MM], fmt=form)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ProfileWarning)
+        system = ContactSystem(rail=tmp_path / "own.txt")
+    shifts = np.r_[-4.0, -2.0, 0.5, 2.0, np.linspace(6.28, 6.36, 30)] * MM
+    found, exact = (
+        one.evaluate_many(lateral_shift=shifts, outputs="patches") for one in (system, ContactSystem())
+    )
+    assert not found.status.any()
+    assert found.right.max_pressure[:4] == pytest.approx(exact.right.max_pressure[:4], rel=0.03)
+
+
+def test_rough_points_are_told_without_a_check(tmp_path):
+    """As `check` does: through every point of a noisy wheel the curvature scatters."""
+    (tmp_path / "own.txt").write_text(columns(*noisy("wheel", 2e-3, 5)))
+    with pytest.warns(
+        ProfileWarning, match="its curvature scatters by .* the contact follows noise; use more smoothing"
+    ):
+        ContactSystem(wheel=tmp_path / "own.txt", smoothing=0.0)
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        ContactSystem(wheel=tmp_path / "own.txt")
+    assert not any("scatters" in str(one.message) for one in said)
 
 
 # --- where it is said -----------------------------------------------------------------------------

@@ -91,3 +91,18 @@ def test_one_of_two_heads_in_a_file_is_cut_out():
     assert rail.stop - rail.start == pytest.approx(67.28 * MM + 1.0 * MM, abs=1.0 * MM)
     with pytest.raises(ValueError, match="has 0 points between y = 200 and 300 mm; permitted are 10 or more"):
         opened("guard_rail.ban", "rail", y_range=(0.2, 0.3))
+
+
+def test_noise_in_a_part_of_a_file_is_smoothed_there():
+    """CONTACT: 1096 MPa at y = 9.33 mm on the wheel."""
+    wheel, said = opened("wheel_section_1.txt", "wheel")
+    rail, _ = opened("r300_wide.prr", "rail")
+    assert "its noise differs from place to place, 0." in said and "each place is smoothed by its own" in said
+    assert wheel.reading.noise == pytest.approx(6.0 * MM * MM, rel=0.3)
+    right = (
+        ContactSystem(wheel=wheel, rail=rail, rail_inclination=0.02, nominal_radius=0.49)
+        .evaluate(normal_force=125e3)
+        .right
+    )
+    assert right.max_pressure == pytest.approx(1096e6, rel=0.05)
+    assert right.contact.y_wheel == pytest.approx(9.33 * MM, abs=1.0 * MM)

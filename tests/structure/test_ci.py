@@ -160,6 +160,26 @@ def test_a_program_that_is_missing_and_a_process_that_is_left_behind_end_no_run(
     assert run.done[0].code == 127 and run.done[1].seconds < 15
 
 
+def test_steps_side_by_side_are_steps(steps, tmp_path, capsys):
+    """In their order, each with its own output and processor time, though the second ends first."""
+    run = steps.Run(tmp_path)
+    busy = "while time.process_time() < 0.3: pass"
+    run.together(
+        {
+            "long": [sys.executable, "-c", f"import time\n{busy}\nprint('ended')"],
+            "short": "echo 3 passed in 0.10s; exit 2",
+        }
+    )
+    assert [(done.name, done.code, done.counts) for done in run.done] == [
+        ("long", 0, ""),
+        ("short", 2, "3 passed in 0.10s"),
+    ]
+    assert run.done[0].cpu > 0.29 > run.done[1].cpu
+    seen = capsys.readouterr().out
+    assert "-- long\nended\n" in seen
+    assert "-- short\n3 passed in 0.10s\n== short has failed with exit code 2\n" in seen
+
+
 def test_seconds_are_kept_from_run_to_run(steps, three, tmp_path):
     file = tmp_path / "new" / "seconds.csv"
     for commit in ("1234", "5678"):

@@ -284,3 +284,41 @@ def test_a_store_has_the_whole_system(tmp_path, options):
     own, other = system.evaluate(3e-3, yaw=2e-3, speed=10.0), again.evaluate(3e-3, yaw=2e-3, speed=10.0)
     np.testing.assert_array_equal(own.values, other.values)
     assert file not in str(question.record()) + str(question.profiles())
+
+
+# --- lost and damaged chunks --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "name, damage", [("right_area", None), ("status", None), ("status", b"\x00\x01garbage")]
+)
+def test_a_lost_or_damaged_chunk_is_computed_again(tmp_path, name, damage):
+    """It is no NaN with status 0, and no error."""
+    pytest.importorskip("zarr")
+    shifts = np.linspace(-4e-3, 4e-3, 12)
+    ask = {
+        "axes": {"lateral_shift": shifts},
+        "outputs": ["right.area", "roll"],
+        "block": 4,
+        "progress": False,
+    }
+    system = wrcontact.ContactSystem()
+    whole = wrcontact.sweep(system, store=tmp_path / "own", **ask)["right_area"].values.copy()
+    chunk = tmp_path / "own" / name / "c" / "1"
+    assert chunk.is_file()
+    chunk.unlink() if damage is None else chunk.write_bytes(damage)
+    states = []
+    again = wrcontact.sweep(
+        system, store=tmp_path / "own", **(ask | {"progress": lambda *given: states.append(given)})
+    )
+    assert states[-1][:2] == (4, 4)
+    assert np.array_equal(again["right_area"].values, whole) and not again["status"].values.any()
+
+
+def test_blocks_without_a_result_are_not_computed_again(tmp_path):
+    pytest.importorskip("zarr")
+    ask = {"axes": {"lateral_shift": np.linspace(0.2, 0.3, 8)}, "outputs": ["right.area"], "block": 4}
+    system, states = wrcontact.ContactSystem(), []
+    wrcontact.sweep(system, store=tmp_path / "own", progress=False, **ask)
+    wrcontact.sweep(system, store=tmp_path / "own", progress=lambda *given: states.append(given), **ask)
+    assert states == []

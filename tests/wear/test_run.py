@@ -10,6 +10,7 @@ from tests.helpers.wear_cases import energy, poses, system, table
 from wrcontact import plots
 from wrcontact.cli.tables import write_table
 from wrcontact.results.convert import columns_of
+from wrcontact.wear.run import profiles_of
 
 
 def simulate(worn):
@@ -62,6 +63,26 @@ def test_half_the_step_is_the_same_run():
     )
     assert taken == pytest.approx(runs[1].shape("worn_area")[-1], rel=1e-12)
     assert lost == pytest.approx(inside, rel=0.02)
+
+
+def test_the_middle_of_a_step_is_half_worn():
+    """With the same contacts in both halves, each point has moved half of its way there."""
+    inputs, share = poses()
+    same, seen = (
+        (system().evaluate_many(**{name: values[::3] for name, values in inputs.items()}), share[::3]),
+        [],
+    )
+
+    def simulate_same(worn):
+        seen.append(profiles_of(worn, "wheel")["right"])
+        return same
+
+    run = wrcontact.wear_run(simulate_same, system(), energy, 1e5, mirrored=True)
+    y = np.linspace(-30e-3, 30e-3, 601)
+    new, middle, worn = (profile.height(y) for profile in (*seen[:2], run.profiles()[-1]))
+    assert len(run.steps) == 2 and np.max(new - worn) > 1e-6
+    # [m] the second half's depth is that of the contacts on the profile that is half worn
+    np.testing.assert_allclose(new - middle, 0.5 * (new - worn), rtol=0, atol=0.02 * np.max(new - worn))
 
 
 def test_an_interrupted_run_goes_on(tmp_path):

@@ -25,6 +25,7 @@ RULE_MODULES = (
     "contact_rules",
     "elementary_rules",
     "intrinsics",
+    "motion_rules",
     "turning_rules",
     "wheelset_rules",
 )

@@ -93,7 +93,10 @@ def name_of(variable):
 
 def option_of(variable):
     """The option of a variable, such as ``--nominal-radius-mm``; ``--roll-deg`` for ``roll_input``."""
-    words = [name_of(variable).removesuffix("_input").replace("_", "-"), _display(variable).lower()]
+    words = [
+        name_of(variable).removesuffix("_input").replace("_", "-"),
+        _display(variable).lower().replace(".", ""),
+    ]
     return "--" + "-".join(word for word in words if word)
 
 

@@ -8,14 +8,13 @@ import numpy as np
 
 from ..kernel.layout import Profile
 from ..profiles.compiled import evaluate_table, places
+from ..profiles.plausible import SMOOTH, roughness
 from ..profiles.remarks import Reading
 from ..results.words import ShortText
 
 #: [rad] A joint with a larger change of angle is a kink: at a relative curvature of 5 1/m it moves the
 #: contact by 0.2 mm.
 KINK = 1e-3
-#: [m] Shorter waves of the curvature are roughness: patches are longer, and no design has such waves.
-SMOOTH = 4e-3
 #: [m] Spacing of the curvature's values.
 STEP = 0.05e-3
 
@@ -85,15 +84,10 @@ def _on_track(profile, angle):
 
 
 def _roughness(table, low, high):
-    """Median deviation [1/m] of the curvature between ``low`` and ``high`` [m] from its mean over SMOOTH.
-    The few joints of a design do not affect the median."""
+    """The :func:`~wrcontact.profiles.plausible.roughness` [1/m] between ``low`` and ``high`` [m]."""
     y = places(table, STEP)
     y = y[(y >= low) & (y <= high)]
-    window = np.ones(int(SMOOTH / STEP) | 1)
-    if len(y) <= len(window):
+    if not len(y):
         return math.nan
     _, slope, bend = evaluate_table(table, y)
-    curvature = bend / (1.0 + slope**2) ** 1.5
-    spare = len(window) // 2
-    mean = np.convolve(curvature, window / len(window), mode="valid")
-    return float(np.median(np.abs(curvature[spare : len(curvature) - spare] - mean)))
+    return roughness(bend / (1.0 + slope**2) ** 1.5, SMOOTH * 1e-3 / STEP)

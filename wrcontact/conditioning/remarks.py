@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ..profiles.plausible import remarks_on
+from ..profiles.plausible import ROUGH, remarks_on
 from ..profiles.remarks import Grave, counted, stretch
 from .curves import merged_jumps
 
@@ -18,7 +18,6 @@ FAST = 20.0  # rate of the contact position: 10 um of gauge or profile then move
 # treads and roots of wheels in use are less steep where they touch, flanges steeper
 FLANGE = math.radians(45.0)
 OFF_MIDDLE = 0.05e-3  # [m] largest distance of an oscillation's middle from the middle of the track
-ROUGH = 1.0  # [1/m] a fifth of the relative curvature of S1002 on the shoulder of UIC60, 5 to 8 1/m
 
 
 def sentences(found):

@@ -90,8 +90,9 @@ def _names(sources):
 
 
 def slug(name):
-    """A ``name`` as part of the name of a file, also where files do not differ by case."""
-    return re.sub(r"[^\w.+-]", "_", name).lower()
+    """A ``name`` as part of the name of a file, also where files do not differ by case; without two underscores
+    side by side, nor one at an end, which part a wheel from a rail."""
+    return re.sub(r"(?:[^\w.+-]|_)+", "_", name).strip("_").lower() or "_"
 
 
 def read(source, kind, smoothing, track):

@@ -2,14 +2,17 @@
 
 import json
 import os
+import zlib
 from pathlib import Path
 
 from ..results.words import plain
 from ..storage.atomic import write_atomically
 from .files import slug
 from .page import page
+from .table import empty_row
 
 #: The rows that are done, one JSON a line; the table; the report; the folder of JSON and pictures.
+ROW = empty_row().keys()
 DONE, TABLE, REPORT, PAIRS = "fleet.jsonl", "fleet.csv", "report.html", "pairs"
 
 
@@ -22,17 +25,18 @@ class Folder:
         self._rows = dict(self._read())
 
     def _read(self):
-        """(mark, row) of the pairs that earlier runs have done; a line that a killed run has half written is
-        none."""
+        """(mark, row) of the pairs that earlier runs have done; a line that is damaged, or that a killed run has half
+        written, is none."""
         try:
-            lines = (self.path / DONE).read_text(encoding="utf-8").splitlines()
+            lines = (self.path / DONE).read_text(encoding="utf-8", errors="replace").splitlines()
         except FileNotFoundError:
             return
         for line in lines:
             try:
                 entry = json.loads(line)
-                yield entry["mark"], entry["row"]
-            except (ValueError, LookupError, TypeError):
+                if entry["sum"] == _sum(entry["mark"], entry["row"]) and entry["row"].keys() == ROW:
+                    yield entry["mark"], entry["row"]
+            except (ValueError, LookupError, TypeError, AttributeError):
                 continue
 
     def kept(self, mark, pictures):
@@ -48,9 +52,13 @@ class Folder:
             if content:
                 row[kind] = f"{stem}.{name}"
                 write_atomically(self.path / row[kind], content)
-        with open(self.path / DONE, "a", encoding="utf-8") as file:
-            # an empty line ends one that was cut off
-            file.write("\n" + _line(mark, row))
+        try:
+            with open(self.path / DONE, "a", encoding="utf-8") as file:
+                # an empty line ends one that was cut off
+                file.write("\n" + _line(mark, row))
+        except OSError as problem:  # of a full disk there is no name
+            problem.filename = os.fspath(self.path / DONE)
+            raise
         return row
 
     def finish(self, marks, fleet):
@@ -68,4 +76,10 @@ def _is_drawn(row, pictures):
 
 
 def _line(mark, row):
-    return json.dumps({"mark": mark, "row": plain(row)}) + "\n"
+    row = plain(row)
+    return json.dumps({"mark": mark, "row": row, "sum": _sum(mark, row)}) + "\n"
+
+
+def _sum(mark, row):
+    """A number by which a change of a line is seen."""
+    return zlib.crc32(json.dumps([mark, row]).encode())

@@ -4,7 +4,7 @@ from xml.etree.ElementTree import Element, SubElement
 
 from ..conventions import SIDES
 from ..interface.friction import FRICTION as FRICTION_INPUTS
-from ..interface.inputs import DEFLECTIONS, RATES, TIME_STEP
+from ..interface.inputs import DEFLECTIONS, RATES, TIME_STEP, TORQUES
 from ..interface.inputs import MOTION as MOTION_INPUTS
 from ..interface.inputs import RAILS as RAIL_INPUTS
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
@@ -21,7 +21,7 @@ POSE = {
     "roll_guess": "roll_guess",
 }
 RAILS = {row.name: row.name for row in (*RAIL_INPUTS, TIME_STEP, *DEFLECTIONS)}
-MOTION = {row.name: row.name for row in (*MOTION_INPUTS, *RATES)}
+MOTION = {row.name: row.name for row in (*MOTION_INPUTS, *RATES, *TORQUES)}
 FRICTION = {row.name: row.name for row in FRICTION_INPUTS}
 LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
 

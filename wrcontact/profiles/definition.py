@@ -3,6 +3,7 @@ layout."""
 
 import numpy as np
 
+from ..conventions import MILLIMETRE as MM
 from ..kernel.prepare import zones as layout
 from .zones import Arc, Moved, Polynomial
 
@@ -23,6 +24,7 @@ def definition(profile):
             row[layout.ZONE_TERMS] = len(zone.coefficients)
             row[layout.ZONE_COEFFICIENTS :][: len(zone.coefficients)] = zone.coefficients
     head = np.zeros(layout.DEFINITION_ZONES)
+    head[layout.DEFINITION_WORN] = profile.worn_face / MM
     head[layout.DEFINITION_COUNT], head[layout.DEFINITION_ROW] = rows.shape
     return np.concatenate([head, rows.ravel()])
 

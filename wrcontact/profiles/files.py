@@ -29,6 +29,13 @@ LARGEST_FILE = 4_000_000
 #: [1/m] No wheel or rail is sharper, a radius of 0.5 mm, between points this close [mm].  What is steeper than
 #: STEEPEST [-], 80 degrees, is not read.
 SHARPEST, CLOSE, STEEPEST = 2e3, 0.02, math.tan(math.radians(80.0))
+#: A curve may reach so far beyond its points [mm]: a wall that is drawn less steep does, by a thousandth of
+#: its height and by the noise.
+OUTSIDE = 1.0
+#: Largest ratio of weights in an even file: those of flat and of steep places.
+EVEN = 25.0
+#: Largest wear of a rail's inner face [m].
+MOST_WORN = 0.05
 #: Points of a rail within this height of its highest point count as equally high [mm].
 LEVEL = 1e-9
 
@@ -161,7 +168,9 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
     """Zones through or, to ``tolerance`` [mm], along ``found`` points, and whether they meet smoothly."""
     if tolerance == 0.0 and np.all(np.diff(found.y) > 0.0):
         return zones_through(found.y, found.z, name, kind), True
-    curve = Curve(found.y, found.z, found.weight, tolerance)
+    # an asked smoothing is that of all places
+    weight = np.minimum(found.weight, EVEN * found.weight.min()) if asked else found.weight
+    curve = Curve(found.y, found.z, weight, tolerance)
     if tolerance > 0.0:
         done = (
             f"smoothed to {1e3 * tolerance:.3g} um"
@@ -177,8 +186,19 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
             f"permitted is a distance of {WIDTHS[0]:g} mm or more between"
         )
     ends = np.array([zones[0].start, zones[-1].stop])
-    remarks.extend(words_on_cuts(ends, found.y - curve.origin[0]))
+    across = found.y - curve.origin[0]
+    if ends[0] < across.min() - OUTSIDE or ends[1] > across.max() + OUTSIDE:
+        raise Refusal(f"has points that no smooth curve follows: {_sharpest(found)}")
+    remarks.extend(words_on_cuts(ends, across))
     return zones, smooth
+
+
+def _sharpest(found):
+    """Where ``found`` points turn most, in words."""
+    heading = np.diff(np.arctan2(np.diff(found.z), np.diff(found.y)))
+    turn = np.abs((heading + np.pi) % (2.0 * np.pi) - np.pi)
+    worst = int(np.argmax(turn))
+    return f"they turn by {math.degrees(turn[worst]):.3g} deg at y = {found.y[worst + 1]:.4g} mm"
 
 
 def zones_through(y, z, name, kind):
@@ -228,8 +248,10 @@ def _top(spline):
 def prepared_text(profile):
     """The text of a prepared file, from which :func:`read_profile` restores ``profile`` bit by bit."""
     zones = [{"family": type(zone).__name__.lower(), **vars(zone)} for zone in profile.zones]
+    worn = {"worn_face": profile.worn_face} if profile.worn_face else {}
     return json.dumps(
-        {"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones}, indent=1
+        {"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, **worn, "zones": zones},
+        indent=1,
     )
 
 
@@ -243,6 +265,10 @@ def prepared_profile(text, kind, make):
             )
         zones = tuple(_zone(dict(entry)) for entry in content["zones"])
         profile = make(str(content["name"]), content["kind"], zones, bool(content["smooth"]))
+        worn = float(content.get("worn_face", 0.0))
+        if not abs(worn) <= MOST_WORN:
+            raise ValueError(f"worn_face is {worn} m")
+        profile = replace(profile, worn_face=worn) if worn else profile
     except Refusal:
         raise
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as error:

@@ -29,7 +29,7 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
     ----------
     rail : Profile of an upright rail.
     inclination : tangent of its inclination towards the track centre (1/40 = 0.025).
-    gauge : distance of the two inner faces [m], measured ``gauge_depth`` [m] below the highest point.
+    gauge : distance of the two inner faces as laid [m], measured ``gauge_depth`` [m] below the highest point.
 
     Raises
     ------
@@ -46,7 +46,9 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
             f"gauge_depth reaches {depth * MM:.6g} m, but the inner side of the rail profile "
             f"{rail.name} ends at {reached * MM:.6g} m; permitted are smaller depths"
         )
-    return PlacedRail(_turned(rail, zones, angle, -y_top, -z_top), gauge / 2 + (y_top - y_gauge) * MM)
+    return PlacedRail(
+        _turned(rail, zones, angle, -y_top, -z_top), gauge / 2 + rail.worn_face + (y_top - y_gauge) * MM
+    )
 
 
 def readable_wheel(wheel):

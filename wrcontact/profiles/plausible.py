@@ -1,4 +1,5 @@
-"""Whether y = 0 of a wheel can be its running circle: a remark with numbers where its flange is elsewhere.
+"""Whether y = 0 of a wheel can be its running circle: a remark with numbers where its flange is elsewhere; and
+whether the points of a file are smooth enough.
 
 A file may have another origin: the back of the flange, the middle or the outer face of the rim. The points of
 the tread do not tell it, but the back of the flange does, which does not wear: with the distance of the
@@ -24,6 +25,10 @@ BACKS, FACES, FACE = (67.0, 85.0), (3.0, 27.0), 10.0
 TIP, TIPS = 15.0, 4.0
 #: A profile is read every STEP up to STOP [mm].
 STEP, STOP = 0.1, 45.0
+#: Roughness is that of the curvature within MIDDLE of y = 0 [mm] from its mean over SMOOTH [mm]: patches are longer,
+#: and no design has such waves. More than ROUGH [1/m] is told, a fifth of the relative curvature of S1002 on the
+#: shoulder of UIC60, 5 to 8 1/m.
+MIDDLE, SMOOTH, ROUGH = 15.0, 4.0, 1.0
 #: A wheel has a flange if it is as deep below its running circle [mm]. The points within FLAT [mm] of the
 #: deepest are its tip, which is there if the profile rises by RISE [mm] behind it; the back is there if the
 #: last BACK [mm] are STEEP.
@@ -33,11 +38,38 @@ FLANGE, FLAT, RISE, BACK, STEEP = 15.0, 0.2, 1.0, 0.5, 3.0
 LARGER, ASIDE = 1.0, 1.0
 
 
-def remark_wheels(system):
-    """Give a :class:`~wrcontact.ProfileWarning` on each wheel of a :class:`~wrcontact.ContactSystem` with an
-    implausible origin."""
+def remark_profiles(system):
+    """Give a :class:`~wrcontact.ProfileWarning` on each profile of a :class:`~wrcontact.ContactSystem` that is a
+    wheel with an implausible origin, or is rough."""
     for wheel in dict.fromkeys((system.wheel, system.left_wheel)):
-        remark("wheel", wheel.name, remarks_on(wheel, system.parameters))
+        remark("wheel", wheel.name, (*remarks_on(wheel, system.parameters), *_on_roughness(wheel)))
+    for rail in dict.fromkeys((system.rail, system.left_rail)):
+        remark("rail", rail.name, [*_on_roughness(rail)])
+
+
+def _on_roughness(profile):
+    """What is said of the points of a file whose curvature scatters in the middle, where wheel and rail mostly
+    touch; :func:`wrcontact.check` looks where they do."""
+    if profile.reading is None or not profile.reading.noise > 0.0:
+        return
+    y = np.arange(max(-MIDDLE * MM, profile.start), min(MIDDLE * MM, profile.stop), 0.5 * STEP * MM)
+    scatter = roughness(profile.curvature(y), SMOOTH / (0.5 * STEP))
+    if scatter > ROUGH:
+        yield (
+            f"its curvature scatters by {scatter:.3g} 1/m within 4 mm between y = {-MIDDLE:g} and {MIDDLE:g} mm: "
+            "the contact follows noise; use more smoothing"
+        )
+
+
+def roughness(curvature, count):
+    """Median deviation of a ``curvature`` (n,) [1/m] at even places from its mean over ``count`` of them; NaN if
+    there are fewer. The few joints of a design do not affect the median."""
+    window = np.ones(int(count) | 1)
+    if len(curvature) <= len(window):
+        return np.nan
+    spare = len(window) // 2
+    mean = np.convolve(curvature, window / len(window), mode="valid")
+    return float(np.median(np.abs(curvature[spare : len(curvature) - spare] - mean)))
 
 
 def remarks_on(wheel, parameters):

@@ -42,7 +42,8 @@ class Profile:
     "rail" (origin at the highest point of the head).  Height is positive down for both.  The constructor
     checks that consecutive zones have no hole between them and agree in height and slope; ``smooth=False``
     permits corners, for measured profiles.  ``reading`` describes the file of points that the profile comes
-    from, if any; it has no effect.
+    from, if any; it has no effect.  ``worn_face`` is how far the inner face of a rail has worn at the depth of
+    the gauge since it was laid [m]: a worn rail keeps its place on the track, and the gauge is wider.
 
     Raises
     ------
@@ -56,6 +57,7 @@ class Profile:
     smooth: bool = True
     joints: tuple = field(init=False, compare=False)
     reading: Reading | None = field(default=None, compare=False, repr=False)
+    worn_face: float = 0.0
 
     def __post_init__(self):
         if self.kind not in ("wheel", "rail"):

@@ -24,7 +24,7 @@ from .flaws import (
 from .orientation import faced, turned_upright
 from .remarks import Refusal, counted, stretch
 from .running_circle import at_running_circle, evenly
-from .smoothing import LEAST_NOISE, noise_of
+from .smoothing import LEAST_NOISE, noise_by_place, noise_of
 
 LEAST_POINTS = 10
 #: Permitted width of a profile [mm].
@@ -112,7 +112,7 @@ def mend(points, kind, file, track, remarks, *, keep_all=False):
     found = without_far_parts(found, kind, remarks)
     if kind == "rail":
         remark_near_end(found, remarks)
-    noise, certainty = noise_of(found.y, found.z)
+    noise, certainty = noise_at(found, remarks)
     found = replace(found, noise=noise, weight=found.weight * (certainty if noise > LEAST_NOISE else 1.0))
     check_gaps(found, remarks)
     found = rounded(found, remarks, keep=keep_all) if found.noise <= LEAST_NOISE else found
@@ -376,9 +376,9 @@ def without_far_parts(found, kind, remarks):
 
 def words_on_cuts(kept, whole):
     """Sentences on the ends of the coordinates ``kept`` (n,) [mm], where the ``whole`` (m,) points go on."""
-    ends = (("smaller", kept.min(), whole.min()), ("larger", kept.max(), whole.max()))
-    for side, end, last in ends:
-        if abs(last - end) > CUT:
+    ends = (("smaller", kept.min(), whole.min(), -1.0), ("larger", kept.max(), whole.max(), 1.0))
+    for side, end, last, outwards in ends:
+        if outwards * (last - end) > CUT:
             yield (
                 f"it folds back or is vertical at y = {end:.4g} mm; its points at {side} y, to {last:.4g} mm, "
                 "are left out"
@@ -393,6 +393,20 @@ def remark_near_end(found, remarks):
         remarks.append(
             f"its highest point is {width:.3g} mm from the end of the points; there is no contact beyond it"
         )
+
+
+def noise_at(found, remarks):
+    """The largest noise [mm] and the factor (n,) by which it is smaller at each point; ``remarks`` says where it
+    differs much from place to place."""
+    noise = noise_by_place(found.y, found.z)
+    if noise is None:
+        return noise_of(found.y, found.z)
+    most, least = noise.max(), noise.min()
+    remarks.append(
+        f"its noise differs from place to place, {1e3 * least:.2g} ... {1e3 * most:.3g} um; it is largest at "
+        f"{stretch(found.y[noise > 0.5 * most])}; each place is smoothed by its own"
+    )
+    return float(most), most / noise
 
 
 def _farthest(y, kind):

@@ -24,6 +24,12 @@ LEAST_NOISE = 1e-5
 #: is used if its variance is less than half of that and the spacing is more than SPARSE times the noise.
 STRETCHES = ((11, 5, 2, 4.3515), (5, 3, 1, 0.4549))
 SPARSE = 20.0
+#: Noise is estimated by place where the estimates around PLACE points differ by more than UNEVEN from the
+#: tenth to the ninetieth of a hundred: even noise gives up to 2. Only what exceeds JOINTS [1/mm] times the
+#: squared spacing counts as noise, since joints of exact profiles leave half as much.
+PLACE, UNEVEN, JOINTS = 61, 3.0, 1e-3
+#: Largest ratio of the noise of two places.
+MOST_CERTAIN = 1e3
 #: Relative regularisation, for repeated points; it changes a fit by this share.
 RIDGE = 1e-12
 #: Squared cosine of the angle above which a stretch is flat, and below which it is steep.
@@ -68,14 +74,57 @@ def noise_of(y, z):
     return math.sqrt(flat), np.clip(certainty, 0.2, 5.0) if flat > 0.0 else np.ones(len(y))
 
 
-def _variances(y, z, points, degree, step, median):
-    """Variances [mm^2] of flat and of steep stretches; if there are too few of a kind, that of all
-    stretches."""
+def noise_by_place(y, z):
+    """Noise (n,) [mm] at each point, the median over stretches around it; None where it is about the same
+    everywhere.  It differs in a file that was measured in part, or has few digits.  Outliers must be gone: close
+    to each other they look like noise."""
+    if len(y) < 2 * STRETCHES[0][0]:
+        return None
+    (long, short), chord = (
+        (_around(y, z, *stretch) for stretch in STRETCHES),
+        np.hypot(np.diff(y), np.diff(z)),
+    )
+    spacing = np.convolve(np.pad(chord, (10, 11), mode="reflect"), np.ones(21) / 21, mode="valid")
+    joints = (short < 0.5 * long) & (spacing > SPARSE * np.sqrt(long))
+    noise = np.sqrt(np.where(joints, short, long))
+    low, high = np.percentile(noise, [10, 90])
+    noisy = noise > np.maximum(LEAST_NOISE, JOINTS * spacing**2)
+    if high <= UNEVEN * low or noisy.sum() < STRETCHES[0][0]:
+        return None
+    quiet = np.median(noise[~noisy]) if not noisy.all() else low
+    found = np.where(noisy, noise, quiet)
+    # the noisiest part has one noise, since the estimates scatter, and those at its ends are too small
+    most = found > np.percentile(found[noisy], 90) / UNEVEN
+    stretch = STRETCHES[int(np.mean(joints[most]) > 0.5)]
+    starts, variance, _ = _stretches(y, z, *stretch)
+    level = math.sqrt(np.median(variance[most[starts + stretch[0] // 2]]))
+    most = np.convolve(most, np.ones(STRETCHES[0][0]), mode="same") > 0.0
+    return np.clip(np.where(most, level, found), max(LEAST_NOISE, level / MOST_CERTAIN), level)
+
+
+def _around(y, z, points, degree, step, median):
+    """Variances (n,) [mm^2] at each point: the median of the stretches within PLACE points around it."""
+    starts, variance, _ = _stretches(y, z, points, degree, step, median)
+    near = min(PLACE // (2 * step), len(variance) - 1)
+    padded = np.pad(variance, near, mode="reflect")
+    medians = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * near + 1), axis=1)
+    return np.interp(np.arange(len(y)), starts + points // 2, medians)
+
+
+def _stretches(y, z, points, degree, step, median):
+    """First points (m,) of all stretches, their variances (m,) [mm^2], and the squared cosines (m,) of their
+    directions."""
     starts = np.arange(0, len(y) - points + 1, step)
     rows = [part[starts[:, None] + np.arange(points)] for part in (y, z)]
     along, across = in_chords(*rows)
     left = across - np.einsum("sij,sj->si", _fits(along, degree), across)
-    variance, level = np.sum(left * left, axis=1) / median, np.cos(_directions(*rows)) ** 2
+    return starts, np.sum(left * left, axis=1) / median, np.cos(_directions(*rows)) ** 2
+
+
+def _variances(y, z, *stretch):
+    """Variances [mm^2] of flat and of steep stretches; if there are too few of a kind, that of all
+    stretches."""
+    _, variance, level = _stretches(y, z, *stretch)
     return [
         np.median(variance[some] if some.sum() >= FEWEST else variance)
         for some in (level > FLAT, level < STEEP)

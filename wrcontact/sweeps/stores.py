@@ -60,6 +60,16 @@ class Memory:
         """The arrays by name, for reading and writing."""
         return self._arrays
 
+    @staticmethod
+    def whole(array):
+        """The array itself."""
+        return array
+
+    @staticmethod
+    def lost(place, names):
+        """Nothing is lost here."""
+        return False
+
     def dataset(self):
         """What is there, as a data set of xarray."""
         xarray, axes, names = needed("xarray", "sweep"), self.question.axes, self.question.names
@@ -94,6 +104,16 @@ class Store:
                 f"a worker does not see the store {self.path}; permitted is a folder that all workers share"
             )
         return group
+
+    @staticmethod
+    def whole(array):
+        """An array of the store that writes chunks of NaN, too: one that is not there is lost."""
+        return array.with_config({"write_empty_chunks": True})
+
+    def lost(self, place, names):
+        """Whether the block of this number along each axis lacks a chunk of an output: every block writes all."""
+        key = "/".join(["c", *map(str, place)])
+        return any(not (Path(self.path) / plain(name) / key).is_file() for name in names)
 
     def dataset(self):
         """What is there, as a data set of xarray that reads values when they are used."""

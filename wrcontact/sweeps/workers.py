@@ -1,5 +1,6 @@
 """The blocks of a sweep, solved by threads, by the workers of Dask, or, on the half-space, by processes."""
 
+import contextlib
 import math
 from concurrent.futures import CancelledError, ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
@@ -31,8 +32,11 @@ class Task:
     def missing(self):
         """Corners (n, axes) of the blocks that are not there yet."""
         block = self.store.block
-        first = self.store.arrays()["status"][tuple(slice(None, None, width) for width in block)]
-        return np.argwhere(np.asarray(first) == EMPTY) * block
+        first = _statuses(self.store.arrays()["status"], block)
+        empty = first == EMPTY
+        for place in np.argwhere(~empty):
+            empty[tuple(place)] = self.store.lost(place, self.question.names)
+        return np.argwhere(empty) * block
 
     def states(self, corners):
         """The number of states in the blocks at ``corners``."""
@@ -50,9 +54,13 @@ class Task:
         grid = dict(zip(question.axes, (one.ravel() for one in np.meshgrid(*parts, indexing="ij"))))
         table = question.system.evaluate_many(outputs=question.outputs, **grid, **question.fixed, **shared)
         shape = tuple(map(len, parts))
-        for name in question.names:
-            arrays[plain(name)][at] = table[name].reshape(shape)
-        arrays["status"][at] = table.status.reshape(shape).astype(np.int8)
+        try:
+            for name in question.names:
+                self.store.whole(arrays[plain(name)])[at] = table[name].reshape(shape)
+            arrays["status"][at] = table.status.reshape(shape).astype(np.int8)
+        except OSError as problem:
+            problem.filename = problem.filename or self.store.path  # of a full disk there is no name
+            raise
         return table.status.size, int(np.count_nonzero(table.status > 1))
 
 
@@ -129,3 +137,19 @@ def _solve(corner, task):
     if task.version != __version__:
         raise RuntimeError(f"a worker has wrcontact {__version__}; permitted is {task.version}, which asks")
     return task.solve(corner, threads=1)
+
+
+def _statuses(array, block):
+    """The status of the first state of each block; EMPTY where it is damaged and cannot be read."""
+    places = tuple(slice(None, None, width) for width in block)
+    try:
+        return np.array(array[places])
+    except OSError:
+        raise
+    except Exception:  # a damaged chunk fails in many ways
+        count = [-(-size // width) for size, width in zip(array.shape, block)]
+        found = np.full(count, EMPTY)
+        for place in np.ndindex(*count):
+            with contextlib.suppress(Exception):
+                found[place] = array[tuple(k * width for k, width in zip(place, block))]
+        return found

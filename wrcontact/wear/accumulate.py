@@ -97,16 +97,19 @@ class Wear:
                 "for equal sides"
             )
         self.system, self.law, self.mirrored = system, law_of(law), mirrored
+        depth = system.parameters["gauge_depth"]
         right = {
             "wheel": Arc(system.wheel, 0.0, bin_width),
-            "rail": Arc(system.rail, system.parameters["rail_inclination"], bin_width),
+            "rail": Arc(system.rail, system.parameters["rail_inclination"], bin_width, depth),
         }
         left = (
             right
             if system.equal_sides
             else {
                 "wheel": Arc(system.left_wheel, 0.0, bin_width),
-                "rail": Arc(system.left_rail, system.side_parameters("left")["rail_inclination"], bin_width),
+                "rail": Arc(
+                    system.left_rail, system.side_parameters("left")["rail_inclination"], bin_width, depth
+                ),
             }
         )
         self.prefixes = prefixes_of(self.side)

@@ -19,13 +19,13 @@ class Arc:
 
     Attributes
     ----------
-    profile, inclination : of a rail, as a slope.
+    profile; inclination of a rail, as a slope; gauge_depth, at which its gauge is measured [m].
     y : (n,) of the profile itself [m]; abscissa : (n,) of the same points as contacts name them [m].
     s : (n,) arc length from the first point [m]; edges : (bins + 1,) of equal bins [m].
     """
 
-    def __init__(self, profile, inclination=0.0, bin_width=0.25e-3):
-        self.profile, self.inclination = profile, inclination
+    def __init__(self, profile, inclination=0.0, bin_width=0.25e-3, gauge_depth=14e-3):
+        self.profile, self.inclination, self.gauge_depth = profile, inclination, gauge_depth
         room = 1e-9 + 1e-7 * (profile.stop - profile.start)  # an end may be vertical
         count = math.ceil((profile.stop - profile.start) / RASTER)
         self.y = np.linspace(profile.start + room, profile.stop - room, count + 1)

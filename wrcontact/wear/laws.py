@@ -13,10 +13,26 @@ Traceback (most recent call last):
 ValueError: Zobory needs mild, severe and limit; they have no default, since no source of them was read
 """
 
+import inspect
+from dataclasses import fields
+from numbers import Real
+
 import numpy as np
 
 from ..methods.numbers import frozen, number
 from .law import READ, STEEL, Law, OwnLaw, calibration, required
+
+#: Where a user's law is tried to tell it from others: decades of each of its arrays, and how many places.
+PROBED = {
+    "power_density": (2.0, 11.0),
+    "pressure": (6.0, 10.0),
+    "slip": (-5.0, 1.5),
+    "friction": (-2.0, 0.0),
+    "speed": (-1.0, 2.0),
+    "wear_number": (-2.0, 4.0),
+    "patch_power": (-2.0, 6.0),
+}
+PROBES = 1000
 
 
 @frozen
@@ -191,6 +207,41 @@ class Zobory(Law):
         """Mass per area and time [kg/(m2 s)]."""
         k = np.where(power_density < self.limit, self.mild, self.severe)
         return self.calibration * k * power_density
+
+
+def law_mark(law):
+    """What a ``law`` is, as text that is the same for the same law in another process: its class and numbers, and
+    of a user's function what it returns at PROBES places and the numbers that it reads."""
+    if type(law) in LAWS.values():
+        return repr((type(law).__name__, *((one.name, getattr(law, one.name)) for one in fields(law))))
+    draw = np.random.default_rng(0)
+    places = {name: 10.0 ** draw.uniform(low, high, PROBES) for name, (low, high) in PROBED.items()}
+    with np.errstate(all="ignore"):
+        try:
+            rates = np.broadcast_to(np.asarray(law.rate(**places), dtype=float), PROBES).round(15).tolist()
+        except Exception as refused:  # a user's function may refuse what never occurs
+            rates = type(refused).__name__
+    function = getattr(law, "function", law)
+    return repr((type(law).__name__, rates, sorted(map(repr, _numbers_of(function)))))
+
+
+def _numbers_of(function):
+    """The numbers in a user's ``function``: constants, defaults, those of its closure, its globals and its object."""
+    inside = inspect.unwrap(getattr(function, "__func__", function))
+    code = getattr(inside, "__code__", None)
+    found = [*vars(getattr(function, "__self__", function)).values()] if hasattr(function, "__dict__") else []
+    found += [
+        *getattr(function, "args", ()),
+        *getattr(function, "keywords", {}).values(),
+    ]  # functools.partial
+    if code is not None:
+        reads = inspect.getclosurevars(inside)
+        found += [*code.co_consts, *(inside.__defaults__ or ()), *(inside.__kwdefaults__ or {}).values()]
+        found += [*reads.nonlocals.values(), *reads.globals.values()]
+    words = getattr(inside, "__doc__", None)
+    return [
+        one for one in found if isinstance(one, (Real, np.ndarray)) or isinstance(one, str) and one != words
+    ]
 
 
 LAWS = {"usfd": Usfd, "archard": ArchardMap, "british-rail": BritishRail, "zobory": Zobory}

@@ -4,6 +4,7 @@ A row that has a status other than 0, or a number that is not finite where rubbi
 counted.
 """
 
+import io
 import os
 import re
 from pathlib import Path
@@ -11,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ..conventions import SIDES
+from ..kernel.layout import PATCH_LIMIT
 from ..methods.words import did_you_mean
 from ..results.columns import has_wear
 from ..results.convert import needed
@@ -27,6 +29,19 @@ NEEDED_OF_FILES = (
     "tangential_model and wear_outputs"
 )
 BY_TIME = "time*speed"
+#: What is read of a file: of each station of an outline, and of each patch.
+OUTLINE = ("station", "half_length", "pressure", "power", "slip", "wheel_place", "rail_place", "patch_of")
+PATCH = (
+    "tangential.x",
+    "tangential.y",
+    "saturation",
+    "normal_force",
+    "creepage.x",
+    "creepage.y",
+    "friction_power",
+    "length",
+    "max_pressure",
+)
 
 
 def whole_of(system):
@@ -86,14 +101,37 @@ class Rows:
     def stations(self):
         """The number of stations of an outline."""
         first = f"{self.prefixes[-1]}power["
-        numbers = [
-            int(found[1])
-            for name in self.columns
-            if (found := re.fullmatch(rf"{re.escape(first)}(\d+)\]", name))
-        ]
-        if not numbers:
+        if f"{first}1]" not in self.columns:
             raise ValueError(f"{self.name} has no column '{first}1]'; {NEEDED_OF_FILES}")
+        outlines = [f"{prefix}{name}[" for prefix in self.prefixes for name in OUTLINE]
+        numbers = [
+            int(found[2])
+            for name in self.columns
+            if (found := re.fullmatch(r"(.+\[)(\d+)\]", name)) and found[1] in outlines
+        ]
+        missing = [
+            f"{one}{number}]"
+            for one in outlines
+            for number in range(1, max(numbers) + 1)
+            if f"{one}{number}]" not in self.columns
+        ]
+        if missing:
+            raise ValueError(
+                f"{self.name} has no column {missing[0]!r}, though others have {max(numbers)} stations; permitted are "
+                "all stations of all outputs of wear"
+            )
         return max(numbers)
+
+    def reads(self):
+        """Names of the columns of a file that rubbing is read from."""
+        outlines = [f"{prefix}{name}[" for prefix in self.prefixes for name in OUTLINE]
+        patches = [f"{prefix}patch[{k + 1}]." for prefix in self.prefixes for k in range(PATCH_LIMIT)]
+        return [
+            name
+            for name in self.columns
+            if name.startswith(tuple(outlines))
+            or any(name == patch + one for patch in patches for one in PATCH)
+        ]
 
     def picked(self, places):
         """Some of the rows."""
@@ -110,6 +148,8 @@ class Rows:
             good &= self["status"] == 0
         for prefix in self.prefixes:
             good &= np.isfinite(self.get(f"{prefix}friction_power", 0.0))
+        for name in self.reads() if self.table is None else ():
+            good &= np.isfinite(self[name])
         if not len(good):
             raise ValueError(f"{self.name} has no rows; permitted are tables of one row or more")
         if (left_out := np.count_nonzero(~good)) > MOST_LEFT_OUT * len(good):
@@ -208,7 +248,13 @@ def _read(path):
         raise ValueError(
             f"results is '{path}', and there is no such file; permitted is a file of an FMU's results"
         )
-    with open(path, encoding="utf-8-sig") as file:
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as wrong:
+        raise ValueError(
+            f"{path} is not text in UTF-8 (byte {wrong.start}); permitted is a file of an FMU's results in UTF-8"
+        ) from None
+    with io.StringIO(text) as file:
         names = [name.strip().strip('"') for name in file.readline().rstrip("\n").split(",")]
         if len(names) < 2:
             raise ValueError(
@@ -221,7 +267,12 @@ def _read(path):
             raise ValueError(
                 f"{path} has lines that differ in their number of cells: {' '.join(str(wrong).split())[:120]}"
             ) from None
-    numbers = numbers.reshape(-1, len(names)) if numbers.size else np.empty((0, len(names)))
+    numbers = np.atleast_2d(numbers) if numbers.size else np.empty((0, len(names)))
+    if numbers.shape[1] != len(names):
+        raise ValueError(
+            f"{path} has {len(names)} names in its first line and {numbers.shape[1]} cells in the others; permitted "
+            "are as many cells as names"
+        )
     return dict(zip(names, numbers.T))
 
 

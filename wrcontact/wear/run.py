@@ -200,7 +200,7 @@ def with_profiles(system, part, profiles):
         return wheel
     rebuilt, (kind, parameters, (wheel, rail, left_wheel, left_rail)) = system.__reduce__()
     left, right = (profiles[side] for side in SIDES)
-    left = right if left.zones == right.zones else left
+    left = right if left == right else left
     if part == "wheel":
         wheel, left_wheel = right, left
     else:

@@ -2,15 +2,18 @@
 
 import hashlib
 import json
+import zlib
 from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
 
+from .. import __version__
 from ..profiles.files import prepared_text, read_profile
 from ..profiles.options import ProfileFile
 from ..profiles.profile import Profile
 from ..storage.atomic import write_atomically
+from .laws import law_mark
 from .rows import whole_of
 from .shape import WheelShape
 from .steps import WearStep
@@ -27,20 +30,20 @@ class Store:
         self.folder, self.plan = None if folder is None else Path(folder), plan
         whole, side = whole_of(system)
         zones = [prepared_text(one) for one in (whole.left_wheel, whole.wheel, whole.left_rail, whole.rail)]
-        said = [
-            plan.part,
-            repr(plan.law),
-            plan.depth_step,
-            plan.smoothing,
-            sorted(map(repr, plan.options.items())),
-        ]
         numbers = sorted(
             f"{name}={value!r}"
             for name, value in whole.parameters.items()
             if not name.endswith(("wheel", "rail"))
         )
-        numbers += [] if side is None else [f"side={side!r}"]
-        self.mark = hashlib.sha256(json.dumps([said, zones, numbers]).encode()).hexdigest()
+        options = sorted(map(repr, plan.options.items()))
+        #: A digest by what a run is made of; the law is one of values, since functions may have one name.
+        self.mark = {
+            "version": __version__,
+            "profiles": _digest(zones),
+            "law": _digest(law_mark(plan.law)),
+            "steps": _digest([plan.part, plan.depth_step, plan.smoothing, options]),
+            "parameters": _digest([numbers, side]),
+        }
 
     def read(self):
         """Steps so far, and the worn profiles behind the last one by side, or None."""
@@ -49,11 +52,12 @@ class Store:
         self.folder.mkdir(parents=True, exist_ok=True)
         steps = []
         while self._file(len(steps)).exists():
-            content = json.loads(self._file(len(steps)).read_text(encoding="utf-8"))
-            if content["mark"] != self.mark:
+            content = self._content(len(steps))
+            others = _others(content["mark"], self.mark)
+            if others:
                 raise ValueError(
-                    f"store is {str(self.folder)!r}, which has another run; permitted is an empty "
-                    "folder, or that of a run with the same profiles, law and steps"
+                    f"store is {str(self.folder)!r}, which has another run, with another {' and '.join(others)}; "
+                    "permitted is an empty folder, or that of a run with the same profiles, law and steps"
                 )
             if content["distance"] + content["length"] > self.plan.mileage * (1.0 + 1e-9):
                 raise ValueError(
@@ -72,10 +76,12 @@ class Store:
         """Keep a step, and the ``worn`` profiles by side behind it."""
         if self.folder is None:
             return
-        for side, profile in (worn or {}).items():
-            write_atomically(self._profile_file(number, side), prepared_text(profile).encode())
+        texts = {side: prepared_text(profile).encode() for side, profile in (worn or {}).items()}
+        for side, text in texts.items():
+            write_atomically(self._profile_file(number, side), text)
         content = {
             "mark": self.mark,
+            "worn": {side: zlib.crc32(text) for side, text in texts.items()},
             "distance": step.distance,
             "length": step.length,
             "depth": {side: [part.tolist() for part in both] for side, both in step.depth.items()},
@@ -85,7 +91,26 @@ class Store:
             "left_out": step.left_out,
             "shapes": {side: asdict(shape) for side, shape in step.shapes.items()},
         }
-        write_atomically(self._file(number), json.dumps(content).encode())
+        write_atomically(self._file(number), json.dumps(content | {"sum": _sum(content)}).encode())
+
+    def _content(self, number):
+        """What is in a step's file, whole with the profiles behind it; ValueError otherwise."""
+        path = self._file(number)
+        try:
+            content = json.loads(path.read_text(encoding="utf-8"))
+            if content.pop("sum") == _sum(content):
+                for side, digest in content["worn"].items():
+                    path = self._profile_file(number, side)
+                    if zlib.crc32(path.read_bytes()) != digest:
+                        raise ValueError
+                return content
+        except (ValueError, LookupError, TypeError, AttributeError, FileNotFoundError):
+            pass
+        raise ValueError(
+            f"store is {str(self.folder)!r}, where {path.name} is damaged or not of this version; permitted are the "
+            f"files as wear_run wrote them; without {self._file(number).name} and all later steps the run goes on "
+            "from there"
+        )
 
     def _step(self, content, number):
         profiles = {
@@ -113,3 +138,17 @@ class Store:
 
     def _file(self, number):
         return self.folder / f"step_{number:05d}.json"
+
+
+def _digest(words):
+    return hashlib.sha256(json.dumps(words).encode()).hexdigest()
+
+
+def _sum(content):
+    """A number by which a change of a step's ``content`` is seen."""
+    return zlib.crc32(json.dumps(content).encode())
+
+
+def _others(there, here):
+    """Names of what differs between two marks."""
+    return [name for name in here if not isinstance(there, dict) or there.get(name) != here[name]]

@@ -8,11 +8,13 @@ with z down.  On a flank of 70 degrees that is mostly sideways.  Where nothing i
 profile stay as they are.
 """
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
+from ..kernel.prepare import zones as placement
 from ..profiles.profile import Profile
 from ..profiles.remarks import Reading
 from ..profiles.zones import Arc as Circle
@@ -52,7 +54,8 @@ def smoothed(depth, arc, smoothing):
 def worn_profile(arc, depth, remarks=()):
     """The profile of an ``arc`` with ``depth`` (bins,) [m] taken off along its normal.
 
-    A rail is shifted so that its highest point is the origin.  ``remarks`` are sentences for the profile's
+    A rail is shifted so that its highest point is the origin, and notes how far its inner face has worn, so that
+    it keeps its place on the track.  ``remarks`` are sentences for the profile's
     ``reading``.
 
     Raises
@@ -61,15 +64,27 @@ def worn_profile(arc, depth, remarks=()):
         if the worn curve folds.
     """
     profile, zones = arc.profile, arc.profile.zones
-    worn = np.flatnonzero(depth > NOTHING)
+    worn, face = np.flatnonzero(depth > NOTHING), profile.worn_face
     if len(worn):
         start, stop = arc.edges[max(worn[0] - 1, 0)], arc.edges[min(worn[-1] + 2, len(depth))]
         zones = tuple(_zones(arc, depth, *_not_steep(arc, start, stop)))
         if profile.kind == "rail":
+            face += _inner_face(arc, zones) - _inner_face(arc, profile.zones)
             top = _top(zones)
             zones = tuple(_shifted(zone, *top) for zone in zones)
     reading = Reading(len(zones), SPACING, SPACING, 0.0, 0.0, tuple(remarks))
-    return Profile(profile.name, profile.kind, zones, profile.smooth, reading=reading)
+    return Profile(profile.name, profile.kind, zones, profile.smooth, reading=reading, worn_face=face)
+
+
+def _inner_face(arc, zones):
+    """Place [m] of the inner face of a rail of these ``zones`` at the depth of the gauge, across the track; 0 where
+    the zones end above it, as no track can be laid with them."""
+    angle, rail = -math.atan(arc.inclination), Profile(arc.profile.name, "rail", zones, arc.profile.smooth)
+    numbers = rail.definition().tolist()
+    _, top = placement.highest_point(numbers, 0, angle)
+    depth = top + arc.gauge_depth / MM
+    place, reached = placement.inner_face(numbers, 0, angle, depth)
+    return place * MM if reached >= depth else 0.0
 
 
 def moved_places(arc, depth, worn):

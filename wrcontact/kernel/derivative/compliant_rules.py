@@ -1,7 +1,6 @@
 """How a placed wheel and its rail on springs follow the inputs (wheelset_rules.py has the method)."""
 
-from ..layout import Inputs, Tables, Work
-from ..search.roll import lean_both, place_both, turn_both
+from ..layout import Tables, Work
 from ..surface.gap import vertical_gap
 from ..surface.rails import is_sprung
 from ..wheelset.at_height import is_damped, load_at_height
@@ -9,38 +8,8 @@ from ..wheelset.requested import is_moving, is_needed
 from ..wheelset.leaning import set_reference
 from ..wheelset.rubbing import open_given_motion
 from ..wheelset.springs import UNSETTLED, deflect, has_settled, open_settling, weigh_rail
-from .elementary_rules import sine_cosine_rule
 from .intrinsics import held, moving, nonzero, rate_of, seeded
-
-
-def place_moving(tables: Tables, work: Work, inputs: Inputs, roll: float):
-    """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
-    place_both(tables, inputs, work.sides, roll)
-    if work.sides[1].place.leaning:
-        begin_yaw(work, inputs, roll)
-    else:
-        begin_yaw(work, inputs, roll)
-        if nonzero(rate_of(inputs.left_rail_roll)) or nonzero(rate_of(inputs.right_rail_roll)):
-            lean_both(tables, inputs, work.sides, roll)
-
-
-def begin_yaw(work: Work, inputs: Inputs, roll: float):
-    """Place wheels that begin to yaw as yawed ones."""
-    yaw = inputs.yaw
-    if yaw == 0.0 and nonzero(rate_of(yaw)):
-        sine, cosine = sine_cosine_rule(yaw)
-        work.sides[1].place.sin_yaw = sine
-        work.sides[1].place.cos_yaw = cosine
-        work.sides[1].place.yawed = True
-        work.sides[0].place.sin_yaw = -sine
-        work.sides[0].place.cos_yaw = cosine
-        work.sides[0].place.yawed = True
-        for index in range(2):
-            place = work.sides[index].place
-            if place.leaning:
-                place.track_sin_yaw = place.sin_yaw
-                place.track_cos_yaw = place.cos_yaw
-        turn_both(work.sides, roll)
+from .motion_rules import place_moving
 
 
 def follow_minimum(tables: Tables, work: Work, index: int):

@@ -8,17 +8,16 @@ equation that the result solves gives its rate. From r(x, p) = 0 follows
 
 Each iteration has one rule: it takes the kernel's own result, evaluates the equation there with rates, and
 gives the result the rate that follows. Values stay as they are. contact_rules.py has the rules of
-the rooms contact and normal, this file the wheelset and the whole step, ``differentiate``. The files are
-inputs of ``tools/differentiate`` and are not translated themselves; intrinsics.py has the words in which
+the rooms contact and normal, motion_rules.py those of yaw and velocities, compliant_rules.py those of rails on
+springs, turning_rules.py those of free rolling, this file the wheelset and the whole step, ``differentiate``.
+The files are inputs of ``tools/differentiate`` and are not translated themselves; intrinsics.py has the words in which
 they speak of rates.
 """
 
 from math import fabs
 
-from ..creep.motion import constraint_residual, set_rates
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Tables, Work
 from ..surface.gap import gap_per_roll, vertical_gap
-from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import sum_forces
 from ..wheelset.free_rolling import turns_freely
@@ -29,9 +28,10 @@ from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
 from ..wheelset.trial import balance_side
 from ..wheelset.vertical_load import carried_share, carries_friction
-from .compliant_rules import follow_compliant, follow_minimum, place_moving
-from .turning_rules import follow_turning
+from .compliant_rules import follow_compliant, follow_minimum
 from .intrinsics import held, moving, nonzero, rate_of, seeded
+from .motion_rules import follow_rates, place_moving
+from .turning_rules import follow_turning
 
 
 def follow_roll(tables: Tables, work: Work):
@@ -120,76 +120,6 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
     work.wheelset.roll = seeded(roll, roll_rate)
     work.wheelset.vertical_shift = seeded(height, height_rate)
     return False
-
-
-def follow_residuals(tables: Tables, work: Work, time: float, vertical: float, roll_rate: float):
-    """How much faster than the wheelset each side of an elastic one comes down [m/s], from ``time`` [s] before
-    to after or, in a standing one, until then (``depth_rates.find_residuals``)."""
-    set_rates(work.sides[0].motion, work.sides[1].motion, vertical, roll_rate)
-    follow_displaced(tables, work, time, vertical, roll_rate)
-    left = work.supports[0].height
-    right = work.supports[1].height
-    if motion_size(tables, work.inputs) > 0.0:
-        follow_displaced(tables, work, -time, vertical, roll_rate)
-        time *= 2.0
-    else:
-        work.supports[0].height = work.wheelset.vertical_shift
-        work.supports[1].height = work.wheelset.vertical_shift
-    left = (left - work.supports[0].height) / time - vertical
-    right = (right - work.supports[1].height) / time - vertical
-    if not side_force(work, 0) > 0.0:
-        left = constraint_residual(work.sides[0].motion)
-    if not side_force(work, 1) > 0.0:
-        right = constraint_residual(work.sides[1].motion)
-    return left, right
-
-
-def follow_displaced(tables: Tables, work: Work, time: float, vertical: float, roll_rate: float):
-    """Both sides of an elastic wheelset that has moved on by ``time`` [s], each under its load."""
-    displace_inputs(work, time)
-    height = work.wheelset.vertical_shift + time * vertical
-    set_reference(work.sides, height)
-    place_moving(tables, work, work.displaced, work.wheelset.roll + time * roll_rate)
-    work.contact.filling = False
-    for index in range(2):
-        force = side_force(work, index)
-        if force > 0.0:
-            balance_side(tables, work, index, force, height)
-    work.contact.filling = True
-
-
-def follow_rates(tables: Tables, work: Work):
-    """Vertical velocity and roll rate of an elastic wheelset: the residuals of both sides vanish
-    (``depth_rates.settle_rates``).  Their own derivatives by both are taken where the sides are displaced to: a
-    kink may lie on the way, and then those of the heights in between are others.
-
-    A wheelset that stands still has none, but begins to move; time, by which rates are multiplied, is any
-    then."""
-    vertical = held(work.wheelset.vertical_velocity)
-    roll_rate = held(work.wheelset.roll_rate)
-    left_motion = work.sides[0].motion
-    right_motion = work.sides[1].motion
-    speed = motion_size(tables, work.inputs)
-    time = 1.0
-    if speed > 0.0:
-        time = DISPLACED / speed
-    keep_sides(work)
-    left, right = follow_residuals(tables, work, time, seeded(vertical, 1.0), roll_rate)
-    left_vertical = rate_of(left)
-    right_vertical = rate_of(right)
-    left, right = follow_residuals(tables, work, time, vertical, seeded(roll_rate, 1.0))
-    left_roll = rate_of(left)
-    right_roll = rate_of(right)
-    left, right = follow_residuals(tables, work, time, vertical, roll_rate)
-    restore_sides(work)
-    left_vertical -= rate_of(left)
-    right_vertical -= rate_of(right)
-    left_roll -= rate_of(left)
-    right_roll -= rate_of(right)
-    determinant = left_vertical * right_roll - right_vertical * left_roll
-    vertical_rate = (rate_of(right) * left_roll - rate_of(left) * right_roll) / determinant
-    rate = (rate_of(left) * right_vertical - rate_of(right) * left_vertical) / determinant
-    set_rates(left_motion, right_motion, seeded(vertical, vertical_rate), seeded(roll_rate, rate))
 
 
 def differentiate(tables: Tables, work: Work) -> bool:

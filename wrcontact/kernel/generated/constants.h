@@ -1326,6 +1326,11 @@ static const double bounds__FINE_CELL = 0.000501;
 /* search/first_root.py */
 static const double first_root__APART = 1e-13;
 static const int64_t first_root__ROOT_TRIALS = INT64_C(300);
+static const double first_root__ROUNDS = 6291456.0;
+static const double first_root__GRID = 9.313225746154785e-10;
+static const double first_root__UNSURE = 2e-12;
+static const double first_root__SETTLED_ROLL = 1e-12;
+static const double first_root__SETTLED_PLACE = 1e-09;
 static const double first_root__LEVER_TURNED_SHARE = 1.1;
 static const double first_root__LEVER_YAWED_SHARE = 1.2;
 static const double first_root__LEANING_SHARE = 1.1;
@@ -1811,7 +1816,8 @@ static const double prepare_tables__STARTS_EACH_METRE = 2000.0;
 /* prepare/zones.py */
 static const int64_t prepare_zones__DEFINITION_COUNT = INT64_C(0);
 static const int64_t prepare_zones__DEFINITION_ROW = INT64_C(1);
-static const int64_t prepare_zones__DEFINITION_ZONES = INT64_C(2);
+static const int64_t prepare_zones__DEFINITION_WORN = INT64_C(2);
+static const int64_t prepare_zones__DEFINITION_ZONES = INT64_C(3);
 static const int64_t prepare_zones__ZONE_FAMILY = INT64_C(0);
 static const int64_t prepare_zones__ZONE_START = INT64_C(1);
 static const int64_t prepare_zones__ZONE_STOP = INT64_C(2);

@@ -7,64 +7,6 @@
  * Derivatives of compliant_rules.py.
  */
 
-/* Derivative of ``place_moving``. */
-static inline int64_t derivative_compliant_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
-{
-    derivative_roll__place_both_t(work, work_t, tables, inputs, roll, roll_t);
-    if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
-    {
-        derivative_compliant_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
-    }
-    else
-    {
-        derivative_compliant_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
-        if (derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) || derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)))
-        {
-            derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``begin_yaw``. */
-static inline int64_t derivative_compliant_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
-{
-    lanes yaw_t, sine_t, cosine_t;
-    double yaw, sine, cosine;
-    int64_t index, place;
-    EACH_LANE each(yaw_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_YAW));
-    yaw = AT(work, inputs + layout__INPUTS_YAW);
-    if (yaw == 0.0 && derivative_rates__nonzero(yaw_t))
-    {
-        derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = each(sine_t);
-        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) = sine;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
-        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW) = cosine;
-        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = all_lanes(0.0);
-        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = (double)true;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -each(sine_t);
-        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) = -sine;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
-        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW) = cosine;
-        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = all_lanes(0.0);
-        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = (double)true;
-        for (index = 0; index < 2; index += 1)
-        {
-            place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-            if (AT(work, place + layout__PLACE_LEANING) == 1.0)
-            {
-                EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
-                AT(work, place + layout__PLACE_TRACK_SIN_YAW) = AT(work, place + layout__PLACE_SIN_YAW);
-                EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
-                AT(work, place + layout__PLACE_TRACK_COS_YAW) = AT(work, place + layout__PLACE_COS_YAW);
-            }
-        }
-        derivative_roll__turn_both_t(work, work_t, roll, roll_t);
-    }
-    return 0;
-}
-
 /* Derivative of ``follow_minimum``. */
 static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
@@ -90,7 +32,7 @@ static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_
 static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
 {
     derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
-    derivative_compliant_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
@@ -145,7 +87,7 @@ static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1
     EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_compliant_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_t);
@@ -172,6 +114,190 @@ static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1
         }
     }
     return outcome;
+}
+
+
+/* ---- From derivative_motion_rules.py; change that one.
+ *
+ * Derivatives of motion_rules.py.
+ */
+
+/* Derivative of ``place_moving``. */
+static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
+{
+    derivative_roll__place_both_t(work, work_t, tables, inputs, roll, roll_t);
+    if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
+    {
+        derivative_motion_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
+    }
+    else
+    {
+        derivative_motion_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
+        if (derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) || derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)))
+        {
+            derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``begin_yaw``. */
+static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
+{
+    lanes yaw_t, sine_t, cosine_t;
+    double yaw, sine, cosine;
+    int64_t index, place;
+    EACH_LANE each(yaw_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_YAW));
+    yaw = AT(work, inputs + layout__INPUTS_YAW);
+    if (yaw == 0.0 && derivative_rates__nonzero(yaw_t))
+    {
+        derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = each(sine_t);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) = sine;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW) = cosine;
+        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = all_lanes(0.0);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = (double)true;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -each(sine_t);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) = -sine;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW) = cosine;
+        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = all_lanes(0.0);
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = (double)true;
+        for (index = 0; index < 2; index += 1)
+        {
+            place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
+            if (AT(work, place + layout__PLACE_LEANING) == 1.0)
+            {
+                EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
+                AT(work, place + layout__PLACE_TRACK_SIN_YAW) = AT(work, place + layout__PLACE_SIN_YAW);
+                EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
+                AT(work, place + layout__PLACE_TRACK_COS_YAW) = AT(work, place + layout__PLACE_COS_YAW);
+            }
+        }
+        derivative_roll__turn_both_t(work, work_t, roll, roll_t);
+    }
+    return 0;
+}
+
+/* Derivative of ``follow_residuals``. */
+static inline void derivative_motion_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+{
+    lanes left_t, right_t, v5_t, v6_t, rates;
+    double left, right, v1, v2, v3, v4, v5, v6;
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION, vertical, vertical_t, roll_rate, roll_rate_t);
+    derivative_motion_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
+    EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    left = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
+    EACH_LANE each(right_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
+    right = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
+    if (depth_rates__motion_size(work, tables, layout__WORK_INPUTS) > 0.0)
+    {
+        EACH_LANE each(rates) = -each(time_t);
+        derivative_motion_rules__follow_displaced_t(tables, work, work_t, -time, rates, vertical, vertical_t, roll_rate, roll_rate_t);
+        EACH_LANE each(time_t) = each(time_t) * 2.0;
+        time = time * 2.0;
+    }
+    else
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
+    }
+    v1 = left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
+    v2 = v1 / time;
+    EACH_LANE each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time - each(vertical_t);
+    left = v2 - vertical;
+    v3 = right - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
+    v4 = v3 / time;
+    EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time - each(vertical_t);
+    right = v4 - vertical;
+    if (!(requested__side_force(work, 0) > 0.0))
+    {
+        derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
+        EACH_LANE each(left_t) = each(v5_t);
+        left = v5;
+    }
+    if (!(requested__side_force(work, 1) > 0.0))
+    {
+        derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
+        EACH_LANE each(right_t) = each(v6_t);
+        right = v6;
+    }
+    *left_out = left;
+    EACH_LANE each(*left_t_out) = each(left_t);
+    *right_out = right;
+    EACH_LANE each(*right_t_out) = each(right_t);
+}
+
+/* Derivative of ``follow_displaced``. */
+static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+{
+    lanes height_t, v1_t, force_t, rates;
+    double height, v1, force;
+    int64_t index;
+    derivative_depth_rates__displace_inputs_t(work, work_t, time, time_t);
+    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + (each(time_t) * vertical + time * each(vertical_t));
+    height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
+    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + (each(time_t) * roll_rate + time * each(roll_rate_t));
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate, rates);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+    for (index = 0; index < 2; index += 1)
+    {
+        derivative_requested__side_force_t(&v1, &v1_t, work, work_t, index);
+        EACH_LANE each(force_t) = each(v1_t);
+        force = v1;
+        if (force > 0.0)
+        {
+            derivative_trial__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
+        }
+    }
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
+    return 0;
+}
+
+/* Derivative of ``follow_rates``. */
+static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    double vertical, roll_rate, v1, speed, time, v2, left, right;
+    int64_t right_motion;
+    lanes v1_t, speed_t, time_t, left_t, right_t, left_vertical, right_vertical, left_roll, right_roll, determinant, vertical_rate, rate;
+    vertical = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY);
+    roll_rate = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE);
+    right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
+    derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
+    EACH_LANE each(speed_t) = each(v1_t);
+    speed = v1;
+    time_t = all_lanes(0.0);
+    time = 1.0;
+    if (speed > 0.0)
+    {
+        v2 = depth_rates__DISPLACED / speed;
+        EACH_LANE each(time_t) = -v2 * each(speed_t) / speed;
+        time = v2;
+    }
+    derivative_depth_rates__keep_sides_t(work, work_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(1.0), roll_rate, all_lanes(0.0));
+    EACH_LANE each(left_vertical) = each(left_t);
+    EACH_LANE each(right_vertical) = each(right_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(1.0));
+    EACH_LANE each(left_roll) = each(left_t);
+    EACH_LANE each(right_roll) = each(right_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
+    derivative_depth_rates__restore_sides_t(work, work_t);
+    EACH_LANE each(left_vertical) = each(left_vertical) - each(left_t);
+    EACH_LANE each(right_vertical) = each(right_vertical) - each(right_t);
+    EACH_LANE each(left_roll) = each(left_roll) - each(left_t);
+    EACH_LANE each(right_roll) = each(right_roll) - each(right_t);
+    EACH_LANE each(determinant) = each(left_vertical) * each(right_roll) - each(right_vertical) * each(left_roll);
+    EACH_LANE each(vertical_rate) = (each(right_t) * each(left_roll) - each(left_t) * each(right_roll)) / each(determinant);
+    EACH_LANE each(rate) = (each(left_t) * each(right_vertical) - each(right_t) * each(left_vertical)) / each(determinant);
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
+    return 0;
 }
 
 
@@ -295,7 +421,7 @@ static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, la
     double roll, left, right, gap_left, mismatch_left, rate_left, gap_right, mismatch_right, rate_right, v1, v2, lever, v3;
     lanes gap_left_t, mismatch_left_t, rate_left_t, gap_right_t, mismatch_right_t, rate_right_t, v1_t, v2_t, lever_t;
     roll = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
-    derivative_compliant_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, all_lanes(0.0));
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, all_lanes(0.0));
     left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
     right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
     derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
@@ -315,7 +441,7 @@ static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes
     double left, mismatch, rate, right;
     lanes left_t, mismatch_t, rate_t, right_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_compliant_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
     derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
     *out_0 = left - height;
@@ -354,7 +480,7 @@ static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_
     double v1, v2;
     lanes v1_t, v2_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_compliant_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 0);
     derivative_requested__side_force_t(&v1, &v1_t, work, work_t, 0);
     derivative_trial__balance_side_t(tables, work, work_t, 0, v1, v1_t, height, height_t);
@@ -401,126 +527,6 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d t
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_rate);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
     return false;
-}
-
-/* Derivative of ``follow_residuals``. */
-static inline void derivative_wheelset_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
-{
-    lanes left_t, right_t, v5_t, v6_t, rates;
-    double left, right, v1, v2, v3, v4, v5, v6;
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION, vertical, vertical_t, roll_rate, roll_rate_t);
-    derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
-    EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
-    left = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
-    EACH_LANE each(right_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
-    right = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
-    if (depth_rates__motion_size(work, tables, layout__WORK_INPUTS) > 0.0)
-    {
-        EACH_LANE each(rates) = -each(time_t);
-        derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, -time, rates, vertical, vertical_t, roll_rate, roll_rate_t);
-        EACH_LANE each(time_t) = each(time_t) * 2.0;
-        time = time * 2.0;
-    }
-    else
-    {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-        AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
-    }
-    v1 = left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
-    v2 = v1 / time;
-    EACH_LANE each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time - each(vertical_t);
-    left = v2 - vertical;
-    v3 = right - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
-    v4 = v3 / time;
-    EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time - each(vertical_t);
-    right = v4 - vertical;
-    if (!(requested__side_force(work, 0) > 0.0))
-    {
-        derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
-        EACH_LANE each(left_t) = each(v5_t);
-        left = v5;
-    }
-    if (!(requested__side_force(work, 1) > 0.0))
-    {
-        derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
-        EACH_LANE each(right_t) = each(v6_t);
-        right = v6;
-    }
-    *left_out = left;
-    EACH_LANE each(*left_t_out) = each(left_t);
-    *right_out = right;
-    EACH_LANE each(*right_t_out) = each(right_t);
-}
-
-/* Derivative of ``follow_displaced``. */
-static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
-{
-    lanes height_t, v1_t, force_t, rates;
-    double height, v1, force;
-    int64_t index;
-    derivative_depth_rates__displace_inputs_t(work, work_t, time, time_t);
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + (each(time_t) * vertical + time * each(vertical_t));
-    height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + (each(time_t) * roll_rate + time * each(roll_rate_t));
-    derivative_compliant_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate, rates);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
-    for (index = 0; index < 2; index += 1)
-    {
-        derivative_requested__side_force_t(&v1, &v1_t, work, work_t, index);
-        EACH_LANE each(force_t) = each(v1_t);
-        force = v1;
-        if (force > 0.0)
-        {
-            derivative_trial__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
-        }
-    }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
-    return 0;
-}
-
-/* Derivative of ``follow_rates``. */
-static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
-{
-    double vertical, roll_rate, v1, speed, time, v2, left, right;
-    int64_t right_motion;
-    lanes v1_t, speed_t, time_t, left_t, right_t, left_vertical, right_vertical, left_roll, right_roll, determinant, vertical_rate, rate;
-    vertical = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY);
-    roll_rate = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE);
-    right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
-    derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
-    EACH_LANE each(speed_t) = each(v1_t);
-    speed = v1;
-    time_t = all_lanes(0.0);
-    time = 1.0;
-    if (speed > 0.0)
-    {
-        v2 = depth_rates__DISPLACED / speed;
-        EACH_LANE each(time_t) = -v2 * each(speed_t) / speed;
-        time = v2;
-    }
-    derivative_depth_rates__keep_sides_t(work, work_t);
-    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(1.0), roll_rate, all_lanes(0.0));
-    EACH_LANE each(left_vertical) = each(left_t);
-    EACH_LANE each(right_vertical) = each(right_t);
-    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(1.0));
-    EACH_LANE each(left_roll) = each(left_t);
-    EACH_LANE each(right_roll) = each(right_t);
-    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
-    derivative_depth_rates__restore_sides_t(work, work_t);
-    EACH_LANE each(left_vertical) = each(left_vertical) - each(left_t);
-    EACH_LANE each(right_vertical) = each(right_vertical) - each(right_t);
-    EACH_LANE each(left_roll) = each(left_roll) - each(left_t);
-    EACH_LANE each(right_roll) = each(right_roll) - each(right_t);
-    EACH_LANE each(determinant) = each(left_vertical) * each(right_roll) - each(right_vertical) * each(left_roll);
-    EACH_LANE each(vertical_rate) = (each(right_t) * each(left_roll) - each(left_t) * each(right_roll)) / each(determinant);
-    EACH_LANE each(rate) = (each(left_t) * each(right_vertical) - each(right_t) * each(left_vertical)) / each(determinant);
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
-    return 0;
 }
 
 /* Derivative of ``differentiate``. */
@@ -598,7 +604,7 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
             EACH_LANE each(roll_t) = each(v2_t);
             roll = v2;
         }
-        derivative_compliant_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
+        derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
         derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 0);
         derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 1);
         derivative_rigid__solve_rigid_t(tables, work, work_t, roll, roll_t);
@@ -618,7 +624,7 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     {
         if (AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) == 1.0 && !outcome)
         {
-            derivative_wheelset_rules__follow_rates_t(tables, work, work_t);
+            derivative_motion_rules__follow_rates_t(tables, work, work_t);
         }
     }
     if (free_rolling__turns_freely(tables, work))

@@ -46,8 +46,6 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
 static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes* out_1, double* v5_out, lanes* out_3, double* v6_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t);
 
 /* derivative_compliant_rules.py */
-static inline int64_t derivative_compliant_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
-static inline int64_t derivative_compliant_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
 static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
 static inline bool derivative_compliant_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
@@ -271,6 +269,13 @@ static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work
 static inline void derivative_motion__known_part_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion);
 static inline void derivative_motion__constraint_residual_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion);
 static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right);
+
+/* derivative_motion_rules.py */
+static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
+static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
+static inline void derivative_motion_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
+static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
+static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 
 /* derivative_node_patches.py */
 static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t count);
@@ -598,9 +603,6 @@ static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes
 static inline void derivative_wheelset_rules__follow_leaning_roll_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
 static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline void derivative_wheelset_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
-static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
-static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);

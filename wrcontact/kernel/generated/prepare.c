@@ -1721,7 +1721,7 @@ static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_do
     {
         return prepare_tables__WITHOUT_HEAD;
     }
-    AT(tables, pair + layout__PAIR_RAIL_Y) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE) / 2.0 + (y_top - y_gauge) * prepare_pieces__MM;
+    AT(tables, pair + layout__PAIR_RAIL_Y) = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_GAUGE) / 2.0 + AT(work, prepare_zones__DEFINITION_WORN) * prepare_pieces__MM + (y_top - y_gauge) * prepare_pieces__MM;
     AT(tables, pair + layout__PAIR_RAIL) = (double)(at - pair);
     end = prepare_pieces__write_profile(tables, at, work, 0, AT(setup, layout__SETUP_ABSENT), work, scratch);
     if (end != prepare_pieces__FULL)
@@ -2045,7 +2045,7 @@ static inline int64_t prepare_waves__write_strip(array_double_1d tables, int64_t
  * The zones that a profile is defined with, as numbers: polynomials and circular arcs,
  * upright or turned; in millimetres.
  *
- * A definition is one array: how many zones, the length of their rows, then the rows.
+ * A definition is one array: how many zones, the length of their rows, the wear of a rail's inner face, then the rows.
  * wrcontact/profiles/zones.py has the same zones as objects, and
  * wrcontact/profiles/definition.py turns one into the other.
  *

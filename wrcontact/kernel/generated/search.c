@@ -18,6 +18,10 @@ static inline double bounds__least_slope(double least, double most, double width
 
 /* search/first_root.py */
 static inline void first_root__solve_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
+static inline double first_root__on_grid(double x);
+static inline bool first_root__is_unsure(double x);
+static inline double first_root__on_other_grid(double x);
+static inline void first_root__settled_roll(double* roll_out, bool* out_1, array_double_1d work, array_double_1d tables, double roll);
 static inline void first_root__certified_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
 static inline bool first_root__falls_at_zero_roll(array_double_1d work, array_double_1d tables, double roll);
 static inline double first_root__lever_per_roll(double steep, double radius, double arm);
@@ -371,19 +375,92 @@ static inline double bounds__least_slope(double least, double most, double width
 /* Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
  *
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
- * no roll does not decide that.
+ * no roll does not decide that. The roll and both places of contact depend on the inputs alone, to the last bit.
  */
 static inline void first_root__solve_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
 {
     double roll;
     int64_t status;
+    bool settled;
     first_root__certified_roll(&roll, &status, work, tables, inputs, guess, warm);
-    if (status != layout__VALID && (guess != 0.0 || warm))
+    settled = false;
+    if (status == layout__VALID)
+    {
+        first_root__settled_roll(&roll, &settled, work, tables, roll);
+    }
+    if (!settled && (guess != 0.0 || warm))
     {
         first_root__certified_roll(&roll, &status, work, tables, inputs, 0.0, false);
+        if (status == layout__VALID)
+        {
+            first_root__settled_roll(&roll, &settled, work, tables, roll);
+        }
     }
     *roll_out = roll;
     *status_out = status;
+}
+
+/* The multiple of GRID that is nearest to ``x``. */
+static inline double first_root__on_grid(double x)
+{
+    return x + first_root__ROUNDS - first_root__ROUNDS;
+}
+
+/* Whether ``x`` is so close to the middle between two places of the grid that its last bits decide to
+ * which of them it is rounded.
+ */
+static inline bool first_root__is_unsure(double x)
+{
+    return fabs(x - first_root__on_grid(x)) > 0.5 * first_root__GRID - first_root__UNSURE;
+}
+
+/* The place of the grid that is nearest to ``x``, or where that is unsure the middle between two. */
+static inline double first_root__on_other_grid(double x)
+{
+    double place;
+    place = first_root__on_grid(x);
+    if (first_root__is_unsure(x))
+    {
+        place = first_root__on_grid(x + 0.25 * first_root__GRID) - 0.5 * first_root__GRID;
+    }
+    return place;
+}
+
+/* The ``roll`` [rad] and the known minima once more, from the nearest places of a grid; second value:
+ * whether they are found there.
+ *
+ * They were found to 1e-14, from somewhere else for every start. The places of the grid are the same for
+ * all, and so is each bit of what Newton's method finds from there. Where one of the three lies in the
+ * middle between two places of the grid, two starts may have gone on from different ones, and what they have
+ * found is rounded to other places.
+ */
+static inline void first_root__settled_roll(double* roll_out, bool* out_1, array_double_1d work, array_double_1d tables, double roll)
+{
+    double left, right, settled;
+    bool found;
+    left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
+    right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) = first_root__on_grid(left);
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) = first_root__on_grid(right);
+    roll__equalize_minima(&settled, &found, work, tables, first_root__on_grid(roll), -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
+    if (found && (first_root__is_unsure(settled) || first_root__is_unsure(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) || first_root__is_unsure(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y))))
+    {
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) = first_root__on_other_grid(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
+        AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) = first_root__on_other_grid(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y));
+        roll__equalize_minima(&settled, &found, work, tables, first_root__on_other_grid(settled), -layout__ROLL_LIMIT, layout__ROLL_LIMIT);
+    }
+    if (found && fabs(settled - roll) < first_root__SETTLED_ROLL && fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) - left) < first_root__SETTLED_PLACE && fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) - right) < first_root__SETTLED_PLACE)
+    {
+        *roll_out = settled;
+        *out_1 = true;
+        return;
+    }
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) = left;
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) = right;
+    roll__turn_both(work, roll);
+    roll__search_both(work, tables, false);
+    *roll_out = roll;
+    *out_1 = false;
 }
 
 /* ``solve_roll`` from this start alone. */

@@ -49,6 +49,8 @@ static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, dou
 /* wheelset/enclosing.py */
 static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height);
 static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
+static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, int64_t bracket, double apart, double roll, double height);
+static OUT_OF_LINE double enclosing__slope_apart(array_double_1d work, double move, double change);
 static OUT_OF_LINE void enclosing__stand_at_jump(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t steady, double left, double right);
 static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double height);
 static OUT_OF_LINE bool enclosing__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
@@ -1335,7 +1337,7 @@ static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* stat
  */
 static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
 {
-    double arm, rate, before, move, moved, lack_left, lack_right, apart, slope, factor, lack, width, following, sink;
+    double arm, rate, before, move, moved, lack_left, lack_right, apart, slope, lack, width, following, sink;
     bool below, above, satisfied, enclosed;
     int64_t trial, status, steady;
     arm = AT(tables, layout__TABLES_ARM);
@@ -1364,33 +1366,12 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
         lack_left = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) / rate;
         lack_right = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height) / rate;
         apart = lack_right - lack_left;
-        slope = double_min(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER), -enclosing__LEAST_LEVER);
-        if (move != 0.0)
-        {
-            factor = (apart - before) / (slope * move);
-            if (factor > enclosing__REDUCED)
-            {
-                slope *= factor;
-            }
-        }
-        steady = 0;
-        if (fabs(lack_right) < fabs(lack_left))
-        {
-            steady = 1;
-        }
+        slope = enclosing__slope_apart(work, move, apart - before);
+        steady = (int64_t)(fabs(lack_right) < fabs(lack_left));
         lack = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_HEIGHT) - height) / rate;
-        if (apart > 0.0)
-        {
-            below = true;
-            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = roll;
-            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = height + lack;
-        }
-        else
-        {
-            above = true;
-            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = roll;
-            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = height + lack;
-        }
+        enclosing__note_end(work, layout__WORK_ROLL_BRACKET, apart, roll, height + lack);
+        below = below || apart > 0.0;
+        above = above || !(apart > 0.0);
         enclosed = below && above;
         width = arm * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
         if (enclosed && width < enclosing__JUMP_SHARP && fabs(apart) > enclosing__STEEPEST * width)
@@ -1430,13 +1411,7 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
         }
         height += sink;
         roll += move;
-        if (!(fabs(roll) < layout__ROLL_LIMIT))
-        {
-            *roll_out = roll;
-            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
-            return;
-        }
-        if (!trial__turn_near(tables, work, roll))
+        if (!(fabs(roll) < layout__ROLL_LIMIT) || !trial__turn_near(tables, work, roll))
         {
             *roll_out = roll;
             *NOT_CONVERGED_out = layout__NOT_CONVERGED;
@@ -1445,6 +1420,40 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
     }
     *roll_out = roll;
     *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+}
+
+/* Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket; ``height`` [m] goes with it. */
+static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, int64_t bracket, double apart, double roll, double height)
+{
+    if (apart > 0.0)
+    {
+        AT(work, bracket + layout__BRACKET_LOW) = roll;
+        AT(work, bracket + layout__BRACKET_AT_LOW) = height;
+    }
+    else
+    {
+        AT(work, bracket + layout__BRACKET_HIGH) = roll;
+        AT(work, bracket + layout__BRACKET_AT_HIGH) = height;
+    }
+    return 0;
+}
+
+/* How D follows the roll [m], from the levers of both sides and its ``change`` [m] by the last ``move``
+ * [rad].
+ */
+static OUT_OF_LINE double enclosing__slope_apart(array_double_1d work, double move, double change)
+{
+    double slope, factor;
+    slope = double_min(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER), -enclosing__LEAST_LEVER);
+    if (move != 0.0)
+    {
+        factor = change / (slope * move);
+        if (factor > enclosing__REDUCED)
+        {
+            slope *= factor;
+        }
+    }
+    return slope;
 }
 
 /* Stand at the jump that the bracket encloses, at the end at which the wheel that jumps carries no less

@@ -68,6 +68,7 @@ class Support:
     low_load: float  # loads that give less and more than that [-]; 0 where none is known
     high_load: float
     turns: float  # in which these were found
+    trials: float  # of both wheels in this step, counted for the left one
     residual: float  # how much faster than the wheelset it comes down where it moves [m/s]
     point: ContactPoint  # what is kept of the side while it is displaced
     totals: PatchTotals

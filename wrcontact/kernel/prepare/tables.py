@@ -59,6 +59,7 @@ from .waves import write_waves
 from .zones import (
     DEFINITION_COUNT,
     DEFINITION_ROW,
+    DEFINITION_WORN,
     DEFINITION_ZONES,
     highest_point,
     inner_face,
@@ -301,7 +302,7 @@ def write_rail(
     turn_zones(work, 0, angle, -y_top, -z_top)
     if keep_around_top(work, 0) == 0:
         return WITHOUT_HEAD
-    pair.rail_y = setup.parameters.gauge / 2.0 + (y_top - y_gauge) * MM
+    pair.rail_y = setup.parameters.gauge / 2.0 + work[DEFINITION_WORN] * MM + (y_top - y_gauge) * MM
     pair.rail = Profile.at(tables, at)
     end = write_profile(tables.raw, at, work, 0, setup.absent, work, scratch)
     if end != FULL:

@@ -1,7 +1,7 @@
 """The zones that a profile is defined with, as numbers: polynomials and circular arcs,
 upright or turned; in millimetres.
 
-A definition is one array: how many zones, the length of their rows, then the rows.
+A definition is one array: how many zones, the length of their rows, the wear of a rail's inner face, then the rows.
 wrcontact/profiles/zones.py has the same zones as objects, and
 wrcontact/profiles/definition.py turns one into the other.
 
@@ -16,7 +16,8 @@ from ..elementary.circle import atan, sine_cosine
 
 DEFINITION_COUNT: Final[int] = 0
 DEFINITION_ROW: Final[int] = 1
-DEFINITION_ZONES: Final[int] = 2
+DEFINITION_WORN: Final[int] = 2  # how far the inner face of a rail has worn since it was laid
+DEFINITION_ZONES: Final[int] = 3
 
 # a row
 ZONE_FAMILY: Final[int] = 0  # one of FAMILY_...

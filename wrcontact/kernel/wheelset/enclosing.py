@@ -12,7 +12,7 @@ from math import fabs
 from typing import Final
 
 from ..contact.pressed import limited
-from ..layout import NOT_CONVERGED, ROLL_LIMIT, UNLOADED, Tables, Work, seldom
+from ..layout import NOT_CONVERGED, ROLL_LIMIT, UNLOADED, Bracket, Supports, Tables, Work, seldom
 from ..normal.normal_contact import residual_rate
 from .brackets import height_residual
 from .trial import depth_outcome, turn_near, turn_to
@@ -76,23 +76,12 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
         lack_left = (supports[0].height - height) / rate
         lack_right = (supports[1].height - height) / rate
         apart = lack_right - lack_left
-        slope = min(supports[0].lever + supports[1].lever, -LEAST_LEVER)
-        if move != 0.0:
-            factor = (apart - before) / (slope * move)
-            if factor > REDUCED:
-                slope *= factor
-        steady = 0
-        if fabs(lack_right) < fabs(lack_left):
-            steady = 1
+        slope = slope_apart(supports, move, apart - before)
+        steady = int(fabs(lack_right) < fabs(lack_left))
         lack = (supports[steady].height - height) / rate
-        if apart > 0.0:
-            below = True
-            bracket.low = roll
-            bracket.at_low = height + lack
-        else:
-            above = True
-            bracket.high = roll
-            bracket.at_high = height + lack
+        note_end(bracket, apart, roll, height + lack)
+        below = below or apart > 0.0
+        above = above or not apart > 0.0
         enclosed = below and above
         width = arm * (bracket.high - bracket.low)
         if enclosed and width < JUMP_SHARP and fabs(apart) > STEEPEST * width:
@@ -120,11 +109,32 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
             above = False
         height += sink
         roll += move
-        if not fabs(roll) < ROLL_LIMIT:
-            return roll, NOT_CONVERGED
-        if not turn_near(tables, work, roll):
+        if not fabs(roll) < ROLL_LIMIT or not turn_near(tables, work, roll):
             return roll, NOT_CONVERGED
     return roll, NOT_CONVERGED
+
+
+@seldom
+def note_end(bracket: Bracket, apart: float, roll: float, height: float):
+    """Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket; ``height`` [m] goes with it."""
+    if apart > 0.0:
+        bracket.low = roll
+        bracket.at_low = height
+    else:
+        bracket.high = roll
+        bracket.at_high = height
+
+
+@seldom
+def slope_apart(supports: Supports, move: float, change: float):
+    """How D follows the roll [m], from the levers of both sides and its ``change`` [m] by the last ``move``
+    [rad]."""
+    slope = min(supports[0].lever + supports[1].lever, -LEAST_LEVER)
+    if move != 0.0:
+        factor = change / (slope * move)
+        if factor > REDUCED:
+            slope *= factor
+    return slope
 
 
 @seldom

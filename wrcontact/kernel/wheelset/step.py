@@ -44,7 +44,14 @@ from .rubbing import move_patches, move_wheelset, rub_patches
 from .report import report
 from .rigid import find_roll, keep_roll, solve_rigid
 from .trial import turn_to
-from .vertical_load import LOAD_PASSES, carries_friction, is_load_met, release_friction, share_load
+from .vertical_load import (
+    LOAD_PASSES,
+    carries_friction,
+    is_load_lost,
+    is_load_met,
+    release_friction,
+    share_load,
+)
 
 
 def evaluate(tables: Tables, work: Work, state: State):
@@ -69,6 +76,8 @@ def solve_with_friction(tables: Tables, work: Work, state: State, status: int):
     for i in range(LOAD_PASSES):
         if outcome > UNLOADED or is_load_met(work):
             return outcome
+        if is_load_lost(work):
+            return NOT_CONVERGED
         share_load(work)
         outcome = solve_wheelset(tables, work, state)
     return NOT_CONVERGED

@@ -64,6 +64,7 @@ def balance_side(tables: Tables, work: Work, index: int, force: float, height: f
 def balance_both(tables: Tables, work: Work, left: float, right: float, height: float):
     """``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
     work.sides[1].roll_count += 1.0
+    work.supports[0].trials += 1.0
     status = balance_side(tables, work, 0, left, height)
     if status <= UNLOADED:
         outcome = balance_side(tables, work, 1, right, height)

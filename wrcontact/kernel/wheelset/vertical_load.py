@@ -9,7 +9,8 @@ A steep flange on which friction acts downwards jams: the more it is loaded, the
 patch reaches the flange root.  There the load is met with a multiple of it as normal force.  A wheel without
 load carries none, so that the loads tried enclose the one that is sought as soon as one of them carries too
 much: until then they are doubled, and what secants do not find, halving does.  Where the vertical force jumps
-past Q, the loads end at the jump, and the one above it is taken.
+past Q, the loads end at the jump, and there is no answer; nor is there one where the wheel would be deeper in
+its rail than DEEPEST, or after so many passes or trials.
 """
 
 from math import fabs
@@ -17,18 +18,22 @@ from typing import Final
 
 from ..layout import LOAD_VERTICAL, MODE_COMPLIANT, Support, Tables, Work
 from .requested import has_creep_forces
+from .trial import DEEPEST
 
 #: The load is met when no wheel misses it by more than this share [-].
 LOAD_MET: Final[float] = 1e-9
-#: The wheelset is solved again so often at most; secants alone find the loads in the first of these turns.
-LOAD_PASSES: Final[int] = 80
+#: The wheelset is solved again so often at most, and an elastic one in so many trials of both wheels: the
+#: first pass takes about ten, and some hundreds where its equilibrium has to be bracketed.
+LOAD_PASSES: Final[int] = 60
+LOAD_TRIALS: Final[float] = 800.0
+#: Secants alone find the loads in the first of these turns.
 LOAD_SECANTS: Final[float] = 8.0
 #: In one turn the load changes by a factor between this and its inverse.
 LARGEST_CHANGE: Final[float] = 2.0
 #: A secant through two loads that differ by less than this share is not tried [-].
 LEAST_CHANGE: Final[float] = 1e-12
 #: Two loads that enclose the one that is sought enclose a jump when they differ by less than this share [-].
-AT_JUMP: Final[float] = 1e-13
+AT_JUMP: Final[float] = 1e-12
 
 
 def release_friction(work: Work):
@@ -41,6 +46,7 @@ def release_friction(work: Work):
         support.low_load = 0.0
         support.high_load = 0.0
         support.turns = 0.0
+        support.trials = 0.0
 
 
 def carries_friction(tables: Tables, work: Work) -> bool:
@@ -62,21 +68,42 @@ def carried_share(work: Work, index: int):
 
 
 def is_load_met(work: Work) -> bool:
-    """Whether neither wheel misses the vertical force that is wanted, unless this jumps past it."""
+    """Whether neither wheel misses the vertical force that is wanted, or is deeper in its rail than
+    DEEPEST."""
     met = True
     for index in range(2):
-        support = work.supports[index]
-        share = carried_share(work, index)
-        jumps = (
-            is_enclosed(support)
-            and share > 1.0
-            and support.share_before < 1.0
-            and support.friction_load == support.high_load
-            and support.load_before == support.low_load
-        )
-        if not jumps and fabs(share - 1.0) > LOAD_MET:
+        if not fabs(carried_share(work, index) - 1.0) <= LOAD_MET:
+            met = False
+        if not work.sides[index].penetration <= DEEPEST:
             met = False
     return met
+
+
+def is_load_lost(work: Work) -> bool:
+    """Whether there is no load to be tried any more: a wheel gives too little where it is deeper in its rail
+    than DEEPEST; or one jumps past its load, and the other one does so too or is at its own; or the trials
+    are used up."""
+    lost = work.supports[0].trials > LOAD_TRIALS
+    jumping = True
+    for index in range(2):
+        share = carried_share(work, index)
+        if fabs(share - 1.0) > LOAD_MET and not is_jump(work.supports[index], share):
+            jumping = False
+        if share < 1.0 and not work.sides[index].penetration <= DEEPEST:
+            lost = True
+    return lost or jumping
+
+
+def is_jump(support: Support, share: float) -> bool:
+    """Whether the load of a side has just gone from one end of those that enclose the one that is sought to
+    the other, and its ``share`` of what is wanted from too little to too much."""
+    return (
+        is_enclosed(support)
+        and share > 1.0
+        and support.share_before < 1.0
+        and support.friction_load == support.high_load
+        and support.load_before == support.low_load
+    )
 
 
 def is_enclosed(support: Support) -> bool:
