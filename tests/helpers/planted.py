@@ -103,8 +103,8 @@ ERRORS = [
     Error(
         "own_bound",
         "own_most = most_rail - least_wheel +",
-        "own_most = most_rail - most_wheel +",
-        "a part of a cell is bounded by the wrong bend of its wheel",
+        "own_most = least_rail - least_wheel +",
+        "a part of a cell is bounded by the wrong bend of its rail",
         "search/test_corners.py",
     ),
     Error(
