@@ -62,7 +62,7 @@ LAWS = [
         "left_roll -= 1.02 * rate_of(left)",
         "the roll rate of an elastic wheelset follows another slope",
         STRAIGHT,
-        "wrcontact/kernel/derivative/wheelset_rules.py",
+        "wrcontact/kernel/derivative/motion_rules.py",
     ),
     (
         "fall_spin",
