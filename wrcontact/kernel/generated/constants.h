@@ -1502,6 +1502,8 @@ static const double strip_contact__SUNK_DEEPER = 1.15;
 static const double strip_contact__SUNK_LESS = 0.5;
 static const int64_t strip_contact__SINKINGS = INT64_C(4);
 static const double strip_contact__PARTED = 3.0;
+static const double strip_contact__PARTED_VERTICAL = 15.0;
+static const double strip_contact__LIGHTEST = 1.0;
 
 /* normal/strip_lengths.py */
 static const double strip_lengths__POWER = 0.45;

@@ -2198,9 +2198,14 @@ static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out,
  */
 static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables)
 {
-    double load, pressure, carried, largest;
+    double load, pressure, parted, carried, largest;
     int64_t i, strip, i_end;
     strip_levels__level_contact(&load, &pressure, work);
+    parted = strip_contact__PARTED;
+    if ((int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_VERTICAL)
+    {
+        parted = strip_contact__PARTED_VERTICAL;
+    }
     carried = 0.0;
     largest = 0.0;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
@@ -2212,7 +2217,11 @@ static inline bool strip_contact__agrees_with_levels(array_double_1d work, array
     }
     carried *= 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
     largest *= M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
-    return carried > load / strip_contact__PARTED && carried < load * strip_contact__PARTED && largest < pressure * strip_contact__PARTED;
+    if (carried < strip_contact__LIGHTEST && load < strip_contact__LIGHTEST)
+    {
+        return true;
+    }
+    return carried > load / parted && carried < load * parted && largest < pressure * parted;
 }
 
 /* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone

@@ -22,7 +22,7 @@ from typing import Final
 from ..contact.deep_points import deepest_entry
 from ..contact.frame import is_yawed, locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
-from ..layout import Contact, Pair, SideSearch, StripProblem, Tables
+from ..layout import SEPARATION_VERTICAL, Contact, Pair, SideSearch, StripProblem, Tables
 from .analyn_contact import solve_analyn
 from .estimate import first_penetration
 from .strip_levels import begin_runs, deepen_levels, level_contact
@@ -46,6 +46,11 @@ SINKINGS: Final[int] = 4
 #: Strips whose load or largest pressure is off what ANALYN's levels have by more than this factor are wrong.
 #: Right ones carry 0.50 ... 1.62 of that load, and have a largest pressure of up to 2.2 times that one.
 PARTED: Final[float] = 3.0
+#: The same with distances along the vertical: they rise suddenly in the flange root, where levels are narrow
+#: and strips bridge them; right ones have up to 9 times the levels' largest pressure there.
+PARTED_VERTICAL: Final[float] = 15.0
+#: Strips that carry less are not judged [N]: their levels are within what gaps are known to.
+LIGHTEST: Final[float] = 1.0
 
 
 def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):
@@ -112,6 +117,9 @@ def agrees_with_levels(tables: Tables, problem: StripProblem) -> bool:
     Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.
     """
     load, pressure = level_contact(problem)
+    parted = PARTED
+    if tables.separation == SEPARATION_VERTICAL:
+        parted = PARTED_VERTICAL
     carried = 0.0
     largest = 0.0
     for i in range(problem.count):
@@ -120,7 +128,9 @@ def agrees_with_levels(tables: Tables, problem: StripProblem) -> bool:
         largest = max(largest, strip.y)
     carried *= 0.5 * pi * pi * tables.contact_modulus
     largest *= pi * tables.contact_modulus
-    return carried > load / PARTED and carried < load * PARTED and largest < pressure * PARTED
+    if carried < LIGHTEST and load < LIGHTEST:
+        return True
+    return carried > load / parted and carried < load * parted and largest < pressure * parted
 
 
 def coarse_contact(pair: Pair, contact: Contact, force: float):
