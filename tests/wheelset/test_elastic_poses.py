@@ -27,11 +27,12 @@ def random_poses(count, seed, shift=9e-3, yaw=0.06, forces=(1.0, 4e5), transfer=
 
 
 @pytest.mark.parametrize(
-    "model, mean, most", [("analyn", 10, 100), ("analyn_strip", 12.5, 100), ("hertz", 10, 100)]
+    "model, mean, most", [("analyn", 12, 100), ("analyn_strip", 14, 100), ("hertz", 12, 100)]
 )
 def test_a_step_takes_few_trials(model, mean, most):
-    """Measured with those of the rigid search: 8.7 on average (12.0 with strips, whose first ones are
-    coarse), 20 at the 99th percentile, 74 at most, with brackets."""
+    """Measured with those of the rigid search, which ends with one more Newton step from a rounded roll so that
+    its last bits are those of the inputs alone: 10.9 on average (12.2 with strips, whose first ones are coarse),
+    22 at the 99th percentile, 53 at most, with brackets."""
     stepper, counts = elastic(normal_model=model).stepper(), []
     for pose in zip(*random_poses(600, 44, 8e-3, 0.03, (1e3, 1.5e5), 0.5)):
         stepper.inputs[[0, 1, 3, 4]] = pose
@@ -133,7 +134,11 @@ ONCE_TOO_STEEP = [
     ("basic", (0.006434177935025435, 0.021933914269399883, 190255.06901448508, 0.43692107314968576)),
     ("basic", (0.0065390967883287195, -0.010049882209345197, 168127.83108761467, 0.7583132760564419)),
     ("basic", (0.00646611254798964, -0.0274989256469922, 173709.85983908392, 0.6047533954709294)),
-    ("separation", (0.00646611254798964, -0.0274989256469922, 173709.85983908392, 0.6047533954709294)),
+    pytest.param(
+        "separation",
+        (0.00646611254798964, -0.0274989256469922, 173709.85983908392, 0.6047533954709294),
+        marks=pytest.mark.xfail(strict=True, reason=VERTICAL_SIDE),
+    ),
     ("separation", (0.0065022498121319085, -0.02087709900787211, 190650.18990882143, 0.9067269304079526)),
     ("separation", (0.00637832868166607, 0.030976122547405567, 153597.37537829397, 0.5586651678481243)),
     ("separation", (0.0064203371819753635, -0.020948591203970697, 177722.16171836772, 0.5811281964470212)),

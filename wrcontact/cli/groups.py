@@ -79,6 +79,17 @@ WORDS = {
         "positive when it rolls forward; 0 is that of free rolling"
         for side in ("left", "right")
     },
+    "free_rolling": "A --wheel-rate of 0 means wheels that turn freely or under --axle-torque; otherwise it "
+    "means wheels that do not turn",
+    "nominal_rolling": "Free wheels turn at --speed over --nominal-radius, a rotation that brakes or drives, "
+    "instead of the one without torque",
+    "axle_torque": "Torque of motor or brake on the wheelset about its axle, positive where it drives forward; "
+    "read where --wheel-rate is 0",
+    **{
+        f"{side}_axle_torque": f"{side.capitalize()} wheel: torque of motor or brake on it with "
+        "--independent-wheels, positive where it drives forward"
+        for side in ("left", "right")
+    },
     "independent_wheels": "Each wheel turns by itself, with --left-wheel-rate and --right-wheel-rate instead "
     "of --wheel-rate",
     "wear_outputs": "Compute what models of wear read: the place on both profiles, the friction power and "
