@@ -18,7 +18,7 @@ from math import fabs
 
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Tables, Work
 from ..surface.gap import gap_per_roll, vertical_gap
-from ..wheelset.elastic import UNBALANCED
+from ..wheelset.enclosing import UNBALANCED
 from ..wheelset.forces import sum_forces
 from ..wheelset.free_rolling import turns_freely
 from ..wheelset.requested import is_moving, side_force
@@ -94,7 +94,7 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
     """The elastic position: the residuals of both sides' heights vanish, over height and roll.
 
     Whether it does not: then the wheelset is where a side's load jumps past its force
-    (elastic.bracket_height), and no equation gives the rate of that place.
+    (enclosing.stand_at_jump), and no equation gives the rate of that place.
     """
     roll = work.wheelset.roll
     height = work.wheelset.vertical_shift

@@ -11,13 +11,15 @@ from ..layout import PIECE_SIZE, CubicTable, Piece, Profile, inlined
 def table_cell(u: float, last: float):
     """The cell that holds ``u`` [cells], and where in it, 0 ... 1.
 
-    ``u`` is clamped to 0 ... ``last``, and is 0 if it is not a number.
+    ``u`` is clamped to 0 ... ``last``, and is 0 if it is not a number.  At an end it still moves.
     """
-    u = min(max(0.0, u), last)
-    cell = int(u)
+    place = 0.0
+    if u >= 0.0:
+        place = min(u, last)
+    cell = int(place)
     if cell > int(last) - 1:
         cell = int(last) - 1
-    return cell, u - float(cell)
+    return cell, place - float(cell)
 
 
 def read_cubic(table: CubicTable, at: float):

@@ -40,8 +40,6 @@ from .trial import balance_both, depth_outcome, estimate_approach, turn_near, tu
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 18
-#: Where the sum of both residuals is larger, brackets have found a jump and no equilibrium [m].
-UNBALANCED: Final[float] = 1e-9
 #: Strips are solved coarsely in the first trials, until a move is shorter [m]: the residual that it leaves is
 #: then as large as what is off in coarse penetrations.
 COARSE: Final[float] = 1.5e-5

@@ -30,11 +30,12 @@ SAME_GAP: Final[float] = 1e-9
 LONGEST_MOVE: Final[float] = 2e-4
 #: Smallest sum of both levers [m] for a first estimate of the roll; flanges of 73 deg have none.
 LEAST_LEVER: Final[float] = 1e-2
-#: Trials at most, and how narrow the bracket of a jump becomes [m].
-ENCLOSINGS: Final[int] = 40
-JUMP_SHARP: Final[float] = 1e-9
-#: In so narrow a bracket a value of D above this multiple of the width is a jump [-].
-STEEPEST: Final[float] = 100.0
+#: Trials at most, and how narrow the bracket of a jump becomes [m]: derivatives there are differences over
+#: 1e-7 m, which 1e-9 would leave 1 % off.
+ENCLOSINGS: Final[int] = 60
+JUMP_SHARP: Final[float] = 1e-12
+#: In so narrow a bracket a value of D above this is a jump, and no equilibrium [m].
+UNBALANCED: Final[float] = 1e-9
 #: A step that has not reduced D by this factor halves the bracket; D falls by at least this share of what the
 #: levers say, where it is taken to be smooth [-].
 REDUCED: Final[float] = 0.5
@@ -84,7 +85,7 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
         above = above or not apart > 0.0
         enclosed = below and above
         width = arm * (bracket.high - bracket.low)
-        if enclosed and width < JUMP_SHARP and fabs(apart) > STEEPEST * width:
+        if enclosed and width < JUMP_SHARP and fabs(apart) > UNBALANCED:
             roll, status = stand_at_jump(tables, work, steady, left, right)
             return roll, status
         following = roll - apart / slope
