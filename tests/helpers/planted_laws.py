@@ -25,6 +25,22 @@ LAWS = [
         CORRECTION,
     ),
     (
+        "straight_end",
+        "if u >= 0.0:\n        place = min(u, last)",
+        "if u > 0.0:\n        place = min(u, last)",
+        "what lies at the very end of a table does not move",
+        STRAIGHT,
+        "wrcontact/kernel/surface/tables.py",
+    ),
+    (
+        "jump_wide",
+        "JUMP_SHARP: Final[float] = 1e-12",
+        "JUMP_SHARP: Final[float] = 1e-9",
+        "differences at a jump of an elastic wheelset are off by 1 %",
+        "derivative/test_derivatives.py",
+        "wrcontact/kernel/wheelset/enclosing.py",
+    ),
+    (
         "straight_even",
         "on_elevation *= on_elevation",
         "on_elevation *= 1.0",

@@ -25,9 +25,9 @@ HIDDEN = [
     (-0.006017456757690824, 0.02959442139722454, 29704.693451247294),
     (-0.006217536055066883, -0.020150010234988525, 130542.16528259638),
 ]
-#: Measured: 46 trials at most over 10 000 random poses and 10 000 steps of a hunting wheelset, 9 in the
-#: median, those of the rigid roll among them.
-MOST_TRIALS = 60
+#: Measured: 61 trials at most over 10 000 random poses, at a jump, which is found to 1e-12 m, 11 in the median;
+#: those of the rigid roll are among them.
+MOST_TRIALS = 70
 
 
 def trials(stepper, pose):
