@@ -1652,7 +1652,6 @@ static const int64_t depth_rates__PASSES = INT64_C(6);
 
 /* wheelset/elastic.py */
 static const int64_t elastic__TRIALS = INT64_C(18);
-static const double elastic__UNBALANCED = 1e-09;
 static const double elastic__COARSE = 1.5e-05;
 static const double elastic__NEAR = 2e-06;
 static const double elastic__CLEAR_SHARE = 0.15;
@@ -1666,9 +1665,9 @@ static const double enclosing__NOT_LAST = 1e-10;
 static const double enclosing__SAME_GAP = 1e-09;
 static const double enclosing__LONGEST_MOVE = 0.0002;
 static const double enclosing__LEAST_LEVER = 0.01;
-static const int64_t enclosing__ENCLOSINGS = INT64_C(40);
-static const double enclosing__JUMP_SHARP = 1e-09;
-static const double enclosing__STEEPEST = 100.0;
+static const int64_t enclosing__ENCLOSINGS = INT64_C(60);
+static const double enclosing__JUMP_SHARP = 1e-12;
+static const double enclosing__UNBALANCED = 1e-09;
 static const double enclosing__REDUCED = 0.5;
 
 /* wheelset/fatigue.py */

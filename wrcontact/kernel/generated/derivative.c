@@ -502,7 +502,7 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d t
     height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1;
     derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(0.0));
-    if (fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) + fabs(AT(work, right + layout__SUPPORT_HEIGHT) - height) > elastic__UNBALANCED)
+    if (fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) + fabs(AT(work, right + layout__SUPPORT_HEIGHT) - height) > enclosing__UNBALANCED)
     {
         return true;
     }

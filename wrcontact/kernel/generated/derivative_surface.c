@@ -691,35 +691,33 @@ static inline void derivative_rails__on_track_t(double* out_0, lanes* out_1, dou
  */
 
 /* Derivative of ``table_cell``. */
-static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* out_1, lanes* u_t_out, double u, lanes u_t, double last, lanes last_t)
+static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* out_1, lanes* place_t_out, double u, lanes u_t, double last, lanes last_t)
 {
-    double v1, v2;
-    lanes v1_t, v2_t;
+    lanes place_t, v1_t;
+    double place, v1;
     int64_t cell;
-    v1 = 0.0;
-    v1_t = all_lanes(0.0);
-    if (u > v1)
+    place_t = all_lanes(0.0);
+    place = 0.0;
+    if (u >= 0.0)
     {
         v1 = u;
         EACH_LANE each(v1_t) = each(u_t);
+        if (last < v1)
+        {
+            v1 = last;
+            EACH_LANE each(v1_t) = each(last_t);
+        }
+        EACH_LANE each(place_t) = each(v1_t);
+        place = v1;
     }
-    v2 = v1;
-    EACH_LANE each(v2_t) = each(v1_t);
-    if (last < v2)
-    {
-        v2 = last;
-        EACH_LANE each(v2_t) = each(last_t);
-    }
-    EACH_LANE each(u_t) = each(v2_t);
-    u = v2;
-    cell = (int64_t)u;
+    cell = (int64_t)place;
     if (cell > (int64_t)last - 1)
     {
         cell = (int64_t)last - 1;
     }
     *cell_out = cell;
-    *out_1 = u - (double)cell;
-    EACH_LANE each(*u_t_out) = each(u_t);
+    *out_1 = place - (double)cell;
+    EACH_LANE each(*place_t_out) = each(place_t);
 }
 
 /* Derivative of ``read_cubic``. */

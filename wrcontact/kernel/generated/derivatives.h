@@ -556,7 +556,7 @@ static inline void derivative_strip_surfaces__rest_gap_t(double* out_0, lanes* o
 static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d work, array_lanes_1d work_t);
 
 /* derivative_tables.py */
-static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* out_1, lanes* u_t_out, double u, lanes u_t, double last, lanes last_t);
+static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* out_1, lanes* place_t_out, double u, lanes u_t, double last, lanes last_t);
 static inline void derivative_tables__read_cubic_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double at, lanes at_t);
 static inline void derivative_tables__read_cubic_jet_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, int64_t table, double at, lanes at_t);
 static inline void derivative_tables__height_slope_t(double* out_0, lanes* out_1, double* slope_out, lanes* slope_t_out, array_double_1d tables, int64_t profile, double y, lanes y_t);

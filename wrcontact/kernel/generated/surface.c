@@ -560,19 +560,24 @@ static inline void rails__on_track(double* out_0, double* out_1, array_double_1d
 
 /* The cell that holds ``u`` [cells], and where in it, 0 ... 1.
  *
- * ``u`` is clamped to 0 ... ``last``, and is 0 if it is not a number.
+ * ``u`` is clamped to 0 ... ``last``, and is 0 if it is not a number.  At an end it still moves.
  */
 static inline void tables__table_cell(int64_t* cell_out, double* out_1, double u, double last)
 {
+    double place;
     int64_t cell;
-    u = double_min(double_max(0.0, u), last);
-    cell = (int64_t)u;
+    place = 0.0;
+    if (u >= 0.0)
+    {
+        place = double_min(u, last);
+    }
+    cell = (int64_t)place;
     if (cell > (int64_t)last - 1)
     {
         cell = (int64_t)last - 1;
     }
     *cell_out = cell;
-    *out_1 = u - (double)cell;
+    *out_1 = place - (double)cell;
 }
 
 /* Value of the function; outside the table, that at its end. */

@@ -1376,7 +1376,7 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
         above = above || !(apart > 0.0);
         enclosed = below && above;
         width = arm * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
-        if (enclosed && width < enclosing__JUMP_SHARP && fabs(apart) > enclosing__STEEPEST * width)
+        if (enclosed && width < enclosing__JUMP_SHARP && fabs(apart) > enclosing__UNBALANCED)
         {
             enclosing__stand_at_jump(&roll, &status, tables, work, steady, left, right);
             *roll_out = roll;
