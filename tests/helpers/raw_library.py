@@ -47,6 +47,9 @@ INPUTS = (
         for side in ("left", "right")
         for part in ("lateral", "vertical")
     ),
+    "axle_torque",
+    "left.axle_torque",
+    "right.axle_torque",
 )
 NOWHERE = 0x10  # an address that nothing may look at
 

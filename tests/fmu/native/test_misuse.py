@@ -68,6 +68,7 @@ UNIT_OF_INPUT = {
     "left.wheel_rate": " rad/s",
     "right.wheel_rate": " rad/s",
     "rail_time_step": " s",
+    **dict.fromkeys(("axle_torque", "left.axle_torque", "right.axle_torque"), " N.m"),
     **{
         f"{side}.rail_deflection_{part}_before": " m"
         for side in ("left", "right")
