@@ -102,8 +102,11 @@ def check_mirror(wheelset, given, table):
             mine, twin = getattr(one, name), getattr(other, name)
             patches = np.maximum(patches, np.abs(mine - twin) / (1e-9 + np.abs(mine)))
         mine, twin = creepages(one), creepages(other) * np.array([1, -1, -1])[None, :, None]
-        # 1e-6 m/s is the least V_ref
         slides = np.maximum(slides, (np.abs(mine - twin) / (1e-3 + np.abs(mine))).max(axis=(0, 1)))
+    if wheelset["contact_mode"] == "elastic":
+        # the velocities of its height and roll are found, to 1e-5 of how fast it moves across: over a speed of
+        # nothing that is no creepage
+        slides[np.abs(given["speed"]) < 1e-2] = 0.0
     return patches[good], slides[good]
 
 
