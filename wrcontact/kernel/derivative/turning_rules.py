@@ -4,6 +4,7 @@ method)."""
 from math import fabs
 from ..creep.motion import are_independent
 from ..layout import Tables, Work
+from ..surface.rails import on_springs
 from ..wheelset.forces import rub_patch
 from ..wheelset.free_rolling import UNCARRIED, nominal_rate
 from ..wheelset.requested import is_free, outer_torque
@@ -52,7 +53,7 @@ def follow_torque(tables: Tables, work: Work, first: int, last: int, rate: float
     """What ``rate`` leaves of the torques about the axle, and the torque of all friction [N m]."""
     for index in range(first, last + 1):
         work.turning.rates[index] = rate
-    if tables.sprung:
+    if on_springs(tables):
         follow_compliant(tables, work)
         open_given_motion(tables, work)
     scale = 0.0

@@ -377,7 +377,7 @@ static inline void derivative_turning_rules__follow_torque_t(double* torque_out,
         EACH_LANE each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index)) = each(rate_t);
         AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
     }
-    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
+    if (rails__on_springs(tables))
     {
         derivative_compliant_rules__follow_compliant_t(tables, work, work_t);
         derivative_rubbing__open_given_motion_t(tables, work, work_t);

@@ -1875,7 +1875,7 @@ static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d
         free_rolling__torque_at(&torque, &status, tables, work, first, last, start);
         return status;
     }
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) = (double)(!(AT(tables, layout__TABLES_SPRUNG) == 1.0));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) = (double)(!rails__on_springs(tables));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) = (double)false;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) = (double)true;
     status = free_rolling__seek(tables, work, first, last, start);
@@ -1941,7 +1941,7 @@ static inline void free_rolling__torque_at(double* out_0, int64_t* VALID_out, ar
         AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
     }
     status = layout__VALID;
-    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
+    if (rails__on_springs(tables))
     {
         status = compliant__solve_compliant(tables, work);
         if (status > layout__UNLOADED)

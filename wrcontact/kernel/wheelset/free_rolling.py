@@ -46,6 +46,7 @@ from ..layout import (
     Tables,
     Work,
 )
+from ..surface.rails import on_springs
 from .compliant import solve_compliant
 from .forces import rub_patch
 from .requested import has_creep_forces, is_free, outer_torque
@@ -120,7 +121,7 @@ def turn(tables: Tables, work: Work, first: int, last: int):
     if not is_known_model(tables):
         torque, status = torque_at(tables, work, first, last, start)
         return status
-    rolling.keeping = not tables.sprung
+    rolling.keeping = not on_springs(tables)
     rolling.kept = False
     rolling.resting = True
     status = seek(tables, work, first, last, start)
@@ -170,7 +171,7 @@ def torque_at(tables: Tables, work: Work, first: int, last: int, rate: float):
     for index in range(first, last + 1):
         work.turning.rates[index] = rate
     status = VALID
-    if tables.sprung:
+    if on_springs(tables):
         status = solve_compliant(tables, work)
         if status > UNLOADED:
             return 0.0, status
