@@ -169,17 +169,23 @@ def _run_errors(y, z, length):
 def check_gaps(found, remarks):
     """Report the gaps that are bridged; a Refusal if one is too wide and not a straight stretch."""
     y, z = found.y, found.z
-    chord, step = np.hypot(np.diff(y), np.diff(z)), np.diff(y)
-    usual = np.abs(step - np.median(step)) <= EVEN * np.median(step)
-    # points at even steps of y are far apart where the curve is steep
-    wide = step if np.mean(usual) >= MOST_EVEN else chord
-    for i in np.flatnonzero((chord > GAP) & (wide > SPACINGS * np.median(wide))):
+    chord, far = apart(y, z)
+    for i in np.flatnonzero((chord > GAP) & far):
         if chord[i] > WIDEST_GAP and not straight_over(y, z, i):
             raise Refusal(
                 f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of "
                 f"{chord[i]:.3g} mm; permitted are {WIDEST_GAP:g} mm or a straight stretch"
             )
         remarks.append(f"gap of {chord[i]:.3g} mm bridged ({stretch(y[i : i + 2])})")
+
+
+def apart(y, z):
+    """Lengths of the chords [mm], and whether each is far longer than the usual one."""
+    chord, step = np.hypot(np.diff(y), np.diff(z)), np.diff(y)
+    usual = np.abs(step - np.median(step)) <= EVEN * np.median(step)
+    # points at even steps of y are far apart where the curve is steep
+    wide = step if np.mean(usual) >= MOST_EVEN else chord
+    return chord, wide > SPACINGS * np.median(wide)
 
 
 def straight_over(y, z, i):

@@ -16,6 +16,7 @@ from .flaws import (
     SIDE,
     WIDEST_GAP,
     Mended,
+    apart,
     check_gaps,
     rounded,
     straight_over,
@@ -362,8 +363,8 @@ def without_far_parts(found, kind, remarks):
     y, z = found.y, found.z
     start, stop = 0, len(y)
     middle, tip = _middle(found, kind), int(np.argmax(np.where(y < 0.0, z, -np.inf)))
-    chord = np.hypot(np.diff(y), np.diff(z))
-    for i in np.flatnonzero(chord > WIDEST_GAP):
+    chord, wide = apart(y, z)
+    for i in np.flatnonzero((chord > WIDEST_GAP) & wide):
         near = i + 1 if i < middle else i  # the end of the gap that is nearer to the middle
         far = z[near] - z.min() > NEEDED if kind == "rail" else near <= tip or y[near] > FIELD
         if not far or straight_over(y, z, i):
