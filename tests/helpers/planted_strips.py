@@ -171,8 +171,8 @@ STRIP_LAWS = [
     ),
     (
         "strip_guard",
-        "largest < pressure * PARTED",
-        "largest < 1e3 * pressure * PARTED",
+        "largest < pressure * parted",
+        "largest < 1e3 * pressure * parted",
         "a spike of pressure is an answer",
         FLANGES,
         CONTACT,
