@@ -80,11 +80,13 @@ def check_sound(scene, poses):
 
 
 def may_part(scene, poses):
-    """Poses whose strips may part from ANALYN's levels, which is status 3 (strip_contact.agrees_with_levels):
-    heavy ones on steep flanges, 1 of 800 drawn poses."""
+    """Poses that may have status 3: those whose strips may part from ANALYN's levels
+    (strip_contact.agrees_with_levels), heavy ones on steep flanges, 1 of 800 drawn poses; and vertical loads of
+    less than a nanonewton, of which no share of 1e-9 can be met."""
     given = poses.arguments
-    heavy_ones = np.asarray(given["normal_force"]) * (1.0 + np.abs(given["load_transfer"])) > 3e5
-    return heavy_ones & (scene.arguments["normal_model"] == "analyn_strip")
+    force, transfer = np.asarray(given["normal_force"]), np.abs(given["load_transfer"])
+    parts = (force * (1.0 + transfer) > 3e5) & (scene.arguments["normal_model"] == "analyn_strip")
+    return parts | ((force * (1.0 - transfer) < 1e-9) & (scene.arguments["load"] == "vertical"))
 
 
 @amounts((8, 100), (100, 100), (400, 1000))
