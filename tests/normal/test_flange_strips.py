@@ -155,14 +155,14 @@ def test_where_there_is_no_room_the_narrowest_run_goes():
     problem = work.contact.strip_problem
     last = problem.traced_count - 1
     problem.next_count = 0
-    widths = (4e-4, 2e-4, 3e-4, 5e-4, 6e-4, 7e-4, 1.5e-4, 8e-4)
+    widths = (5e-4, 3e-4, 4e-4, 6e-4, 7e-4, 8e-4, 2.6e-4, 9e-4)  # each wide enough for a run
     for i, width in enumerate(widths):
         start = 1e-3 * (i - 4)
         add_run(problem, 0, last, start, start + width)
     adopt_runs(problem)
     found = [problem.runs[k].stop - problem.runs[k].start for k in range(problem.run_count)]
     assert problem.run_count == layout.STRIP_RUN_LIMIT
-    assert found == pytest.approx([4e-4, 3e-4, 5e-4, 6e-4, 7e-4, 8e-4], rel=1e-9)
+    assert found == pytest.approx([5e-4, 4e-4, 6e-4, 7e-4, 8e-4, 9e-4], rel=1e-9)
 
 
 def test_of_too_many_deepest_points_the_one_touched_last_goes():
