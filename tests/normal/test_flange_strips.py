@@ -157,7 +157,7 @@ def test_where_there_is_no_room_the_narrowest_run_goes():
     problem.next_count = 0
     widths = (5e-4, 3e-4, 4e-4, 6e-4, 7e-4, 8e-4, 2.6e-4, 9e-4)  # each wide enough for a run
     for i, width in enumerate(widths):
-        start = 1e-3 * (i - 4)
+        start = 1.5e-3 * (i - 4)
         add_run(problem, 0, last, start, start + width)
     adopt_runs(problem)
     found = [problem.runs[k].stop - problem.runs[k].start for k in range(problem.run_count)]
