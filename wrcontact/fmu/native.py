@@ -2,6 +2,7 @@
 Python."""
 
 import importlib.util
+import os
 import tempfile
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import fmpy
 
 from .. import __version__
 from ..interface.variables import PLACE, REFERENCE, VARIABLES
-from ..kernel.binding.compiler import FMU_UNITS, compile_platform
+from ..kernel.binding.compiler import FMU_UNITS, KEPT, compile_platform
 from ..kernel.binding.files import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
 from ..progress import tracked
@@ -42,7 +43,8 @@ def build_native_fmus(
     wheel, rail : file of a profile that is packed and becomes the default, a path or a
         :class:`~wrcontact.ProfileFile`; or a built-in name; or a pair (left, right) of these.
     platforms : names of :data:`~wrcontact.kernel.platforms.PLATFORMS`; None is this machine's.
-    cache : folder in which compiled sources are kept for the next FMUs; None keeps nothing.
+    cache : folder in which compiled sources are kept for the next FMUs; None is the one that
+        WRCONTACT_COMPILED names, and keeps nothing without it.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
     settings : start values of other parameters, by their names in the FMU.
     side : None for a wheelset; "right" or "left" for one wheel by itself, on this rail.
@@ -58,7 +60,8 @@ def build_native_fmus(
     )
     variant.check(starts)
     with tempfile.TemporaryDirectory() as folder:
-        platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
+        platforms = platforms or [host_platform()]
+        cache = cache or os.environ.get(KEPT) or Path(folder, "cache")
         made = {
             version: native_fmu(version, starts, profiles, platforms, folder, cache, variant)
             for version in tracked(HEADERS, "packing the native FMUs")
