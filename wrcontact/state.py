@@ -209,7 +209,7 @@ class WheelsetState(View):
         self._inputs = inputs
         self._places = kept
         self._system, self._equilibrium = system, None
-        super().__init__(values if kept is None else Kept(values, kept, width), 0)
+        self._values, self._offset = values if kept is None else Kept(values, kept, width), 0
 
     @property
     def inputs(self):

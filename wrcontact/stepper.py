@@ -12,7 +12,7 @@ from queue import SimpleQueue
 
 import numpy as np
 
-from .interface.calls import PLACES, STARTS, unknown_input
+from .interface.calls import PLACES, START_ROW, unknown_input
 from .interface.inputs import INPUT_NAMES
 from .kernel import layout
 from .kernel.binding.library import default_kernel
@@ -63,7 +63,8 @@ class Stepper:
 
     def __init__(self, tables, bind=None):
         self._tables, self._bind = tables.copy(), bind
-        self.inputs = np.array(STARTS, dtype=float)
+        self.inputs = np.array(START_ROW)
+        self.numbers = memoryview(self.inputs)  # the same: single numbers go in and out in half the time
         self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
         self.force, self.moment = self.outputs[FORCE], self.outputs[MOMENT]
         self.state = np.zeros(layout.STATE_SIZE)
@@ -124,10 +125,10 @@ class Stepper:
         force, moment : in the axes of the track, the moment about the wheelset's centre.  NaN where the step
             has status 2, 3 or 4, and where they are not wanted.
         """
-        inputs = self.inputs
+        numbers = self.numbers
         try:
             for name, value in motion.items():
-                inputs[PLACES[name]] = value
+                numbers[PLACES[name]] = value
         except KeyError:
             raise unknown_input(name) from None
         if self._bound.step() > layout.UNLOADED:

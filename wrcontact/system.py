@@ -15,10 +15,14 @@ from functools import partial
 import numpy as np
 
 from .interface.calls import (
+    NUMBERS,
+    START_ROW,
     check_count,
     describe_inputs,
     describe_parameters,
+    given_inputs,
     input_values,
+    single_number,
     unknown_parameter,
     warn_of_inputs,
     wrong_input,
@@ -214,25 +218,28 @@ class ContactSystem:
         """
         if type(outputs) is not str or outputs not in DEPTHS:
             return self._evaluate_some(arguments, penetration, side, outputs, inputs)
-        stepper = self._stepper_at(penetration, side, outputs, input_values(arguments, inputs))
+        stepper = self._stepper_at(penetration, side, outputs, given_inputs(arguments, inputs))
         status = stepper.step()
         found = stepper.outputs.copy()
         if status > layout.UNLOADED:
             found[:] = math.nan
         return WheelsetState(found, STATUSES[status], stepper.inputs.copy(), system=self._balancing())
 
-    def _stepper_at(self, penetration, side, outputs, values):
-        """This thread's stepper with input ``values``, not stepped."""
+    def _stepper_at(self, penetration, side, outputs, given):
+        """This thread's stepper with the inputs ``given`` by their places, not stepped."""
         stepper = getattr(self._own, "stepper", None)
         if stepper is None:
             stepper = self._own.stepper = self.stepper()
         stepper.prescribe(penetration)
         stepper.want(side, outputs)
+        row = stepper.numbers
+        row[:] = START_ROW
         try:
-            stepper.inputs[:] = values
+            for place, value in given.items():
+                row[place] = value if type(value) in NUMBERS else single_number(value)
         except (TypeError, ValueError):
-            raise wrong_input(values, array=False) from None
-        warn_of_inputs(values, self._told)
+            raise wrong_input(input_values(given), array=False) from None
+        warn_of_inputs(given, self._told)
         return stepper
 
     def derivatives(self, of, by, *, penetration=None, **inputs):
@@ -259,7 +266,7 @@ class ContactSystem:
         """
         names = listed("of", of)
         own = [name for name in names if name not in EQUILIBRIUM]
-        stepper = self._stepper_at(penetration, "both", "all", input_values((), inputs))
+        stepper = self._stepper_at(penetration, "both", "all", given_inputs((), inputs))
         rows = dict(zip(own, stepper.derivatives(own, by)))
         balanced = [name for name in names if name in EQUILIBRIUM]
         if balanced:
@@ -295,7 +302,7 @@ class ContactSystem:
 
     def _evaluate_some(self, arguments, penetration, side, outputs, inputs):
         """:meth:`evaluate` for outputs by name: the row of a table."""
-        values = input_values(arguments, inputs)
+        values = input_values(given_inputs(arguments, inputs))
         if any(np.ndim(value) for value in values):
             raise wrong_input(values, array=False)
         given = {row.keyword: value for row, value in zip(INPUTS, values)}
@@ -391,15 +398,16 @@ class ContactSystem:
     def _many(self, arguments, penetration, side, outputs, inputs):
         """What evaluate_many needs: rows of inputs (n, inputs), the selection of outputs, and a stepper for
         them."""
-        given = input_values(arguments, inputs)
+        given = given_inputs(arguments, inputs)
+        values = input_values(given)
         try:
-            columns = [np.asarray(column, dtype=float) for column in given]
+            columns = [np.asarray(column, dtype=float) for column in values]
             shape = np.broadcast_shapes((1,), *(column.shape for column in columns))
         except (TypeError, ValueError):
-            raise wrong_input(given, array=True) from None
+            raise wrong_input(values, array=True) from None
         if len(shape) != 1:
-            raise wrong_input(given, array=True)
-        warn_of_inputs(columns, self._told)
+            raise wrong_input(values, array=True)
+        warn_of_inputs(given, self._told)
         stepper = self._new_stepper()
         wanted = selected(side, outputs, len(stepper.outputs))
         stepper.want(wanted.side, wanted.depth)

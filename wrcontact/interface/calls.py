@@ -16,32 +16,48 @@ POSITIONAL = [place for place, row in enumerate(INPUTS) if row.positional]
 NAMED = [INPUTS[place].keyword for place in POSITIONAL]
 PLACES = {row.keyword: place for place, row in enumerate(INPUTS)}
 STARTS = [row.start for row in INPUTS]
-#: Inputs with a usual range, with their places.
+START_ROW = memoryview(np.array(STARTS, dtype=float))
+#: Inputs with a usual range, with their places; what an input is without being given lies within it.
 USUAL = [(place, row, *row.usual) for place, row in enumerate(INPUTS) if row.usual is not None]
 #: Types of a value that is one number, and needs no other check.
 NUMBERS = {float, int, np.float64}
 
 
-def input_values(arguments, keywords):
-    """The value of every input in the kernel's order, from the arguments and keywords of a call."""
-    values = STARTS.copy()
+def given_inputs(arguments, keywords):
+    """The values that a call gives by the places of their inputs in the kernel's order: {place: value}."""
+    given = {}
     for place, value in zip(POSITIONAL, arguments):
-        values[place] = value if type(value) in NUMBERS else checked_input(place, value)
+        given[place] = value if type(value) in NUMBERS else checked_input(place, value)
     for name, value in keywords.items():
-        if name not in PLACES:
+        place = PLACES.get(name)
+        if place is None:
             raise unknown_input(name)
-        place = PLACES[name]
-        values[place] = value if type(value) in NUMBERS else checked_input(place, value)
+        given[place] = value if type(value) in NUMBERS else checked_input(place, value)
     if len(arguments) > len(NAMED):
         raise TypeError(
             f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, and others by name"
         )
-    if arguments and (twice := keywords.keys() & set(NAMED[: len(arguments)])):
+    if len(given) < len(arguments) + len(keywords):
+        twice = min(keywords.keys() & set(NAMED[: len(arguments)]))
         raise TypeError(
-            f"the input {min(twice)} is given twice, by its place and by its name; permitted is "
-            "one of the two"
+            f"the input {twice} is given twice, by its place and by its name; permitted is one of the two"
         )
+    return given
+
+
+def input_values(given):
+    """The value of every input in the kernel's order, with those ``given`` by their places."""
+    values = STARTS.copy()
+    for place, value in given.items():
+        values[place] = value
     return values
+
+
+def single_number(value):
+    """A number of another type than NUMBERS as a float; TypeError or ValueError if it is none, or an array."""
+    if np.ndim(value):
+        raise ValueError("an array")
+    return float(value)
 
 
 def unknown_input(name):
@@ -88,12 +104,13 @@ def _behind(row):
     return "" if row.unit == "1" else f", in {row.unit}"
 
 
-def warn_of_inputs(values, told):
-    """Give an UnusualValueWarning for every input among ``values``, numbers or arrays in the kernel's order,
+def warn_of_inputs(given, told):
+    """Give an UnusualValueWarning for every input among those ``given``, numbers or arrays by their places,
     whose largest number is above 0 and outside its usual range; once for each name in the set ``told``."""
     for place, row, low, high in USUAL:
-        value = values[place]
-        if isinstance(value, np.ndarray) and value.ndim:
+        value = given.get(place, 0.0)
+        if type(value) not in NUMBERS:
+            value = np.asarray(value, dtype=float)
             value = np.max(value, initial=0.0, where=np.isfinite(value))
         if value > 0.0 and not low <= value <= high and row.name not in told:
             if warn_unusual(row.name, value, row.unit, row.usual):

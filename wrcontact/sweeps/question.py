@@ -11,7 +11,7 @@ from hashlib import sha256
 import numpy as np
 
 from .. import __version__
-from ..interface.calls import input_values, warn_of_inputs
+from ..interface.calls import given_inputs, warn_of_inputs
 from ..interface.parameters import LEFT, PARAMETERS
 from ..methods.numbers import unit_behind
 from ..profiles.catalogue import BUILDERS, standard_profile
@@ -74,7 +74,7 @@ def asked(system, axes, outputs, fixed):
         outputs = tuple(outputs)
     width = len(system.stepper().outputs)
     names = output_names(selected("both", outputs, width).places, width)
-    warn_of_inputs(input_values((), {**axes, **fixed}), system._told)
+    warn_of_inputs(given_inputs((), {**axes, **fixed}), system._told)
     return Question(system, axes, fixed, outputs, names)
 
 
