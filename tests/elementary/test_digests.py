@@ -17,6 +17,7 @@ from tests.helpers.paths import ROOT
 from tests.helpers.platforms import needs, needs_zig
 from tools.make_fixed_tables import made_tables
 from wrcontact.kernel.binding.compiler import ZIG, find_compiler
+from wrcontact.kernel.binding.exact_tables import INFLUENCE_MAP
 from wrcontact.kernel.binding.files import host_platform
 from wrcontact.kernel.binding.fixed_tables import stored_tables
 from wrcontact.kernel.binding.library import Kernel
@@ -116,10 +117,17 @@ def test_of_a_library_with_fused_multiply_add():
 
 def test_the_stored_tables_are_those_of_the_tool():
     """Numpy's functions differ by processor: the last bits of values count once (1e-12), in slopes by
-    differences over a thousandth of a cell, a thousand times; nothing of that is seen beside the tables'
-    own errors, 1e-12 and 1e-7."""
+    differences over a thousandth of a cell, a thousand times; where lines of pressure lie close together, 1e-3,
+    their sums are divided by that (measured: 1.2e-8).  Nothing of that is seen beside the tables' own errors,
+    1e-12 and 1e-7."""
     made = made_tables()
-    for name, allowed in (("hertz", 1e-11), ("influence", 1e-9), ("rolling", 1e-11)):
-        stored = stored_tables()[name]
-        scale = np.maximum(np.abs(stored), 1.0)
-        assert len(stored) == len(made[name]) and (np.abs(made[name] - stored) / scale).max() < allowed, name
+    for name, part, allowed in (
+        ("hertz", slice(None), 1e-11),
+        ("influence", slice(None, INFLUENCE_MAP), 1e-9),
+        ("influence", slice(INFLUENCE_MAP, None), 5e-8),
+        ("rolling", slice(None), 1e-11),
+    ):
+        stored, found = stored_tables()[name], made[name]
+        assert len(stored) == len(found), name
+        apart = np.abs(found - stored)[part] / np.maximum(np.abs(stored), 1.0)[part]
+        assert apart.max() < allowed, (name, apart.max())

@@ -38,6 +38,12 @@ def loaded_cli(*words, **settings):
     return program
 
 
+def usual_signals():
+    """Take signals as a terminal's programs do: a shell's background and nohup ignore some of them."""
+    for number in (signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
 def _program(source, words, settings):
     command = [sys.executable, "-c", source, *map(str, words)]
     return subprocess.Popen(
@@ -46,7 +52,7 @@ def _program(source, words, settings):
         text=True,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        preexec_fn=usual_signals,
         **settings,
     )
 
@@ -102,7 +108,7 @@ def building(folder, cache, **settings):
         text=True,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        preexec_fn=usual_signals,
         **settings,
     )
 
