@@ -521,7 +521,7 @@ def test_entry_point():
 @pytest.mark.parametrize(
     "name, most",
     [
-        ("one_pose", 40),
+        pytest.param("one_pose", 40, marks=pytest.mark.full),
         pytest.param("lateral_sweep", 40, marks=pytest.mark.full),
         pytest.param("compare_models", 40, marks=pytest.mark.full),
         pytest.param("step_the_fmu", 40, marks=pytest.mark.full),

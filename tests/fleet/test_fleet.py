@@ -111,6 +111,7 @@ def test_rails_that_lean_are_decided_file_by_file_and_counted(tmp_path):
     assert re.search(r"<p><b>wheel profile aside: the back of its flange is at y = -60 mm", rest)
 
 
+@pytest.mark.full
 def test_json_is_that_of_the_pair_alone(fleet, folder, files, run, tmp_path):
     row = fleet[1]
     code, _, _ = run(
@@ -277,6 +278,7 @@ def test_damaged_lines_are_done_again(files, tmp_path, examined, fleet, folder, 
     assert [row["conicity_3mm"] for row in again] == [row["conicity_3mm"] for row in fleet]
 
 
+@pytest.mark.full
 def test_a_pair_that_lacks_its_picture_is_done_again(tmp_path, examined):
     """Its JSON alone is not all of it; and other parameters make other pairs."""
     given = ("S1002", "UIC60", tmp_path / "out")
