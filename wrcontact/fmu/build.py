@@ -46,7 +46,8 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None, settings=Non
     wheel, rail : file of a profile that is packed and becomes the default, a path or a
         :class:`~wrcontact.ProfileFile`; or a built-in name; or a pair (left, right) of these.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
-    settings : start values of other parameters, by their names in the FMU.
+    settings : start values of inputs and of other parameters, by their names in the FMU; a compliant
+        wheelset whose ``vertical_shift_input`` is not among them starts where it carries its load.
 
     Raises
     ------

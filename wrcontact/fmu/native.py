@@ -44,7 +44,8 @@ def build_native_fmus(
     platforms : names of :data:`~wrcontact.kernel.platforms.PLATFORMS`; None is this machine's.
     cache : folder in which compiled sources are kept for the next FMUs; None keeps nothing.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
-    settings : start values of other parameters, by their names in the FMU.
+    settings : start values of inputs and of other parameters, by their names in the FMU; a compliant
+        wheelset or wheel whose ``vertical_shift_input`` is not among them starts where it carries its load.
     side : None for a wheelset; "right" or "left" for one wheel by itself, on this rail.
 
     Raises
@@ -54,7 +55,7 @@ def build_native_fmus(
     """
     variant = single_wheel(side) if side else WHEELSET
     starts, profiles = packed_profiles(
-        smoothing, variant.starts(settings), wheel_profile=wheel, rail_profile=rail
+        smoothing, variant.starts(settings), variant.side, wheel_profile=wheel, rail_profile=rail
     )
     variant.check(starts)
     with tempfile.TemporaryDirectory() as folder:
@@ -72,9 +73,9 @@ def build_native_fmus(
     return list(targets)
 
 
-def packed_profiles(smoothing=None, settings=None, **chosen):
-    """Start values of parameters, and all profiles that can be chosen, by name."""
-    starts, own = chosen_starts(smoothing, settings, **chosen)
+def packed_profiles(smoothing=None, settings=None, side="", **chosen):
+    """Start values of parameters and inputs, and all profiles that can be chosen, by name."""
+    starts, own = chosen_starts(smoothing, settings, side, **chosen)
     return starts, {**{name: standard_profile(name) for name in BUILDERS}, **own}
 
 
