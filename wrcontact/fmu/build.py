@@ -5,13 +5,15 @@ in the FMU. Therefore the package in an FMU has a name that contains a hash of e
 runs its own code, not that of another FMU and not that of an installed wrcontact.
 """
 
+import sys
 from pathlib import Path
 
 import pythonfmu
 
 from .. import __version__
 from ..interface.variables import VARIABLES
-from ..kernel.binding.files import PLATFORMS
+from ..kernel.binding.compiler import LOADER_NAME, LOADER_PLATFORM, CompilerProblem, compile_loader
+from ..kernel.binding.files import PLATFORMS, host_platform
 from ..profiles.files import prepared_text
 from ..storage.atomic import write_atomically
 from .archive import SOURCES, archive, chosen_starts, fingerprint, licence, problems_of
@@ -72,7 +74,29 @@ def runtime():
     entries = {f"resources/pythonfmu/{file.name}": file.read_bytes() for file in RUNTIME.glob("*.py")}
     for library in RUNTIME.glob("resources/binaries/*/*"):
         entries[f"binaries/{library.parent.name}/{MODEL}{library.suffix}"] = library.read_bytes()
+    place = f"binaries/{PLATFORMS[LOADER_PLATFORM].fmi2}"
+    if loading := loader():
+        entries[f"{place}/pythonfmu-export.so"] = entries[f"{place}/{MODEL}.so"]
+        entries[f"{place}/{MODEL}.so"] = loading
     return entries
+
+
+def loader():
+    """The library that hosts on Linux load, which loads PythonFMU's (fmu_src/python/loader.c): compiled now, or
+    as the installation compiled it; None, with a warning on the platform itself, if there is none."""
+    try:
+        return compile_loader(SOURCES / "python")
+    except CompilerProblem:
+        installed = Path(__file__).with_name(LOADER_NAME)
+        if installed.is_file():
+            return installed.read_bytes()
+    if host_platform() == LOADER_PLATFORM:
+        print(
+            "WARNING: the FMU gets no loader, since there is no C compiler: it must be unpacked in a folder whose "
+            "path has only letters of English, digits and - _ . /",
+            file=sys.stderr,
+        )
+    return None
 
 
 def runtime_platforms():
