@@ -36,7 +36,13 @@ library.default_kernel()
 fixed_tables(True)
 '''
 #: Text of documentation/externalDependencies.txt, which FMI 2.0 requires.
-DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of PythonFMU in this FMU.\n"
+DEPENDENCIES = b"""A Python of 3.10 or newer with numpy.
+
+A host that is a Python uses itself.  On Linux another host needs libpython: the loader in this FMU takes the one
+in the process, else the file that the environment variable WRCONTACT_LIBPYTHON names, else that of the first python3
+in PATH, else any libpython3.*.so.1.0 that the system finds.  That Python must find numpy.  On Windows
+PythonFMU's library needs python3.dll in PATH.
+"""
 
 
 def build_fmu(output="dist", wheel=None, rail=None, smoothing=None, settings=None):
