@@ -125,8 +125,8 @@ class Wheelset(Fmi2Slave):
 
     def _starts(self):
         """Start values that this FMU was built with, by name."""
-        file = Path(self.resources, STARTS)
-        return json.loads(file.read_text()) if file.is_file() else {}
+        file = self.resources and Path(self.resources, STARTS)
+        return json.loads(file.read_text()) if file and file.is_file() else {}
 
     # --- variables ------------------------------------------------------------------------------------------
 
