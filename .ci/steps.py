@@ -43,7 +43,11 @@ PYTEST = (PYTHON, "-m", "pytest", "-q", "-n", "auto")
 INSTALLED = (PYTHON, "-m", "pip", "install", "-q", "--no-compile")
 EXTRAS = ("cluster", "films", "site", "tables", "vehicle")
 #: Extras that one file of tests wants, which does not run every day.
-SELDOM = {"importers": "tests/fmu/test_importers.py", "types": "tests/docs/test_types.py"}
+SELDOM = {
+    "importers": "tests/fmu/test_importers.py",
+    "types": "tests/docs/test_types.py",
+    "engines": "tests/motion/test_engines.py",
+}
 #: The older processor: numpy and glibc without wide vectors and fused multiply-add.
 OLDER = {
     "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX2_Usable,-FMA_Usable",

@@ -32,6 +32,7 @@ from setuptools.command.build_py import build_py
 
 PACKAGE = Path(__file__).resolve().parents[1] / "wrcontact"
 KERNEL = PACKAGE / "kernel"
+SOURCES = PACKAGE.parent / "fmu_src"
 
 
 def module_of_sources(name):
@@ -69,10 +70,10 @@ class BuildWithKernel(build_py):
         super().run()
         package = PACKAGE if self.editable_mode else Path(self.build_lib, "wrcontact")
         self.distribution.has_kernel_library = compiler.wanted() and compiled_into(package / "kernel")
+        if self.distribution.has_kernel_library:
+            loader_into(package / "fmu")
         if not self.editable_mode:
-            shutil.copytree(
-                PACKAGE.parent / "fmu_src", package / "fmu_src", ignore=shutil.ignore_patterns("__pycache__")
-            )
+            shutil.copytree(SOURCES, package / "fmu_src", ignore=shutil.ignore_patterns("__pycache__"))
 
 
 class PlatformWheel(bdist_wheel):
@@ -112,3 +113,11 @@ def compiled_into(folder):
         with contextlib.suppress(OSError):  # a read-only checkout
             compiler.write_atomically(KERNEL / library.name, library.read_bytes())
     return True
+
+
+def loader_into(folder):
+    """Compile the loader of Python FMUs into ``folder`` for a wheel of the one platform that has it: a machine
+    without a compiler packs it, others compile it for each FMU."""
+    if (compiler.chosen_platform() or compiler.host_platform()) == compiler.LOADER_PLATFORM:
+        with contextlib.suppress(compiler.CompilerProblem, OSError):  # FMUs say it if it is missing
+            compiler.compile_loader(SOURCES / "python", folder)

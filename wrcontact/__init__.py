@@ -8,7 +8,7 @@ from .interface.parameters import Material, Track, Wheelset
 from .methods import *  # noqa: F403
 from .methods import __all__ as _methods
 from .methods.numbers import UnusualValueWarning
-from .motion import motion_of
+from .motion import motion_jacobian, motion_of
 from .profiles import Profile, ProfileFile, ProfileWarning
 from .results.guiding import GuidingForces, guiding_forces, low_pass, sliding_mean
 from .state import WheelsetState
@@ -51,6 +51,7 @@ __all__ = [
     "explain",
     "guiding_forces",
     "low_pass",
+    "motion_jacobian",
     "motion_of",
     "outlined_patch",
     "patch_of",

@@ -35,6 +35,7 @@ from .creep.patch import elliptic_patch as elliptic_patch
 from .status import explain as explain
 from .results.guiding import guiding_forces as guiding_forces
 from .results.guiding import low_pass as low_pass
+from .motion.body import motion_jacobian as motion_jacobian
 from .motion.body import motion_of as motion_of
 from .creep.patch import outlined_patch as outlined_patch
 from .creep.results import patch_of as patch_of

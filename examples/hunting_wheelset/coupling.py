@@ -10,10 +10,12 @@ A step of the loop with the wheelset's motion m_n at its beginning:
 fixed step, Jacobi's order): the wheelset then has the forces of the motion one step before.
 """
 
+import json
 import time
 from ctypes import c_double, c_uint32
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import fmpy
 import numpy as np
@@ -22,7 +24,7 @@ from pythonfmu import FmuBuilder
 
 from wrcontact.fmu.native import build_native_fmus
 
-from .wheelset import CONTACT_INPUTS, FORCES, MOTION
+from .wheelset import CONTACT_INPUTS, FORCES, MOTION, STARTS
 
 #: What goes from the wheelset to the contact, and back: (source, target).
 TO_CONTACT = (*zip(MOTION, CONTACT_INPUTS), ("speed", "speed"), ("track_curvature", "track_curvature"))
@@ -33,10 +35,14 @@ CONTACT = {"contact_mode": "compliant", "contact_damping": 1.0, "tangential_mode
 CONES = CONTACT | {"wheel_profile": "cone20", "rail_inclination": 0.05}
 
 
-def build_wheelset(folder):
-    """Archive of the wheelset in ``folder``."""
+def build_wheelset(folder, starts=None):
+    """Archive of the wheelset in ``folder``; ``starts`` are start values of its parameters by name."""
     Path(folder).mkdir(parents=True, exist_ok=True)
-    return Path(FmuBuilder.build_FMU(str(Path(__file__).with_name("wheelset.py")), dest=str(folder)))
+    with TemporaryDirectory() as scratch:
+        file = Path(scratch, STARTS)
+        file.write_text(json.dumps(starts or {}))
+        script = Path(__file__).with_name("wheelset.py")
+        return Path(FmuBuilder.build_FMU(str(script), dest=str(folder), project_files=[file]))
 
 
 def build(folder):

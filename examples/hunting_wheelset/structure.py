@@ -4,6 +4,10 @@
 
 writes hunting_wheelset.ssp with both FMUs, and runs it, if libcosimpy is installed (``pip install
 libcosimpy``), beside fmpy in the order in which libcosim steps.
+
+The parameters of a run stand twice in the archive: as files ``contact.ssv`` and ``wheelset.ssv`` for tools
+that read parameter sets, and as start values of the two FMUs, which are built for this run, for those that
+do not (``fmpy.ssp.simulation.simulate_ssp``).
 """
 
 import sys
@@ -13,7 +17,9 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from .coupling import CONTACT, TO_CONTACT, TO_WHEELSET, Loop, build
+from wrcontact.fmu.native import build_native_fmus
+
+from .coupling import CONTACT, TO_CONTACT, TO_WHEELSET, Loop, build, build_wheelset
 from .wheelset import MOTION
 
 SPACES = {
@@ -39,8 +45,8 @@ def _child(parent, name, /, **attributes):
     return ElementTree.SubElement(parent, f"{{{SPACES[space]}}}{word}", attributes)
 
 
-def _component(elements, name, archive, ports, parameters):
-    """A component with its connectors ``(name, kind)`` and values ``parameters``."""
+def _component(elements, name, archive, ports):
+    """A component with its connectors ``(name, kind)``, and its parameters in a file of its name."""
     part = _child(
         elements,
         "ssd:Component",
@@ -52,12 +58,28 @@ def _component(elements, name, archive, ports, parameters):
     for port, kind in ports:
         _child(_child(connectors, "ssd:Connector", name=port, kind=kind), "ssc:Real")
     bindings = _child(part, "ssd:ParameterBindings")
-    values = _child(_child(bindings, "ssd:ParameterBinding"), "ssd:ParameterValues")
-    table = _child(_child(values, "ssv:ParameterSet", version="1.0", name=name), "ssv:Parameters")
+    _child(bindings, "ssd:ParameterBinding", source=f"resources/{name}.ssv")
+
+
+def _parameters(name, parameters):
+    """The bytes of a file of ``parameters`` by their names."""
+    root = ElementTree.Element(f"{{{SPACES['ssv']}}}ParameterSet", {"version": "1.0", "name": name})
+    table = _child(root, "ssv:Parameters")
     for parameter, value in parameters.items():
         kind = "ssv:String" if isinstance(value, str) else "ssv:Real"
         text = value if isinstance(value, str) else repr(float(value))
         _child(_child(table, "ssv:Parameter", name=parameter), kind, value=text)
+    return _bytes(root)
+
+
+def _bytes(root):
+    ElementTree.indent(root)
+    return ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
+
+
+def build_with(folder, contact, wheelset):
+    """Archives of contact and wheelset in ``folder`` that start with these values by name."""
+    return build_native_fmus(folder, settings=contact)[0], build_wheelset(folder, wheelset)
 
 
 def write_ssp(path, archives, contact, wheelset):
@@ -66,7 +88,7 @@ def write_ssp(path, archives, contact, wheelset):
     Parameters
     ----------
     path : of the archive; its folder must exist.
-    archives : FMUs of contact and wheelset.
+    archives : FMUs of contact and wheelset; :func:`build_with` builds them with the start values below.
     contact, wheelset : values of their parameters and unconnected inputs, by name; SI.
 
     Returns
@@ -89,9 +111,9 @@ def write_ssp(path, archives, contact, wheelset):
         (CONTACT_NAME, TO_CONTACT, TO_WHEELSET, contact),
         (WHEELSET_NAME, TO_WHEELSET, TO_CONTACT, wheelset),
     )
-    for archive, (name, into, out_of, values) in zip(archives, ends):
+    for archive, (name, into, out_of, _) in zip(archives, ends):
         ports = [(target, "input") for _, target in into] + [(source, "output") for source, _ in out_of]
-        _component(elements, name, Path(archive), ports, values)
+        _component(elements, name, Path(archive), ports)
     for start, end, pairs in (
         (WHEELSET_NAME, CONTACT_NAME, TO_CONTACT),
         (CONTACT_NAME, WHEELSET_NAME, TO_WHEELSET),
@@ -106,13 +128,11 @@ def write_ssp(path, archives, contact, wheelset):
                 endConnector=target,
             )
     _child(root, "ssd:DefaultExperiment", startTime="0.0", stopTime="1.0")
-    ElementTree.indent(root)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr(
-            "SystemStructure.ssd", ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
-        )
-        for fmu in archives:
+        archive.writestr("SystemStructure.ssd", _bytes(root))
+        for fmu, (name, _, _, values) in zip(archives, ends):
             archive.write(fmu, f"resources/{Path(fmu).name}")
+            archive.writestr(f"resources/{name}.ssv", _parameters(name, values))
     return Path(path)
 
 
@@ -156,9 +176,10 @@ def settings(archives, wheelset, contact=None, friction=0.3):
 
 def compare(folder, archives, count=10000, step=STEP):
     """Motion (count, 9) by libcosim and by fmpy in the same order, the largest status of both, and the
-    archive in ``folder``."""
+    archive in ``folder``, whose FMUs are built anew with the start values of the run."""
+    values = settings(archives, EXAMPLE)
     folder = Path(folder)
-    ssp = write_ssp(folder / "hunting_wheelset.ssp", archives, *settings(archives, EXAMPLE))
+    ssp = write_ssp(folder / "hunting_wheelset.ssp", build_with(folder / "ssp", *values), *values)
     with Loop(archives, EXAMPLE) as loop:
         run = loop.run(count * step, step, parallel=True)
         mine = np.vstack([run.motion[1:], loop.motion.read()[: len(MOTION)]])

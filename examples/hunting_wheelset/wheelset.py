@@ -1,6 +1,7 @@
 """The FMU of a wheelset on its primary suspension, for the other half of the closed loop.
 
-PythonFMU executes this file for every instance, so that it needs nothing but numpy and PythonFMU.  The bogie
+PythonFMU executes this file for every instance, so that it needs nothing but numpy and PythonFMU.  Beside it
+lie the start values of parameters that are not the usual ones, in ``starts.json``, where there are any.  The bogie
 frame runs along the middle of the track with a constant speed.  The wheelset moves across the track and down,
 rolls and yaws, and turns about its axle; it has the frames and signs of docs/reference/conventions.md:
 
@@ -23,7 +24,9 @@ A step is one of two:
   linearised at the beginning of the step (a Rosenbrock method); order 2, and stable for any step.
 """
 
+import json
 import math
+from pathlib import Path
 from xml.etree.ElementTree import Element, SubElement
 
 import numpy as np
@@ -56,6 +59,9 @@ BASE = {
     "kg": {"kg": 1},
     "kg.m2": {"kg": 1, "m": 2},
 }
+
+#: File in the resources with the start values of an FMU that has its own.
+STARTS = "starts.json"
 
 GRAVITY = 9.81  # [m/s2]
 #: Start value, unit and meaning of each parameter.
@@ -108,7 +114,7 @@ class Wheelset(Fmi2Slave):
 
     def __init__(self, **kwargs):
         super().__init__(**kwargs)
-        self.parameters = {name: row[0] for name, row in PARAMETERS.items()}
+        self.parameters = {name: row[0] for name, row in PARAMETERS.items()} | self._starts()
         self.forces = dict.fromkeys(FORCES, 0.0)
         self.derivatives = np.zeros((len(FORCES), len(MOTION)))
         self.linear = False  # whether a derivative was ever given
@@ -117,16 +123,21 @@ class Wheelset(Fmi2Slave):
         self._register()
         self.prepare()
 
+    def _starts(self):
+        """Start values that this FMU was built with, by name."""
+        file = self.resources and Path(self.resources, STARTS)
+        return json.loads(file.read_text()) if file and file.is_file() else {}
+
     # --- variables ------------------------------------------------------------------------------------------
 
     def _register(self):
-        for name, (start, unit, meaning) in PARAMETERS.items():
+        for name, (_, unit, meaning) in PARAMETERS.items():
             self._add(
                 name,
                 Fmi2Causality.parameter,
                 unit,
                 meaning,
-                start,
+                self.parameters[name],
                 *self._parameter(name),
                 variability=Fmi2Variability.fixed,
             )

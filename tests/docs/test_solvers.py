@@ -18,13 +18,16 @@ PAGE = (ROOT / "docs" / "guides" / "solvers.md").read_text(encoding="utf-8")
 
 def test_the_examples_run():
     names = {}
-    first, second, third = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    first, body, second, third = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
     exec(first, names)
     # the wheelset stands on its load
     assert names["force"][2] == pytest.approx(-109e3, rel=0.01) and names["moment"].shape == (3,)
     assert names["slopes"].shape == (2, 3) and np.isfinite(names["slopes"]).all()
     assert names["on_rail"][2] == pytest.approx(54.5e3, rel=0.1)
     assert abs(names["about_rail"][0]) < 54.5e3 * 0.03  # half a head's width is its lever at most
+    # what holds the wheelset back is stiff against a displacement
+    exec(body, names)
+    assert names["along_y"].shape == (2,) and np.isfinite(names["about_z"]).all()
     exec(second, names)
     assert names["state"].status == 0 and not names["table"].status.all()
     # a wheel and its rail that sink together stay as they are

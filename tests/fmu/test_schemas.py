@@ -11,8 +11,8 @@ from tests.helpers.schemas import problems_of, xml_problems
 
 pytestmark = pytest.mark.check
 
-NATIVE = {2: {"modelDescription.xml", "terminalsAndIcons/terminalsAndIcons.xml"}}
-NATIVE[3] = NATIVE[2] | {"sources/buildDescription.xml"}
+NATIVE = {2: {"modelDescription.xml"}}
+NATIVE[3] = NATIVE[2] | {"terminalsAndIcons/terminalsAndIcons.xml", "sources/buildDescription.xml"}
 
 
 @pytest.mark.parametrize(

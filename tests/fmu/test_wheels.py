@@ -17,7 +17,7 @@ from tests.helpers.paths import ROOT
 from tests.helpers.platforms import KERNEL_EXPORTS, check_library, needs, needs_build, needs_zig
 from tools.releasing import bill
 from wrcontact import ContactSystem
-from wrcontact.kernel.binding.compiler import KEPT, find_compiler
+from wrcontact.kernel.binding.compiler import KEPT, LOADER_NAME, LOADER_PLATFORM, find_compiler
 from wrcontact.kernel.binding.files import LIBRARY_NAME, PLATFORMS, host_platform, library_name
 
 # --- the same bytes again -------------------------------------------------------------------------
@@ -117,6 +117,12 @@ def libraries_in(wheel):
         }
 
 
+def expected_libraries(platform, kernel):
+    """The kernel, and where PythonFMU has a library for Linux the loader of Python FMUs."""
+    loader = [f"wrcontact/fmu/{LOADER_NAME}"] if platform == LOADER_PLATFORM else []
+    return [*loader, f"wrcontact/kernel/{kernel}"]
+
+
 def install(wheel, folder):
     """An environment of its own with the wheel and the libraries that Python has here; its interpreter."""
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(folder)], check=True)
@@ -171,9 +177,11 @@ def test_wheel_for_a_platform(sources, tmp_path, name):
     tags = [line for line in metadata.splitlines() if line.startswith("Tag: ")]
     assert tags == [f"Tag: py3-none-{tag}" for tag in place.wheel.split(".")]
     found = libraries_in(wheel)
-    assert list(found) == [f"wrcontact/kernel/{library_name(name)}"]
+    assert sorted(found) == expected_libraries(name, library_name(name))
     if importlib.util.find_spec("lief"):
-        check_library(*found.values(), name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS)
+        check_library(
+            found[f"wrcontact/kernel/{library_name(name)}"], name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS
+        )
     if name == host_platform():
         python = install(wheel, tmp_path / "environment")
         done = subprocess.run(
@@ -200,7 +208,7 @@ def test_wheel_of_this_machine(sources, tmp_path):
     tag = wheel.stem.split("-")[2:]
     assert tag[:2] == ["py3", "none"]
     assert tag[2] == sysconfig.get_platform().replace("-", "_").replace(".", "_")
-    assert list(libraries_in(wheel)) == [f"wrcontact/kernel/{LIBRARY_NAME}"]
+    assert sorted(libraries_in(wheel)) == expected_libraries(host_platform(), LIBRARY_NAME)
 
 
 @pytest.mark.full

@@ -283,7 +283,7 @@ FILED = [
     ),
     (
         "left_zero",
-        "if not (ROWS[name].right and value == 0)",
+        "if name in ROWS and not (ROWS[name].right and value == 0)",
         "if not (ROWS[name].right and value is None)",
         "0 of a parameter of the left side is no longer as on the right",
         "interface/test_table.py",

@@ -7,8 +7,7 @@ import fmpy
 from lxml import etree
 
 FOLDER = Path(fmpy.__file__).parent / "schema"
-#: Schema of every XML file that an FMU of ours may hold.  Terminals and build description are FMI 3's, in an
-#: archive of FMI 2 too.
+#: Schema of every XML file but the model description that an FMU of FMI 3 of ours holds.
 SCHEMAS = {
     "terminalsAndIcons/terminalsAndIcons.xml": "fmi3/fmi3TerminalsAndIcons.xsd",
     "sources/buildDescription.xml": "fmi3/fmi3BuildDescription.xsd",

@@ -8,6 +8,9 @@ PERMITTED = {
     "wine is not installed": "wine has half a gigabyte; libraries for Windows are read by lief, and run by the nightly tests",
     "fmpy builds by CMake": "the same sources are compiled by gcc from what the archive says, in the test beside it",
     "exudyn is not installed": "the README's commands do without it; the full tests, where it is installed, run the vehicle",
+    "drake is not installed": "as exudyn; each week the full tests install it, where Drake has a package for the machine",
+    "mujoco is not installed": "as exudyn; each week the full tests install it",
+    "linked statically and has no libpython": "another Python is there, which runs the same test",
     "with whose values others are compared": "a machine that is no x86_64 Linux has no reference of its own",
 }
 

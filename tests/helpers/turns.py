@@ -43,6 +43,7 @@ WEEKLY = {
         ("tests/halfspace/test_extrapolation.py", "tests/halfspace/test_kalker.py"),
         ("wrcontact/halfspace/", "wrcontact/kernel/binding/", "data/creep/", "tests/helpers/creep.py"),
     ),
+    "tests/motion/test_engines.py": ("examples/engines/", "wrcontact/motion/"),
     "tests/fmu/test_importers.py": (*FMUS, "tests/helpers/importer_process.py"),
     "tests/fmu/test_platforms.py": (*MACHINES, "tests/helpers/platforms.py"),
     "tests/fmu/test_wheels.py": (*MACHINES, "tests/helpers/platforms.py"),

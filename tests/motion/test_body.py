@@ -1,5 +1,6 @@
 """Inputs from a spinning body: closed forms, and rates against matrices that turn."""
 
+import inspect
 import math
 
 import numpy as np
@@ -101,6 +102,73 @@ def test_power_of_the_forces_is_that_of_friction():
     omega = np.array([0.0, 0.0, motion["yaw_rate"]]) + rolling * ahead - motion["wheel_rate"] * axle
     power = np.dot(state.force, [20.0, 0.01, sinking]) + np.dot(state.moment, omega)
     assert -power == pytest.approx(state.left.friction_power + state.right.friction_power, rel=2e-3)
+
+
+def small_rotation(turn):
+    """exp of the cross product with ``turn`` (3,), by Rodrigues' formula."""
+    angle = np.linalg.norm(turn)
+    cross = np.cross(np.eye(3), turn)  # cross @ v is turn x v
+    return np.eye(3) + np.sinc(angle / np.pi) * cross + (1 - math.cos(angle)) / angle**2 * cross @ cross
+
+
+def moved(body, column, step):
+    """(position, rotation, velocity, angular velocity) with a small change of one of the 12."""
+    position, rotation, velocity, omega = body
+    change = np.zeros((4, 3))
+    change[divmod(column, 3)] = step
+    turned = small_rotation(change[1]) @ rotation if change[1].any() else rotation
+    return position + change[0], turned, velocity + change[2], omega + change[3]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_jacobian_is_that_of_differences(seed):
+    """Of every input by every change of the body, with a roll that is larger than any on a track."""
+    rng = np.random.default_rng(seed)
+    rotation = attitude(rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4), rng.uniform(0.0, 6.0))
+    body = rng.normal(size=3), rotation, rng.normal(size=3), rng.normal(scale=20.0, size=3)
+    rows = wrcontact.motion_jacobian(rotation, body[3])
+    same = {"free_rolling", "left_rail_lateral", "right_rail_lateral"}  # which no motion changes
+    assert set(rows) == set(wrcontact.motion_of(*body)) - same
+    step = 1e-4
+    for column in range(12):
+        near = {
+            way: wrcontact.motion_of(*moved(body, column, way * step)) for way in (-2, -1, 1, 2)
+        }  # differences of fourth order
+        for name, row in rows.items():
+            at = {way: found[name] for way, found in near.items()}
+            slope = (8.0 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12.0 * step)
+            assert row[column] == pytest.approx(slope, rel=1e-9, abs=1e-9), (name, column)
+
+
+def test_jacobian_of_forces_by_the_body():
+    """The product with the derivatives of the contact, against forces of a body that is moved."""
+    system = wrcontact.ContactSystem(contact_mode="compliant", tangential_model="polach", contact_damping=1.0)
+    stepper = system.stepper(outputs="patches")
+    height = system.evaluate().equilibrium.vertical_shift
+    body = (
+        np.array([0.0, 1e-3, height - RADIUS]),
+        attitude(2e-3, 1e-5, 0.7),
+        np.array([20.0, 0.01, 0.0]),
+        np.array([1e-3, -20.02 / RADIUS, 0.02]),
+    )
+    stepper.resultant(wrcontact.motion_of(*body))
+    inputs, of = wrcontact.motion_jacobian(body[1], body[3]), ["force.y", "force.z", "moment.x", "moment.z"]
+    slopes = stepper.derivatives(of=of, by=list(inputs)) @ np.array(list(inputs.values()))
+    for column, step in zip(range(12), np.repeat((1e-9, 1e-9, 1e-6, 1e-6), 3)):  # [m], [rad], [m/s], [rad/s]
+        forces = [
+            np.concatenate(stepper.resultant(wrcontact.motion_of(*moved(body, column, way * step))))
+            for way in (1, -1)
+        ]
+        change = (forces[0] - forces[1])[[1, 2, 3, 5]] / (2.0 * step)
+        size = np.maximum(np.abs(change), 1e-3 * np.abs(slopes).max(axis=1))
+        assert np.all(np.abs(slopes[:, column] - change) < 1e-4 * size), column
+
+
+@pytest.mark.parametrize("function", (wrcontact.motion_of, wrcontact.motion_jacobian, wrcontact.low_pass))
+def test_signatures_can_be_read(function):
+    """`help` shows words, not what numpy makes of them: 1338 letters of motion_of."""
+    assert "_NestedSequence" not in str(inspect.signature(function))
+    assert len(str(inspect.signature(function))) < 220
 
 
 @pytest.mark.parametrize(

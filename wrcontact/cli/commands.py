@@ -174,8 +174,8 @@ def build(
         typer.Option(
             "--set",
             metavar="NAME=VALUE",
-            help="Start value of a parameter, by its name in the FMU and in SI units, for tools that "
-            "cannot set it: --set contact_mode=compliant; can be repeated",
+            help="Start value of a parameter or an input, by its name in the FMU and in SI units, for tools "
+            "that cannot set it: --set contact_mode=compliant; can be repeated",
         ),
     ] = None,
     smoothing: Smoothing = None,
@@ -199,7 +199,7 @@ def build(
             )
     check_folder(output)
     with sentences(lambda sentence: f"--set: {sentence}"):
-        settings = settings_of(settings or ())
+        settings = settings_of(settings or (), "right" if single_wheel else None)
     with sentences(typed), working("building the FMU"):
         paths = built(
             native,

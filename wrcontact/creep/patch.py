@@ -1,5 +1,7 @@
 """Patches whose creep forces can be asked for, and checks of what a user gives for them."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from math import fsum, isfinite, pi
 from numbers import Real

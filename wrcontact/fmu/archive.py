@@ -10,6 +10,7 @@ from pathlib import Path
 from .. import ContactSystem
 from ..profiles.catalogue import BUILDERS, standard_name
 from .online import PACKAGE
+from .rest import at_rest
 from .settings import checked, keywords_of
 
 #: The folder of the files that are packed as they are: inside an installed package, beside it in a checkout.
@@ -21,12 +22,12 @@ SOURCES = next(
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
 
-def chosen_starts(smoothing=None, settings=None, **chosen):
-    """Start values of parameters, and the profiles that come from files, by file name; each file is read
-    once.
+def chosen_starts(smoothing=None, settings=None, side="", **chosen):
+    """Start values of parameters and inputs, and the profiles that come from files, by file name; each file
+    is read once.
 
-    ``settings`` are values of other parameters than profiles, by their names in the FMU;
-    ``chosen`` are ``wheel_profile`` and ``rail_profile``, each a name, a file, or a pair (left, right).
+    ``settings`` are values of inputs and of other parameters than profiles, by their names in the FMU of a
+    wheelset; ``side`` is that of one wheel by itself, or ""; ``chosen`` are ``wheel_profile`` and ``rail_profile``, each a name, a file, or a pair (left, right).
     Files are packed as prepared profiles with their own names: reading points needs scipy,
     which an FMU does not have.
     """
@@ -55,7 +56,10 @@ def chosen_starts(smoothing=None, settings=None, **chosen):
             raise ValueError(
                 f"{' and '.join(words)} profile have the same file name, {file}; rename one of them"
             )
-    return {**settings, **starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
+    resting = at_rest(system, settings, side)
+    return {**settings, **resting, **starts, **files}, {
+        file: profiles[parameter] for parameter, file in files.items()
+    }
 
 
 def _split(chosen):

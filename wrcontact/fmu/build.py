@@ -5,13 +5,15 @@ in the FMU. Therefore the package in an FMU has a name that contains a hash of e
 runs its own code, not that of another FMU and not that of an installed wrcontact.
 """
 
+import sys
 from pathlib import Path
 
 import pythonfmu
 
 from .. import __version__
 from ..interface.variables import VARIABLES
-from ..kernel.binding.files import PLATFORMS
+from ..kernel.binding.compiler import LOADER_NAME, LOADER_PLATFORM, CompilerProblem, compile_loader
+from ..kernel.binding.files import PLATFORMS, host_platform
 from ..profiles.files import prepared_text
 from ..storage.atomic import write_atomically
 from .archive import SOURCES, archive, chosen_starts, fingerprint, licence, problems_of
@@ -34,7 +36,13 @@ library.default_kernel()
 fixed_tables(True)
 '''
 #: Text of documentation/externalDependencies.txt, which FMI 2.0 requires.
-DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of PythonFMU in this FMU.\n"
+DEPENDENCIES = b"""A Python of 3.10 or newer with numpy.
+
+A host that is a Python uses itself.  On Linux another host needs libpython: the loader in this FMU takes the one
+in the process, else the file that the environment variable WRCONTACT_LIBPYTHON names, else that of the first python3
+in PATH, else any libpython3.*.so.1.0 that the system finds.  That Python must find numpy.  On Windows
+PythonFMU's library needs python3.dll in PATH.
+"""
 
 
 def build_fmu(output="dist", wheel=None, rail=None, smoothing=None, settings=None):
@@ -46,7 +54,8 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None, settings=Non
     wheel, rail : file of a profile that is packed and becomes the default, a path or a
         :class:`~wrcontact.ProfileFile`; or a built-in name; or a pair (left, right) of these.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
-    settings : start values of other parameters, by their names in the FMU.
+    settings : start values of inputs and of other parameters, by their names in the FMU; a compliant
+        wheelset whose ``vertical_shift_input`` is not among them starts where it carries its load.
 
     Raises
     ------
@@ -71,7 +80,29 @@ def runtime():
     entries = {f"resources/pythonfmu/{file.name}": file.read_bytes() for file in RUNTIME.glob("*.py")}
     for library in RUNTIME.glob("resources/binaries/*/*"):
         entries[f"binaries/{library.parent.name}/{MODEL}{library.suffix}"] = library.read_bytes()
+    place = f"binaries/{PLATFORMS[LOADER_PLATFORM].fmi2}"
+    if loading := loader():
+        entries[f"{place}/pythonfmu-export.so"] = entries[f"{place}/{MODEL}.so"]
+        entries[f"{place}/{MODEL}.so"] = loading
     return entries
+
+
+def loader():
+    """The library that hosts on Linux load, which loads PythonFMU's (fmu_src/python/loader.c): compiled now, or
+    as the installation compiled it; None, with a warning on the platform itself, if there is none."""
+    try:
+        return compile_loader(SOURCES / "python")
+    except CompilerProblem:
+        installed = Path(__file__).with_name(LOADER_NAME)
+        if installed.is_file():
+            return installed.read_bytes()
+    if host_platform() == LOADER_PLATFORM:
+        print(
+            "WARNING: the FMU gets no loader, since there is no C compiler: it must be unpacked in a folder whose "
+            "path has only letters of English, digits and - _ . /",
+            file=sys.stderr,
+        )
+    return None
 
 
 def runtime_platforms():

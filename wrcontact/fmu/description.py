@@ -85,6 +85,7 @@ def describe_common(root):
 
 def _variables(parent, starts, variant):
     """Every variable, in the order of the table."""
+    starts = variant.named(starts)
     for place, variable in variant.variables():
         element = SubElement(
             parent,

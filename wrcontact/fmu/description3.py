@@ -77,7 +77,7 @@ def model_description(token, tool, version, starts, units=(), variant=WHEELSET):
         SubElement(root, kind, {"modelIdentifier": variant.model, **abilities})
     describe_common(root)
     blocks = variable_blocks(variant)
-    variables = SubElement(root, "ModelVariables")
+    variables, starts = SubElement(root, "ModelVariables"), variant.named(starts)
     for block in blocks:
         _variable(variables, block, starts, variant)
     _structure(SubElement(root, "ModelStructure"), blocks, variant)

@@ -179,7 +179,10 @@ def about_python():
     """HTML on the FMU that runs in Python."""
     return """
 <h2>This FMU</h2>
-<p>It contains its program as Python source and runs it inside the host, which needs Python 3.10 or newer with numpy. On a
+<p>It contains its program as Python source and runs it inside the host, which needs Python 3.10 or newer with numpy. A host that
+is a Python uses itself. On Linux another host needs Python's library, <code>libpython3.*.so.1.0</code>: the FMU takes the one in the process, else the
+file that the environment variable <code>WRCONTACT_LIBPYTHON</code> names, else that of the first <code>python3</code> in <code>PATH</code>,
+else any that the system finds. On Windows <code>python3.dll</code> must be in <code>PATH</code>. The native FMU needs nothing of this. On a
 platform without a compiled kernel in this FMU, the kernel also runs as Python, about 100 times slower, with the same
 results. <code>wheel_profile</code> and <code>rail_profile</code> are a built-in name (S1002, cone20, cone40; UIC60, 60E1, 54E1) or the name
 of a file in the FMU's <code>resources</code>.</p>

@@ -46,7 +46,8 @@ def build_native_fmus(
     cache : folder in which compiled sources are kept for the next FMUs; None is the one that
         WRCONTACT_COMPILED names, and keeps nothing without it.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
-    settings : start values of other parameters, by their names in the FMU.
+    settings : start values of inputs and of other parameters, by their names in the FMU; a compliant
+        wheelset or wheel whose ``vertical_shift_input`` is not among them starts where it carries its load.
     side : None for a wheelset; "right" or "left" for one wheel by itself, on this rail.
 
     Raises
@@ -56,7 +57,7 @@ def build_native_fmus(
     """
     variant = single_wheel(side) if side else WHEELSET
     starts, profiles = packed_profiles(
-        smoothing, variant.starts(settings), wheel_profile=wheel, rail_profile=rail
+        smoothing, variant.starts(settings), variant.side, wheel_profile=wheel, rail_profile=rail
     )
     variant.check(starts)
     with tempfile.TemporaryDirectory() as folder:
@@ -75,9 +76,9 @@ def build_native_fmus(
     return list(targets)
 
 
-def packed_profiles(smoothing=None, settings=None, **chosen):
-    """Start values of parameters, and all profiles that can be chosen, by name."""
-    starts, own = chosen_starts(smoothing, settings, **chosen)
+def packed_profiles(smoothing=None, settings=None, side="", **chosen):
+    """Start values of parameters and inputs, and all profiles that can be chosen, by name."""
+    starts, own = chosen_starts(smoothing, settings, side, **chosen)
     return starts, {**{name: standard_profile(name) for name in BUILDERS}, **own}
 
 

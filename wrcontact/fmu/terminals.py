@@ -1,4 +1,4 @@
-"""The folder terminalsAndIcons of an FMU: its icon, and its variables in groups that connect as one."""
+"""The icon of an FMU, and of FMI 3 its folder terminalsAndIcons: variables in groups that connect as one."""
 
 from xml.etree.ElementTree import Element, SubElement
 
@@ -30,9 +30,12 @@ def terminals_and_icons(version, names, variant=WHEELSET):
     """Entries of the archive for FMI ``version`` (2 or 3), whose variables are those of a wheelset with these
     ``names`` that the ``variant`` has.
 
-    FMI 2 takes the file over from FMI 3 as it is: its schema, which is that of FMI 3, permits only versions
-    3.x of it, in an archive of FMI 2 too.
+    FMI 2 has an icon alone.  The schema of the terminals, which is FMI 3's, permits only versions 3.x of
+    them, and FMI Library ends with a fatal error where this version is not that of the model description.
     """
+    image = (SOURCES / "icon.png").read_bytes()
+    if version == 2:
+        return {"model.png": image}
     root = Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
     picture = SubElement(root, "GraphicalRepresentation")
@@ -63,13 +66,11 @@ def terminals_and_icons(version, names, variant=WHEELSET):
                 memberName=member,
                 variableKind="signal",
             )
-    image = (SOURCES / "icon.png").read_bytes()
-    entries = {
+    return {
         "terminalsAndIcons/terminalsAndIcons.xml": xml_file(root),
         "terminalsAndIcons/icon.png": image,
         "terminalsAndIcons/icon.svg": (SOURCES / "icon.svg").read_bytes(),
     }
-    return entries if version == 3 else {**entries, "model.png": image}  # where FMI 2 has its icon
 
 
 def terminals(names):

@@ -7,11 +7,12 @@ side, without ``left.`` or ``right.`` in their names, and keep the wheelset's va
 from dataclasses import dataclass, replace
 
 from ..interface.inputs import INPUT_NAMES
-from ..interface.one_wheel import MODE, WITHOUT, checked_wheel, own_name
+from ..interface.one_wheel import MODE, WITHOUT, checked_wheel, own_name, wheel_inputs
 from ..interface.parameters import PARAMETERS
 from ..interface.variables import VARIABLES
 from ..kernel import layout
 from ..status import Terms
+from .settings import checked
 
 ROWS = {row.fmu_name: row for row in PARAMETERS.values() if row.fmu_name}
 #: Variables of every FMU; the last two of FMI 3 only.
@@ -61,14 +62,25 @@ class Variant:
         return _WheelTerms(self)
 
     def starts(self, settings):
-        """The ``settings`` of a build with what this contact itself fixes."""
-        self.check(settings or {})
-        return {**(settings or {}), "contact_mode": MODE} if self.side else settings
+        """The ``settings`` of a build with what this contact itself fixes; inputs have a wheelset's names."""
+        if not self.side:
+            return settings
+        rows, settings = wheel_inputs(self.side), settings or {}
+        self.check(settings)
+        checked(settings, self.side)
+        found = {rows[name].name if name in rows else name: value for name, value in settings.items()}
+        return {**found, "contact_mode": MODE}
+
+    def named(self, starts):
+        """Start values with a wheelset's names by the names here."""
+        return {self.name(name): value for name, value in starts.items()}
 
     def check(self, starts):
         """ValueError, in a sentence, where a start value has no meaning here."""
         if self.side:
-            checked_wheel({ROWS[name].name: value for name, value in starts.items() if name in ROWS})
+            given = {ROWS[name].name if name in ROWS else name: value for name, value in starts.items()}
+            own = wheel_inputs(self.side)
+            checked_wheel({name: value for name, value in given.items() if name not in own})
 
 
 class _WheelTerms(Terms):

@@ -64,14 +64,15 @@ def _inputs():
     """What moves: the pose and the load of the wheelset."""
     for row in INPUTS:
         if row.switch:
-            yield Variable(row.name, INPUT, row.meaning, BOOLEAN, start=bool(row.start))
+            start = bool(STARTS.get(row.name, row.start))
+            yield Variable(row.name, INPUT, row.meaning, BOOLEAN, start=start)
             continue
         yield Variable(
             row.name,
             INPUT,
             row.meaning,
             unit=row.unit,
-            start=row.start,
+            start=STARTS.get(row.name, row.start),
             minimum=row.minimum,
             maximum=row.maximum,
             nominal=row.nominal,

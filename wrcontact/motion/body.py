@@ -1,8 +1,11 @@
-"""Pose and rates of a wheelset from those of a body that spins."""
+"""Pose and rates of a wheelset from those of a body that spins, and how they follow it."""
+
+from __future__ import annotations
 
 import math
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..interface.parameters import PARAMETERS
 
@@ -83,6 +86,68 @@ def motion_of(
         "free_rolling": False,
         "left_rail_lateral": lateral,
         "right_rail_lateral": lateral,
+    }
+
+
+def motion_jacobian(rotation: ArrayLike, angular_velocity: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """How the inputs of :func:`motion_of` follow the body: the derivatives that an implicit solver needs.
+
+    With the derivatives of a force by these inputs, those by the body are their product::
+
+        by = motion_jacobian(rotation, angular_velocity)
+        slopes = stepper.derivatives(of=["force.y"], by=list(by)) @ np.array(list(by.values()))  # (1, 12)
+
+    A small rotation phi turns the axle by ``phi x e``, an angular velocity moves it by ``w x e``; the rest is
+    the chain rule on the formulas of :func:`motion_of`.
+
+    Parameters
+    ----------
+    rotation : (3, 3) as for :func:`motion_of`.
+    angular_velocity : (3,) [rad/s] likewise; position and velocity do not enter.
+
+    Returns
+    -------
+    dict
+        by the name of an input, an array (12,) of its derivatives by small changes of the body, all in the
+        axes of the track: displacement (3) [m], rotation (3) [rad], velocity (3) [m/s] and angular velocity
+        (3) [rad/s].  For rotations about the body's own axes multiply columns 3 to 5 by ``rotation`` from
+        the right.
+
+    Raises
+    ------
+    ValueError
+        as :func:`motion_of`.
+
+    Examples
+    --------
+    >>> rows = motion_jacobian(np.eye(3), [0, -43.5, 0])
+    >>> rows["yaw"].round(3).tolist()[3:6], rows["wheel_rate"].round(3).tolist()[9:]
+    ([0.0, 0.0, 1.0], [0.0, -1.0, 0.0])
+    """
+    e, w = np.array(_axle(rotation)), np.array(_three("angular_velocity", angular_velocity))
+    unit = np.eye(12)
+    moved, turned, sped, spun = unit[0:3], unit[3:6], unit[6:9], unit[9:12]
+    # of the axle (3, 12), and of its velocity d
+    axle = np.cross(turned, e, axis=0)
+    d = np.cross(w, e)
+    rate = np.cross(w[:, None], axle, axis=0) + np.cross(spun, e, axis=0)
+    flat = e[0] ** 2 + e[1] ** 2
+    flatter = 2.0 * (e[0] * axle[0] + e[1] * axle[1])
+    yaw_rate = (e[0] * d[1] - e[1] * d[0]) / flat
+    yaw_rates = (
+        d[1] * axle[0] - d[0] * axle[1] + e[0] * rate[1] - e[1] * rate[0] - yaw_rate * flatter
+    ) / flat
+    return {
+        "lateral_shift": moved[1],
+        "yaw": (e[0] * axle[1] - e[1] * axle[0]) / flat,
+        "vertical_shift_input": moved[2],
+        "roll_input": axle[2] / math.sqrt(flat),
+        "speed": sped[0],
+        "lateral_velocity": sped[1],
+        "vertical_velocity": sped[2],
+        "yaw_rate": yaw_rates,
+        "roll_rate": rate[2] / math.sqrt(flat) - 0.5 * d[2] * flatter / flat**1.5,
+        "wheel_rate": yaw_rates * e[2] + yaw_rate * axle[2] - e @ spun - w @ axle,
     }
 
 

@@ -1,5 +1,7 @@
 """A wheel or rail profile: height, slope and curvature as functions of the lateral coordinate."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from functools import cached_property
 from os import PathLike
@@ -93,7 +95,7 @@ class Profile:
     @classmethod
     def from_file(
         cls, path: str | PathLike[str], kind: str, smoothing: float | None = None, **options: Any
-    ) -> "Profile":
+    ) -> Profile:
         """The profile in a file of points or a prepared file (docs/guides/profiles.md).
 
         Parameters
@@ -123,7 +125,7 @@ class Profile:
         write_atomically(path, prepared_text(self).encode())
 
     @classmethod
-    def from_points(cls, y: ArrayLike, z: ArrayLike, *, name: str, kind: str) -> "Profile":
+    def from_points(cls, y: ArrayLike, z: ArrayLike, *, name: str, kind: str) -> Profile:
         """A profile through points ``y`` (n,), ``z`` (n,) in millimetres by a cubic spline.
 
         A rail is shifted so that its highest point is the origin.

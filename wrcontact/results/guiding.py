@@ -11,6 +11,8 @@
 (array([1. , 1.5, 2. ]), True)
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any, NamedTuple
 

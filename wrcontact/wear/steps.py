@@ -1,5 +1,7 @@
 """What a run of wear has found: its steps, and what a data set of them has."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple

@@ -49,6 +49,8 @@ FLAGS = (
 )
 #: A unit that -O2 compiles in six tenths of the time; its loops over directions are unrolled all the same.
 LESS_OPTIMISED = "kernel/native/wrcontact_jacobian.c"
+#: The library by which a host loads a Python FMU: where PythonFMU has one for Linux, and its file in the package.
+LOADER_PLATFORM, LOADER_NAME = "x86_64-linux", "_wrcontact_loader-x86_64-linux.so"
 ZIG = (sys.executable, "-m", "ziglang", "cc")
 PROBE = "#include <math.h>\ndouble probe(double x) { return sqrt(x); }\n"
 #: Environment variable: a folder in which compiled sources are kept where the caller names none.
@@ -121,14 +123,29 @@ def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=
     return target
 
 
-def compile_platform(name, folder, sources, library, flags=(), cache=None, watch=None):
+def compile_loader(sources, target_folder=None):
+    """Compile the library by which hosts on Linux load a Python FMU, from the folder ``sources``; returns it as
+    bytes, or its path in ``target_folder``.
+
+    For x86_64-linux, the only such platform of PythonFMU; CompilerProblem where there is no compiler for it.
+    """
+    made = compile_platform(LOADER_PLATFORM, sources, ["loader.c"], "loader", links=["-ldl"])
+    if target_folder is None:
+        return made
+    target = Path(target_folder, LOADER_NAME)
+    write_atomically(target, made)
+    return target
+
+
+def compile_platform(name, folder, sources, library, flags=(), cache=None, watch=None, links=()):
     """Compile ``sources`` in ``folder`` for the platform ``name``; returns the library, whose name without
-    its ending is ``library``, as bytes.  ``cache`` and ``watch`` are those of :func:`linked`."""
+    its ending is ``library``, as bytes.  ``cache`` and ``watch`` are those of :func:`linked`, ``links`` are
+    libraries that it needs."""
     if name not in PLATFORMS:
         raise CompilerProblem(f"platform is {name!r}; permitted are {', '.join(PLATFORMS)}")
     place = PLATFORMS[name]
     command, file = [*compiler_for(place), *FLAGS, *flags], library + place.suffix
-    return linked(command, folder, sources, file, place.link_flags(file), cache, watch)
+    return linked(command, folder, sources, file, [*place.link_flags(file), *links], cache, watch)
 
 
 def linked(command, folder, sources, library, links=(), cache=None, watch=None):
@@ -156,7 +173,7 @@ def linked(command, folder, sources, library, links=(), cache=None, watch=None):
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             objects = list(watch(pool.map(compiled, sources), len(sources)))
         output = Path(scratch, library)
-        checked([*command, "-shared", *links, *objects, "-o", str(output)], folder)
+        checked([*command, "-shared", *objects, *links, "-o", str(output)], folder)
         return output.read_bytes()
 
 

@@ -1,0 +1,1 @@
+"""A wheelset as a body of Drake and of MuJoCo: docs/guides/solvers.md."""
