@@ -181,7 +181,7 @@ def about_python():
 <h2>This FMU</h2>
 <p>It contains its program as Python source and runs it inside the host, which needs Python 3.10 or newer with numpy. On a
 platform without a compiled kernel in this FMU, the kernel also runs as Python, about 100 times slower, with the same
-results. <code>wheel_profile</code> and <code>rail_profile</code> are a built-in name (S1002, cone20, cone40; UIC60, 60E1, 54E1) or the name
+results. <code>wheel_profile</code> and <code>rail_profile</code> are a name of the catalogue (such as S1002, LMA, UIC60, R65) or the name
 of a file in the FMU's <code>resources</code>.</p>
 <p>A wrong call (an unknown value reference, a wrong type, a parameter that is not permitted, a call out of order) changes
 nothing and gives one sentence in the log and on the console. PythonFMU, which calls the program, knows no error: the call

@@ -38,6 +38,11 @@ def is_standard(name, kind):
     return known is not None and standard_profile(known).kind == kind
 
 
+def every_profile():
+    """All standard profiles, rails first, without those of EN 13715 by designation."""
+    return [standard_profile(name) for kind in ("rail", "wheel") for name in names(kind)]
+
+
 def find_profile(source, kind, smoothing=None, argument=None, track=None):
     """The profile for ``source``: a :class:`Profile`, a standard name, the path of a file, or a
     :class:`ProfileFile`.
