@@ -1,9 +1,8 @@
-"""The benchmark of EN 15302 for the equivalent conicity: its cases, its reference results, and ours
+"""The benchmark of EN 15302:2021 for the equivalent conicity: its cases, its reference results, and ours
 (data/en15302)."""
 
 import csv
 import warnings
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -12,14 +11,18 @@ import numpy as np
 
 import wrcontact
 from wrcontact import ContactSystem, Profile, ProfileWarning
-from wrcontact.profiles.zones import Arc, Polynomial
+from wrcontact.profiles import standard_profile
 
 FOLDER = Path(__file__).with_name("en15302")
 MM = 1e-3
 #: Left and right wheel of each case.
-WHEELS = {"E1": "AA", "E2": "BB", "E3": "HH", "E4": "II", "E5": "AA", "E7": "HH", "E9": "BA"}
+WHEELS = {
+    **{f"Wheel{letter}RailA": 2 * letter for letter in "ABCHI"},
+    **{f"Wheel{letter}modRailA": 2 * letter for letter in "ABHI"},
+    "WheelABRailA": "BA",
+}
 #: Nominal radius of the left wheel [m], where it is not that of the right one.
-LEFT_RADIUS = {"E5": 0.459, "E7": 0.459}
+LEFT_RADIUS = {case: 0.459 for case in WHEELS if "mod" in case}
 GAUGE = 1435.16 * MM  # [m] of the standard's rails
 
 
@@ -28,10 +31,10 @@ class Limits(NamedTuple):
 
     amplitude: np.ndarray
     value: np.ndarray
-    upper: np.ndarray
     lower: np.ndarray
-    upper_shift: np.ndarray
+    upper: np.ndarray
     lower_shift: np.ndarray
+    upper_shift: np.ndarray
 
     def inside_value(self, found):
         """Whether conicities (n,) keep the tolerance on the value."""
@@ -66,13 +69,16 @@ def limits(case):
 
 @cache
 def radius_difference(case):
-    """Lateral shift (n,) [m] and reference rolling radius difference (n,) [m] of a case."""
-    return tuple(columns("radius_difference.csv", case) * MM)
+    """Lateral shift (n,) [m], rising, and reference rolling radius difference (n,) [m] of a case."""
+    shift, difference = columns("radius_difference.csv", case) * MM
+    order = np.argsort(shift)
+    return shift[order], difference[order]
 
 
 @cache
 def profile(kind, letter):
-    """The standard's wheel or rail with this letter."""
+    """The standard's wheel or rail with this letter, from its points (data/en15302), which are another source
+    than the zones of the catalogue."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ProfileWarning)  # z is upwards in the files
         # the standard's rail is inclined in its file, and is taken as it is
@@ -83,10 +89,11 @@ def profile(kind, letter):
 @cache
 def found_curve(case):
     """Our lateral shift (n,) [m] and rolling radius difference (n,) [m], of a wheelset that does not roll."""
-    wheels = tuple(profile("wheel", letter) for letter in WHEELS[case])
     system = ContactSystem(
-        wheel=wheels,
-        rail=profile("rail", "A"),
+        wheel=tuple(
+            standard_profile("P8" if letter == "C" else f"EN15302-{letter}") for letter in WHEELS[case]
+        ),
+        rail="EN15302-rail-A",
         rail_inclination=0.0,
         gauge=GAUGE,
         nominal_radius=(LEFT_RADIUS.get(case, 0.46), 0.46),
@@ -98,53 +105,6 @@ def found_curve(case):
 def found_conicity(case):
     """Our conicities (n,) at the amplitudes of the reference."""
     return wrcontact.conditioning.equivalent_conicity(*found_curve(case), limits(case).amplitude)
-
-
-def exact_profile(name):
-    """ "wheel_H" or "rail_A" from the zones of the edition of 2021."""
-    with open(FOLDER / "exact_zones.csv", newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.DictReader(file) if row["profile"] == name]
-    return Profile(name, name.split("_")[0], meeting([zone_of(row) for row in rows]), smooth=False)
-
-
-def zone_of(row):
-    """The zone of a row of the file."""
-    row = {key: float(value) for key, value in row.items() if value and key not in ("profile", "family")}
-    if "radius" in row:
-        side = int(row["side"])
-        return Arc(row["start"], row["stop"], row["radius"], row["y_centre"], row["z_centre"], side)
-    return Polynomial(row["start"], row["stop"], (row["z"], row["slope"]), row["origin"])
-
-
-def meeting(zones):
-    """The zones of a wheel, each of which is moved down so that it meets the next one: printed numbers of
-    flanges leave steps of up to 1.5 um, more than a profile may have."""
-    kept = [zones[-1]]
-    for zone in zones[-2::-1]:
-        rise = float(kept[0](kept[0].start)[0] - zone(kept[0].start)[0])
-        if isinstance(zone, Arc):
-            kept.insert(0, replace(zone, z_centre=zone.z_centre + rise))
-        else:
-            first, *others = zone.coefficients
-            kept.insert(0, replace(zone, coefficients=(first + rise, *others)))
-    return tuple(kept)
-
-
-def exact_conicity():
-    """Conicities of wheel H on rail A of the edition of 2021 (33, 6): amplitude [m], value, the limits of the
-    value, and those that follow from the tolerance on the lateral shift; and ours (33,)."""
-    with open(FOLDER / "exact_conicity.csv", newline="", encoding="utf-8") as file:
-        table = np.array([row[1:] for row in csv.reader(file)][1:], dtype=float)
-    table[:, 0] *= MM
-    system = ContactSystem(
-        exact_profile("wheel_H"),
-        exact_profile("rail_A"),
-        rail_inclination=0.0,
-        gauge=GAUGE,
-        nominal_radius=0.46,
-    )
-    curve = wrcontact.check(system).conicity_curves["level"]
-    return table, wrcontact.conditioning.equivalent_conicity(*curve, table[:, 0])
 
 
 def distances(points, curve):

@@ -47,12 +47,17 @@ def options():
     return {script["COMMAND_LINE"]: script["command_line"](), script["STATUSES"]: script["statuses"]()}
 
 
+def profiles():
+    script = runpy.run_path(str(ROOT / "docs" / "make_profiles.py"))
+    return {script["PAGE"]: script["page"]()}
+
+
 def tables():
     return {ROOT / page: text for page, text in pages.pages().items()}
 
 
 #: Functions that give {file: text}, by name.
-EXACT = {each.__name__: each for each in (references, types, names, options, tables)}
+EXACT = {each.__name__: each for each in (references, types, names, options, profiles, tables)}
 #: Words after ``python`` for what is measured or drawn anew.
 MEASURED = {
     **{kind: ("-m", "benchmarks", "--write", kind) for kind in ("errors", "studies", "times")},

@@ -5,6 +5,7 @@ docs/img/*.png.
     demo        the picture of ``wrcontact demo`` (README)
     check       the picture of ``wrcontact check`` (docs/guides/check.md)
     models      the pressures of examples/compare_models.py (README)
+    profiles    the standard profiles (docs/guides/profiles_of_the_world.md)
     conformal   planar against conformal theory (docs/theory/conformal.md)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/evidence/source_study.md)
     gallery     the pictures of docs/guides/gallery.md by the code of the page, also hero.png (README)
@@ -29,7 +30,9 @@ from PIL import Image
 from wrcontact import ContactSystem
 from wrcontact.plots import style
 from wrcontact.plots.geometry import WHEEL_ZONES, rail_outline, wheel_outline
+from wrcontact.plots.profiles import draw_profiles
 from wrcontact.plots.style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR
+from wrcontact.profiles.catalogue import every_profile
 from wrcontact.progress import tracked
 
 IMAGES = Path(__file__).resolve().parent / "img"
@@ -180,6 +183,7 @@ PICTURES = {
     "frames": frames,
     "demo": demo,
     "check": check,
+    "profiles": lambda: draw_profiles(every_profile()),
     "models": models,
     "conformal": conformal,
     "source_5_8": partial(source, "5.8"),

@@ -21,6 +21,7 @@ __version__ = "1.0.0"
 #: What is imported when it is first used, and where from: an FMU does not have it.
 _ELSEWHERE = {
     "interpolate": ".sweeps.interpolation",
+    "kalker_coefficients": ".creep.linear",
     "sweep": ".sweeps.run",
     **dict.fromkeys(
         ("ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue", "wear_run"), ".wear"

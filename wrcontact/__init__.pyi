@@ -65,6 +65,7 @@ from .methods.tangential import Fastrip as Fastrip
 from .methods.tangential import Polach as Polach
 from .methods.tangential import HalfspaceRolling as HalfspaceRolling
 from .sweeps.interpolation import interpolate as interpolate
+from .creep.linear import kalker_coefficients as kalker_coefficients
 from .sweeps.run import sweep as sweep
 from .wear.laws import ArchardMap as ArchardMap
 from .wear.laws import BritishRail as BritishRail

@@ -13,7 +13,7 @@ from wrcontact.cli.options import POSE, SYSTEM, name_of, option_of
 from wrcontact.cli.typed import of_file, typed
 from wrcontact.methods import CHOICES
 
-COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "figures")
+COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "profiles", "figures")
 MOST_LINES = 90  # of a help text: two screens
 
 
@@ -110,7 +110,10 @@ def test_an_unknown_word_comes_with_a_proposal(run, words, proposal):
 def test_a_missing_file_is_called_missing(run, tmp_path):
     for name in ("worn.csv", "here/worn", tmp_path / "worn"):
         code, _, err = run("solve", "--wheel", name)
-        assert code == 2 and "and there is no such file; permitted are S1002, cone20, cone40 and" in err
+        assert (
+            code == 2
+            and "and there is no such file; permitted are S1002, cone20, cone40, the other names" in err
+        )
 
 
 # --- remarks ----------------------------------------------------------------------------------------------

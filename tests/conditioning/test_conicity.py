@@ -10,7 +10,7 @@ import wrcontact
 from data import brute_force
 from tests.helpers.cases import MM
 from wrcontact import ContactSystem, Profile
-from wrcontact.conditioning import equivalent_conicity
+from wrcontact.conditioning import equivalent_conicity, regressed_conicity
 from wrcontact.conditioning.conformal import NEAR
 from wrcontact.conditioning.conicity import NO_RETURN, OFF_PROFILE, Swing
 from wrcontact.profiles.zones import Arc, Polynomial
@@ -48,6 +48,35 @@ def half_wave_in_time(shift, difference, start):
 def test_cone():
     shift = np.linspace(-10, 10, 7) * MM
     np.testing.assert_allclose(equivalent_conicity(shift, 2 * 0.05 * shift, AMPLITUDES), 0.05, rtol=1e-9)
+
+
+def test_linear_regression_of_a_cone_and_of_a_cubic():
+    """Of delta_r = k y^3 the line has the slope 3/5 k A^2; the integral of the motion gives 0.359 k A^2."""
+    shift = np.linspace(-10, 10, 4001) * MM
+    np.testing.assert_allclose(regressed_conicity(shift, 0.1 * shift, AMPLITUDES), 0.05, rtol=1e-12)
+    found = regressed_conicity(shift, 100.0 * shift**3, AMPLITUDES)
+    np.testing.assert_allclose(found, 30.0 * AMPLITUDES**2, rtol=1e-4)
+    # sampled least squares of an uneven curve with an offset
+    uneven = np.sort(np.random.default_rng(2).uniform(-9.0, 9.0, 50)) * MM
+    uneven[[0, -1]] = -9.0 * MM, 9.0 * MM
+    curve = np.sin(600.0 * uneven) * MM + 0.2 * MM
+    y = np.linspace(-4.0, 4.0, 400001) * MM
+    slope = np.polyfit(y, np.interp(y, uneven, curve), 1)[0]
+    assert regressed_conicity(uneven, curve, 4.0 * MM)[0] == pytest.approx(0.5 * slope, rel=1e-4)
+    assert np.isnan(regressed_conicity(uneven, curve, 9.5 * MM))[0]
+
+
+def test_the_report_has_the_regression_and_the_delta_of_tan_gamma():
+    report = wrcontact.check(wrcontact.ContactSystem("cone20"))
+    np.testing.assert_allclose(report.conicity.regressed, 0.05, rtol=2e-3)
+    delta = report.curves.delta_tan_gamma
+    np.testing.assert_allclose(delta[np.abs(report.curves.lateral_shift) < 5 * MM], 0.0, atol=1e-3)
+    curves = wrcontact.check(wrcontact.ContactSystem()).curves
+    middle = np.abs(curves.lateral_shift) < 6 * MM
+    np.testing.assert_allclose(
+        curves.delta_tan_gamma[middle], -curves.delta_tan_gamma[middle][::-1], atol=1e-6
+    )
+    assert np.nanmax(curves.delta_tan_gamma) > 2.0  # on the flange
 
 
 def test_constant_difference_thrown_over_in_the_middle():

@@ -12,7 +12,7 @@ from wrcontact.fmu import native
 from wrcontact.interface.variables import OUTPUT, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.files import PLATFORMS
-from wrcontact.profiles.catalogue import BUILDERS
+from wrcontact.profiles.catalogue import USUAL
 
 DOCS = ROOT / "docs"
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md"))]
@@ -92,7 +92,7 @@ def test_the_page_on_fmus_names_what_there_is(capsys):
     files = [DOCS / "guides" / name for name in ("fmu.md", "fmu_hosts.md")]
     page = "".join(file.read_text(encoding="utf-8") for file in files)
     page = pages.PATTERN.sub("", page)  # without tables
-    for name in (*PLATFORMS, *BUILDERS):
+    for name in (*PLATFORMS, *USUAL):
         assert name in page, name
     wildcards = re.search(r"-ffp-contract=off (.*) -o WheelsetContact", page)[1].split()
     assert wildcards == ["*.c", "kernel/native/*.c"]

@@ -1,4 +1,4 @@
-"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check``, ``wear`` and ``figures``."""
+"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check``, ``wear``, ``profiles`` and ``figures``."""
 
 import os
 import sys
@@ -16,6 +16,7 @@ from ..profiles.files import SMOOTHING
 from ..profiles.remarks import remarks_in_lines
 from ..progress import in_lines, working
 from ..status import Status
+from .catalogue import profiles
 from .door import Door, Refused, check_file, check_folder, sentences
 from .grids import refuse_beside_axes, sweeps_grids, write_grid
 from .groups import FILES
@@ -417,6 +418,7 @@ def check(
 
 
 main.command(cls=Command, rich_help_panel=CONTACT)(with_all(reads_files(takes(geometry=GEOMETRY)(wear))))
+main.command(cls=Command, rich_help_panel=CONTACT)(profiles)
 
 
 @main.command(cls=Command, rich_help_panel=STUDY)

@@ -56,7 +56,7 @@ USUAL = {
     "left_friction",
     "right_friction",
 }
-FROM_FILE = "or the path of a file of points (docs/guides/profiles.md)"
+FROM_FILE = "others of `wrcontact profiles`, or a file of points (docs/guides/profiles.md)"
 #: Help texts that differ from those of the FMU.
 WORDS = {
     "wheel": f"Wheel profile: {', '.join(WHEELS)}, {FROM_FILE}",

@@ -10,7 +10,7 @@ The package uses a ContactSystem; nothing in a simulation or an FMU uses it.
 """
 
 from .conformal import ConformalZone
-from .conicity import Conicity, equivalent_conicity
+from .conicity import Conicity, equivalent_conicity, regressed_conicity
 from .curves import Curves, Jump, SideCurves, find_jumps
 from .quality import ProfileQuality
 from .report import Conditioning, check
@@ -25,5 +25,6 @@ __all__ = [
     "SideCurves",
     "check",
     "equivalent_conicity",
+    "regressed_conicity",
     "find_jumps",
 ]

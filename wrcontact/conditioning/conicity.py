@@ -48,6 +48,8 @@ class Conicity(ShortText):
     level_reason, rolled_reason : "" or the reason why there is no oscillation.
     nonlinearity : change of ``level`` from 2 to 4 mm, per metre [1/m] (Polach, Vehicle System
     Dynamics 48 S1 (2010) 19-36).
+    regressed : conicity at zero roll by linear regression of the rolling radius difference,
+    :func:`regressed_conicity`.
     """
 
     amplitude: np.ndarray
@@ -58,6 +60,7 @@ class Conicity(ShortText):
     level_reason: tuple
     rolled_reason: tuple
     nonlinearity: float
+    regressed: np.ndarray
 
 
 class Swing:
@@ -148,6 +151,13 @@ def equivalent_conicity(lateral_shift, radius_difference, amplitude):
         if the arrays differ in length, are shorter than 2, not finite or not rising, or an
         amplitude is not positive.
     """
+    shift, difference, amplitudes = _checked_curve(lateral_shift, radius_difference, amplitude)
+    swing = Swing(shift, difference)
+    return np.array([swing.conicity(value)[0] for value in amplitudes])
+
+
+def _checked_curve(lateral_shift, radius_difference, amplitude):
+    """Both columns of a curve (n,) and amplitudes (m,) as arrays; ValueError if they cannot be used."""
     shift, difference = np.asarray(lateral_shift, dtype=float), np.asarray(radius_difference, dtype=float)
     if shift.ndim != 1 or shift.shape != difference.shape or len(shift) < 2:
         raise ValueError(
@@ -162,8 +172,7 @@ def equivalent_conicity(lateral_shift, radius_difference, amplitude):
     amplitudes = np.atleast_1d(np.asarray(amplitude, dtype=float))
     if not np.all(amplitudes > 0.0):
         raise ValueError(f"amplitude is {amplitude!r}; permitted is amplitude > 0 m")
-    swing = Swing(shift, difference)
-    return np.array([swing.conicity(value)[0] for value in amplitudes])
+    return shift, difference, amplitudes
 
 
 def conicities(level, rolled, *, running_circle_distance, nominal_radius):
@@ -183,7 +192,30 @@ def conicities(level, rolled, *, running_circle_distance, nominal_radius):
         reasons,
         rolled_reasons,
         float(values[at[4]] - values[at[2]]) / 2e-3,
+        np.full(len(AMPLITUDES), math.nan) if level is None else regressed_conicity(*level, AMPLITUDES),
     )
+
+
+def regressed_conicity(lateral_shift, radius_difference, amplitude):
+    """Equivalent conicity [1] at each ``amplitude`` (m,) [m] by linear regression: half the slope of the straight
+    line through the rolling radius difference between -amplitude and +amplitude with the least mean square distance;
+    an array (m,), NaN where the curve does not reach so far.
+
+    The method of linear regression of EN 15302. The curve is straight between its points, and both integrals are
+    exact: tan(gamma) = 3 / (4 A^3) times the integral of y delta_r(y). Parameters and errors are those of
+    :func:`equivalent_conicity`.
+    """
+    shift, difference, amplitudes = _checked_curve(lateral_shift, radius_difference, amplitude)
+    found = np.full(len(amplitudes), math.nan)
+    for k, end in enumerate(amplitudes):
+        if shift[0] <= -end and end <= shift[-1]:
+            y = np.concatenate([[-end], shift[(-end < shift) & (shift < end)], [end]])
+            d, middle = np.interp(y, shift, difference), 0.5 * (y[1:] + y[:-1])
+            # Simpson's rule is exact for the product of two straight lines
+            inner = 4.0 * middle * 0.5 * (d[1:] + d[:-1])
+            moment = np.sum(np.diff(y) * (y[:-1] * d[:-1] + inner + y[1:] * d[1:])) / 6.0
+            found[k] = 0.75 * moment / end**3
+    return found
 
 
 def _at_amplitudes(curve):

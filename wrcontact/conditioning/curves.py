@@ -73,6 +73,12 @@ class Curves(ShortText):
     left: SideCurves
     right: SideCurves
 
+    @property
+    def delta_tan_gamma(self):
+        """tan of the right minus tan of the left contact angle (n,) [1], as the rolling radius difference is right
+        minus left."""
+        return np.tan(self.right.contact_angle) - np.tan(self.left.contact_angle)
+
 
 def geometry(system, lateral_shift, yaw=0.0):
     """States at ``lateral_shift`` (n,) [m] and ``yaw`` [rad], geometry only: of a rigid wheelset, or of a

@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..profiles import Profile, ProfileFile
-from ..profiles.catalogue import NAMES, find_profile, standard_name
+from ..profiles.catalogue import NAMES, find_profile, is_standard
 from ..storage.atomic import sentence_of
 
 
@@ -37,7 +37,7 @@ def named_sources(profiles, kind):
 def _sources(given, kind):
     """The sources that one entry stands for."""
     if isinstance(given, Profile) or (
-        isinstance(given, str) and standard_name(given) in NAMES[kind] and not os.path.exists(given)
+        isinstance(given, str) and is_standard(given, kind) and not os.path.exists(given)
     ):
         return [given]
     path = given.path if isinstance(given, ProfileFile) else given

@@ -8,7 +8,7 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 from .. import ContactSystem
-from ..profiles.catalogue import BUILDERS, standard_name
+from ..profiles.catalogue import standard_name
 from .online import PACKAGE
 from .rest import at_rest
 from .settings import checked, keywords_of
@@ -48,7 +48,7 @@ def chosen_starts(smoothing=None, settings=None, side="", **chosen):
         f"{argument}_profile": getattr(system, argument)
         for argument in ("wheel", "rail", "left_wheel", "left_rail")
     }
-    files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
+    files = {parameter: Path(name).name for parameter, name in starts.items() if standard_name(name) != name}
     for file in files.values():
         sharing = [parameter for parameter in files if files[parameter] == file]
         if len({("wheel" in parameter, starts[parameter]) for parameter in sharing}) > 1:

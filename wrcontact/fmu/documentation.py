@@ -184,7 +184,7 @@ is a Python uses itself. On Linux another host needs Python's library, <code>lib
 file that the environment variable <code>WRCONTACT_LIBPYTHON</code> names, else that of the first <code>python3</code> in <code>PATH</code>,
 else any that the system finds. On Windows <code>python3.dll</code> must be in <code>PATH</code>. The native FMU needs nothing of this. On a
 platform without a compiled kernel in this FMU, the kernel also runs as Python, about 100 times slower, with the same
-results. <code>wheel_profile</code> and <code>rail_profile</code> are a built-in name (S1002, cone20, cone40; UIC60, 60E1, 54E1) or the name
+results. <code>wheel_profile</code> and <code>rail_profile</code> are a name of the catalogue (such as S1002, LMA, UIC60, R65) or the name
 of a file in the FMU's <code>resources</code>.</p>
 <p>A wrong call (an unknown value reference, a wrong type, a parameter that is not permitted, a call out of order) changes
 nothing and gives one sentence in the log and on the console. PythonFMU, which calls the program, knows no error: the call

@@ -12,7 +12,8 @@ from .. import __version__
 from ..interface.variables import PLACE, REFERENCE, VARIABLES
 from ..kernel.binding.compiler import FMU_UNITS, KEPT, compile_platform
 from ..kernel.binding.files import PLATFORMS, host_platform
-from ..profiles.catalogue import BUILDERS, standard_profile
+from ..profiles.catalogue import standard_profile
+from ..profiles.standards import names
 from ..progress import tracked
 from ..storage.atomic import write_atomically
 from . import description, description3, native_model
@@ -77,9 +78,12 @@ def build_native_fmus(
 
 
 def packed_profiles(smoothing=None, settings=None, side="", **chosen):
-    """Start values of parameters and inputs, and all profiles that can be chosen, by name."""
+    """Start values of parameters and inputs, and all profiles that can be chosen, by name: those of the
+    catalogue, of EN 13715 the designations that are chosen here, and files."""
     starts, own = chosen_starts(smoothing, settings, side, **chosen)
-    return starts, {**{name: standard_profile(name) for name in BUILDERS}, **own}
+    chosen = [name for key, name in starts.items() if key.endswith("_profile") and name and name not in own]
+    known = dict.fromkeys((*names("wheel"), *names("rail"), *chosen))
+    return starts, {**{name: standard_profile(name) for name in known}, **own}
 
 
 def native_fmu(version, starts, profiles, platforms, folder, cache, variant):

@@ -10,6 +10,7 @@ from ..kernel.binding.compiler import FMU_UNITS, CompilerProblem, compile_platfo
 from ..kernel.binding.files import LIBRARY_NAME, library_name
 from ..kernel.binding.fixed_tables import CORRECTION, FIXED
 from ..kernel.binding.library import HERE, LibraryUnusable, fingerprint, open_library
+from ..profiles.standards import FILE
 from ..progress import tracked
 
 PACKAGE = Path(__file__).resolve().parent.parent
@@ -35,7 +36,7 @@ OFFLINE = frozenset(
 def online_files():
     """Contents of the needed files by their path in the package."""
     kernel = set((PACKAGE / "kernel").rglob("*.py")) - {PACKAGE / "kernel" / "binding" / "compiler.py"}
-    files = imported_from(PACKAGE / ENTRANCE) | kernel | {FIXED, CORRECTION, LIST}
+    files = imported_from(PACKAGE / ENTRANCE) | kernel | {FIXED, CORRECTION, LIST, FILE}
     return {file.relative_to(PACKAGE).as_posix(): file.read_bytes() for file in sorted(files)}
 
 

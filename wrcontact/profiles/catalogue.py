@@ -1,14 +1,8 @@
-"""Standard profiles from their defining zones, and the profile that an argument means.
+"""Standard profiles by their names, and the profile that an argument means.
 
-Wheel
-    S1002: EN 13715 / UIC 510-2, zones A to H.
-    cone20, cone40: cones of 1:20 and 1:40 without flange.
-Rails
-    crown R300, shoulder R80, gauge corner R13, side 1:20, tangent to each other and symmetric:
-    UIC60 (the widths of the Manchester benchmark's rail), 60E1 and 54E1 (EN 13674-1).
+The numbers of standard profiles are in standards.json (standards.py).
 """
 
-import math
 import os
 from functools import cache
 
@@ -17,118 +11,36 @@ from ..methods.words import did_you_mean
 from .files import of_kind, read_profile, smoothing_in_mm
 from .options import ProfileFile
 from .profile import Profile
-from .zones import Arc, Polynomial, mirror_zone
+from .standards import PATTERNS, build, known_name, names
 
-
-def s1002():
-    """Wheel profile S1002, zones H to A from the flange back to the field side [mm]."""
-    zones = (
-        Arc(-70.0, -62.764705882, 20.5, -49.5, 9.519259302, +1),
-        Arc(-62.764705882, -49.662510381, 12.0, -55.0, 16.0, +1),
-        Arc(-49.662510381, -39.764473993, 20.0, -58.558326413, 8.834924130, +1),
-        Polynomial(-39.764473993, -38.426669071, (-93.576667419, -2.747477419)),
-        Arc(-38.426669071, -35.0, 13.0, -26.210665, 16.446, -1),
-        Polynomial(
-            -35.0,
-            -26.0,
-            (
-                -4.320221063e3,
-                -1.038384026e3,
-                -1.065501873e2,
-                -6.051367875,
-                -2.054332446e-1,
-                -4.169739389e-3,
-                -4.687195829e-5,
-                -2.252755540e-7,
-            ),
-        ),
-        Polynomial(
-            -26.0,
-            32.15796,
-            (
-                0.0,
-                -3.358537058e-2,
-                1.565681624e-3,
-                -2.810427944e-5,
-                5.844240864e-8,
-                -1.562379023e-8,
-                5.309217349e-15,
-                -5.957839843e-12,
-                2.646656573e-13,
-            ),
-        ),
-        Polynomial(32.15796, 60.0, (1.364323640, -0.066666667)),
-    )
-    return Profile("S1002", "wheel", zones)
-
-
-def cone(name, run):
-    """A cone that rises by 1 in ``run`` towards the field side, without flange [mm], for comparison with
-    closed forms: its equivalent conicity is 1 / run."""
-    return Profile(name, "wheel", (Polynomial(-40.0, 60.0, (0.0, -1.0 / run)),))
-
-
-def rail_head(name, *, crown_half_width, shoulder_half_width, corner_half_width, depth=40.0):
-    """A head of tangent arcs R300, R80, R13 and a side 1:20, symmetric about its top [mm].
-
-    Each arc's centre lies on the line through the neighbour's centre and the joint, so the chain is tangent
-    by construction.  The side starts where the R13 arc has the slope 20, or at ``corner_half_width``, and
-    continues down to ``depth``.
-    """
-    crown = Arc(-crown_half_width, crown_half_width, 300.0, 0.0, 300.0, -1)
-    shoulder = _tangent_arc(crown, 80.0, crown_half_width, shoulder_half_width)
-    corner = _tangent_arc(shoulder, 13.0, shoulder_half_width, corner_half_width)
-    tangent = corner.y_centre + corner.radius * 20.0 / math.sqrt(401.0)
-    corner = Arc(corner.start, tangent, corner.radius, corner.y_centre, corner.z_centre, -1)
-    z_side = float(corner(tangent)[0])
-    side = Polynomial(tangent, tangent + (depth - z_side) / 20.0, (z_side, 20.0), tangent)
-    half = (shoulder, corner, side)
-    return Profile(name, "rail", tuple(mirror_zone(zone) for zone in reversed(half)) + (crown,) + half)
-
-
-def _tangent_arc(previous, radius, start, stop):
-    """The arc of ``radius`` from ``start`` to ``stop`` that continues ``previous`` with the same tangent at
-    ``start``."""
-    share = 1.0 - radius / previous.radius
-    z_start = float(previous(start)[0])
-    return Arc(
-        start,
-        stop,
-        radius,
-        previous.y_centre + share * (start - previous.y_centre),
-        previous.z_centre + share * (z_start - previous.z_centre),
-        -1,
-    )
-
-
-BUILDERS = {
-    "S1002": s1002,
-    "cone20": lambda: cone("cone20", 20.0),
-    "cone40": lambda: cone("cone40", 40.0),
-    "UIC60": lambda: rail_head(
-        "UIC60", crown_half_width=10.5, shoulder_half_width=25.988023, corner_half_width=36.0
-    ),
-    "60E1": lambda: rail_head(
-        "60E1", crown_half_width=10.228, shoulder_half_width=26.0265, corner_half_width=36.0
-    ),
-    "54E1": lambda: rail_head(
-        "54E1", crown_half_width=10.012, shoulder_half_width=24.864, corner_half_width=35.0
-    ),
-}
+#: The profiles that help texts and refusals name; all others are in ``wrcontact profiles``.
 WHEELS = ("S1002", "cone20", "cone40")
 RAILS = ("UIC60", "60E1", "54E1")
 NAMES = {"wheel": WHEELS, "rail": RAILS}
+USUAL = (*WHEELS, *RAILS)
 
 
 @cache
 def standard_profile(name):
-    """The built-in profile called ``name``; KeyError if there is none."""
-    return BUILDERS[name]()
+    """The standard profile with this very ``name``; KeyError if there is none."""
+    return build(name)
 
 
 def standard_name(name):
-    """The built-in profile's name that differs from ``name`` at most in case; None if there is none."""
-    return next((known for known in BUILDERS if known.lower() == name.lower()), None)
+    """The name of the standard profile that is called ``name``, in any case, or that has this other name; None
+    if there is none."""
+    return next((known for known in USUAL if known.lower() == name.lower()), None) or known_name(name)
+
+
+def is_standard(name, kind):
+    """Whether a standard profile of this ``kind`` is called ``name``, in any case."""
+    known = standard_name(name)
+    return known is not None and standard_profile(known).kind == kind
+
+
+def every_profile():
+    """All standard profiles, rails first, without those of EN 13715 by designation."""
+    return [standard_profile(name) for kind in ("rail", "wheel") for name in names(kind)]
 
 
 def find_profile(source, kind, smoothing=None, argument=None, track=None):
@@ -175,13 +87,14 @@ def named_profile(source, kind, argument, others, missing=""):
     ``argument``, what is ``missing`` and what is permitted: the names, and ``others``, words that continue
     their list."""
     standard = standard_name(source) if isinstance(source, str) else None
-    if standard in NAMES[kind]:
+    if standard and standard_profile(standard).kind == kind:
         return standard_profile(standard)
     other = " (a profile of the other kind)" if standard else ""
-    meant = "" if missing or other else did_you_mean(source, NAMES[kind])
+    known = (*names(kind), *(PATTERNS if kind == "wheel" else ()))
+    meant = "" if missing or other else did_you_mean(source, known)
     raise ValueError(
         f"{argument} is {str(source)!r}{other}{missing}; permitted are "
-        f"{', '.join(NAMES[kind])}{others}{meant}"
+        f"{', '.join(NAMES[kind])}, the other names of `wrcontact profiles`{others}{meant}"
     )
 
 

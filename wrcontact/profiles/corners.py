@@ -22,8 +22,8 @@ def remark_corners(system):
 
 def corner_remarks(profile):
     """The remarks (a tuple) on the corners of a Profile. Those of a file of points are the walls of a rail's
-    head, or have been told when it was read."""
-    told = [] if profile.reading else list(told_corners(profile))
+    head, or have been told when it was read; those of a standard profile belong to it."""
+    told = [] if profile.reading or profile.source else list(told_corners(profile))
     if not told:
         return ()
     where, turns, lifts = zip(*told)

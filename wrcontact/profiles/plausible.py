@@ -11,6 +11,7 @@ compared with the limits of wear. The profile is used as it is.
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
+from ..interface.parameters import on_the_left
 from .remarks import Grave, remark
 
 #: Gauges of main lines [mm]; a track has the largest of them that it reaches but for NARROW, and is up to
@@ -42,9 +43,36 @@ def remark_profiles(system):
     """Give a :class:`~wrcontact.ProfileWarning` on each profile of a :class:`~wrcontact.ContactSystem` that is a
     wheel with an implausible origin, or is rough."""
     for wheel in dict.fromkeys((system.wheel, system.left_wheel)):
-        remark("wheel", wheel.name, (*remarks_on(wheel, system.parameters), *_on_roughness(wheel)))
-    for rail in dict.fromkeys((system.rail, system.left_rail)):
-        remark("rail", rail.name, [*_on_roughness(rail)])
+        told = (*remarks_on(wheel, system.parameters), *_on_roughness(wheel), *_on_circles(wheel, system))
+        remark("wheel", wheel.name, told)
+    for rail, inclination in dict.fromkeys(_placed(system)):
+        remark("rail", rail.name, [*_on_roughness(rail), *_on_inclination(rail, inclination)])
+
+
+def _placed(system):
+    """The rails of a system and their inclinations [1]."""
+    left = on_the_left(system.parameters)["rail_inclination"]
+    return (system.rail, system.parameters["rail_inclination"]), (system.left_rail, left)
+
+
+def _on_circles(wheel, system):
+    """What is said where the wheelsets of a standard wheel have another distance of the running circles."""
+    usual = wheel.source and wheel.source.running_circle_distance
+    given = system.parameters["running_circle_distance"]
+    if usual and abs(usual - given) > ASIDE * MM:
+        yield (
+            f"the running circles of its wheelsets are {usual / MM:g} mm apart; running_circle_distance is "
+            f"{given / MM:g} mm"
+        )
+
+
+def _on_inclination(rail, inclination):
+    """What is said where a standard's rail that is inclined already is inclined again."""
+    if rail.source and rail.source.inclined and inclination:
+        yield Grave(
+            f"it is inclined by 1:{1.0 / rail.source.inclined:g} already, and rail_inclination turns it by "
+            f"{inclination:g} more; usual is rail_inclination=0"
+        )
 
 
 def _on_roughness(profile):

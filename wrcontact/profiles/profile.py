@@ -15,12 +15,16 @@ from ..storage.atomic import write_atomically
 from .definition import definition
 from .files import prepared_text, read_profile, zones_through
 from .options import ProfileFile
-from .remarks import Reading
-from .zones import Chain
+from .remarks import Reading, counted, remark, stretch
+from .source import Source
+from .zones import Chain, joined
 
 #: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
 #: rounding.
 JOINT_HEIGHT = 2e-4
+#: Largest height step that is joined by moving the outer zones [mm]: numbers of standards are printed to 0.01 mm
+#: or finer.
+PRINTED_STEP = 0.01
 #: Largest slope step at a joint of a tangent chain [-]; S1002 as printed has 1.1e-5.
 JOINT_SLOPE = 3e-5
 
@@ -42,8 +46,11 @@ class Profile:
 
     ``kind`` is "wheel" (y to the field side from the running circle, radius = nominal radius + height) or
     "rail" (origin at the highest point of the head).  Height is positive down for both.  The constructor
-    checks that consecutive zones have no hole between them and agree in height and slope; ``smooth=False``
-    permits corners, for measured profiles.  ``reading`` describes the file of points that the profile comes
+    checks that consecutive zones have no hole between them and agree in height and slope.  Steps in height of up
+    to PRINTED_STEP between printed zones are joined: the outer zones are moved to the inner ones, with a
+    :class:`~wrcontact.ProfileWarning`.  ``smooth=False``
+    permits corners, which stay.  ``source`` says where the numbers of a standard profile come from, None of
+    any other; it has no effect.  ``reading`` describes the file of points that the profile comes
     from, if any; it has no effect.  ``worn_face`` is how far the inner face of a rail has worn at the depth of
     the gauge since it was laid [m]: a worn rail keeps its place on the track, and the gauge is wider.
 
@@ -60,28 +67,51 @@ class Profile:
     joints: tuple = field(init=False, compare=False)
     reading: Reading | None = field(default=None, compare=False, repr=False)
     worn_face: float = 0.0
+    source: Source | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self):
         if self.kind not in ("wheel", "rail"):
             raise ValueError(f"profile {self.name}: kind is {self.kind!r}, permitted are 'wheel' and 'rail'")
         if not self.zones:
             raise ValueError(f"profile {self.name}: it has no zones")
-        object.__setattr__(self, "joints", tuple(map(self._joint, self.zones[:-1], self.zones[1:])))
+        meeting = [self._meeting(*pair) for pair in zip(self.zones[:-1], self.zones[1:])]
+        steps = [abs(float(right[0] - left[0])) for left, right in meeting]
+        if any(JOINT_HEIGHT < step <= PRINTED_STEP for step in steps):
+            object.__setattr__(self, "zones", joined(self.zones, JOINT_HEIGHT, PRINTED_STEP)[0])
+            told = [
+                (zone.start, step)
+                for zone, step in zip(self.zones[1:], steps)
+                if JOINT_HEIGHT < step <= PRINTED_STEP
+            ]
+            remark(
+                self.kind,
+                self.name,
+                [
+                    f"{counted(len(told), 'step')} of up to {max(step for _, step in told):.2g} mm between its zones "
+                    f"({stretch([y for y, _ in told])}) joined by moving the zones that lie farther from y = 0"
+                ],
+            )
+            meeting = [self._meeting(*pair) for pair in zip(self.zones[:-1], self.zones[1:])]
+        object.__setattr__(self, "joints", tuple(map(self._joint, self.zones[1:], meeting)))
 
-    def _joint(self, before, after):
+    def _meeting(self, before, after):
+        """Height, slope and second derivative of two neighbours where they meet."""
         if abs(after.start - before.stop) > 1e-9:
             raise ValueError(f"profile {self.name}: hole between y = {before.stop} mm and {after.start} mm")
-        left, right = before(after.start), after(after.start)
+        return before(after.start), after(after.start)
+
+    def _joint(self, after, meeting):
+        left, right = meeting
         step, slope, bend = (float(b - a) for a, b in zip(left, right))
         if not abs(step) <= JOINT_HEIGHT:
             raise ValueError(
                 f"profile {self.name}: height step of {step:.3g} mm at y = {after.start} mm, "
-                f"permitted is {JOINT_HEIGHT} mm"
+                f"permitted is {PRINTED_STEP} mm"
             )
         if self.smooth and not abs(np.arctan(right[1]) - np.arctan(left[1])) <= JOINT_SLOPE:
             raise ValueError(
                 f"profile {self.name}: slope step of {slope:.3g} at y = {after.start} mm, "
-                f"permitted is {JOINT_SLOPE}"
+                f"permitted is {JOINT_SLOPE}, or any with smooth=False"
             )
         return Joint(after.start * MM, step * MM, slope, bend / MM)
 

@@ -5,7 +5,7 @@ arrays of y's shape.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -147,3 +147,40 @@ def mirror_zone(zone):
         return Arc(-zone.stop, -zone.start, zone.radius, -zone.y_centre, zone.z_centre, zone.side)
     flipped = tuple(c * (-1) ** k for k, c in enumerate(zone.coefficients))
     return Polynomial(-zone.stop, -zone.start, flipped, -zone.origin)
+
+
+def lifted(zone, by):
+    """``zone`` moved down by ``by`` [mm]."""
+    if isinstance(zone, Arc):
+        return replace(zone, z_centre=zone.z_centre + by)
+    if isinstance(zone, Moved):
+        return replace(zone, z_shift=zone.z_shift + by)
+    first, *others = zone.coefficients
+    return replace(zone, coefficients=(first + by, *others))
+
+
+def moved_across(zone, by):
+    """``zone``, an Arc or a Polynomial, moved by ``by`` [mm] along y."""
+    start, stop = zone.start + by, zone.stop + by
+    if isinstance(zone, Arc):
+        return replace(zone, start=start, stop=stop, y_centre=zone.y_centre + by)
+    return replace(zone, start=start, stop=stop, origin=zone.origin + by)
+
+
+def joined(zones, least, most):
+    """The ``zones`` without steps in height between ``least`` and ``most`` [mm], and the steps that they had:
+    what lies outside of such a step, seen from y = 0, is moved to meet what lies inside."""
+    middle = min(range(len(zones)), key=lambda i: max(zones[i].start, -zones[i].stop, 0.0))
+    found, steps = list(zones), []
+    for order in (range(middle + 1, len(zones)), range(middle - 1, -1, -1)):
+        shift = 0.0
+        for i in order:
+            inner = zones[i - 1] if i > middle else zones[i + 1]
+            joint = max(zones[i].start, inner.start)
+            step = float(inner(joint)[0]) - float(zones[i](joint)[0])
+            if least < abs(step) <= most:
+                steps.append(step)
+                shift += step
+            if shift:
+                found[i] = lifted(zones[i], shift)
+    return tuple(found), steps

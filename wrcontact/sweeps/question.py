@@ -14,7 +14,7 @@ from .. import __version__
 from ..interface.calls import given_inputs, warn_of_inputs
 from ..interface.parameters import LEFT, PARAMETERS
 from ..methods.numbers import unit_behind
-from ..profiles.catalogue import BUILDERS, standard_profile
+from ..profiles.catalogue import standard_name, standard_profile
 from ..profiles.files import prepared_profile, prepared_text
 from ..profiles.profile import Profile
 from ..results.columns import output_names, selected
@@ -89,7 +89,7 @@ def system_of(record, profiles):
     for kind in PROFILES:
         side, key = kind.removeprefix(LEFT), parameters[kind]
         profile = prepared_profile(profiles[key], side, Profile)
-        standard = profile.name in BUILDERS and standard_profile(profile.name) == profile
+        standard = standard_name(profile.name) == profile.name and standard_profile(profile.name) == profile
         parameters[kind] = profile.name if standard else profile
         if kind != side and key == record["parameters"][side]:
             parameters[kind] = None  # as on the right

@@ -38,6 +38,24 @@ def test_own_profiles_are_packed_and_can_be_switched(packed, tmp_path):
         host.end()
 
 
+@pytest.mark.full
+def test_profiles_of_the_catalogue_are_packed_and_can_be_switched(tmp_path):
+    """A designation of EN 13715 is packed where it is chosen, all others always."""
+    wheel = "s1002/h30/e31.5/15"
+    fmu, _ = native.build_native_fmus(tmp_path, wheel=wheel, rail="r65", cache=None)
+    host = Host(fmu, tmp_path / "host")
+    for pair in ({}, {"wheel_profile": "LMA", "rail_profile": "chn60"}):
+        start = {**pair, "normal_model": "hertz"}
+        seen = host.ask("trajectory", rows=poses(3), names=OUTPUT_NAMES, start=start)["seen"]
+        made = Session(resources=None, tell=lambda sentence: None)
+        whole = {"wheel_profile": wheel, "rail_profile": "R65", **start}
+        made.set_strings([REFERENCE[name] for name in whole], list(whole.values()))
+        made.start()
+        for row, found in zip(poses(3), seen, strict=True):
+            assert_same(found, stepped(made, row))
+    host.end()
+
+
 def test_names_of_packed_profiles_are_told(packed, tmp_path):
     fmus, wheel, rail = packed
     answer = run_scenario(
