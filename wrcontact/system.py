@@ -42,6 +42,7 @@ from .profiles.catalogue import find_profiles
 from .profiles.corners import remark_corners
 from .profiles.plausible import remark_profiles
 from .results.columns import selected
+from .results.inputs import Rows
 from .state import Equilibrium, WheelsetState
 from .status import Status
 from .stepper import DEPTHS, Stepper, thread_count, threaded_parts
@@ -309,8 +310,8 @@ class ContactSystem:
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``, or "status" for
-        the outcome of the whole contact alone.  The table has memory only for what is wanted: 4.4 kB a row
-        for all outputs, 8 B for one.
+        the outcome of the whole contact alone.  A row has 8 B for each output that is wanted, for each input
+        that is given as an array, and for the status.
 
         ``threads`` share the rows of a long table, with the same bits; None are as many as this process has
         cores.  The half-space, which needs much time, is shared by ``processes`` instead, with the same
@@ -346,7 +347,7 @@ class ContactSystem:
         parts = self._parts(stepper, rows, wanted.places, processes)
         return (
             WheelsetState(
-                found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs), self._balancing()
+                found.copy(), outcome, rows.part(part), wanted.places, len(stepper.outputs), self._balancing()
             )
             for part, found, outcome in parts
         )
@@ -404,10 +405,7 @@ class ContactSystem:
         wanted = selected(side, outputs, len(stepper.outputs))
         stepper.want(wanted.side, wanted.depth)
         stepper.prescribe(penetration)
-        rows = np.empty((*shape, len(columns)))
-        for place, column in enumerate(columns):
-            rows[:, place] = column
-        return rows, wanted, stepper
+        return Rows.of(columns, shape[0], wanted.named), wanted, stepper
 
 
 def _rebuilt(kind, parameters, profiles):
