@@ -32,9 +32,11 @@ from .interface.parameters import (
     warn_of_parameters,
 )
 from .kernel import layout
+from .kernel.binding.own_models import OwnKernel
 from .kernel.binding.setup import prepare_sides, profile_tables
 from .kernel.prepare.tables import equal_sides
 from .methods import Halfspace, HalfspaceRolling
+from .methods.own import functions_in
 from .motion.names import listed
 from .motion.reaction import rail_reaction
 from .motion.standing import stand_at
@@ -60,6 +62,8 @@ class ContactSystem:
     :class:`~wrcontact.Track`, :class:`~wrcontact.Wheelset`, :class:`~wrcontact.Material` or
     :class:`~wrcontact.Friction`.  A method is a string, with its numbers as keywords, or an object that holds
     them: ``normal_model=Analyn(tolerance=0.004)`` is ``normal_model="analyn", tolerance=0.004``.
+    ``normal_model`` and ``tangential_model`` may also be functions of Python, which the uncompiled kernel calls,
+    some hundred times slower (docs/guides/own_model.md).
 
     Parameters
     ----------
@@ -72,7 +76,7 @@ class ContactSystem:
 
     Attributes
     ----------
-    parameters : the value of every keyword but the groups; methods are strings.
+    parameters : the value of every keyword but the groups; methods are strings, or functions.
     methods : the object of every method, by its keyword.
     wheel, rail, left_wheel, left_rail : the profiles of the right and of the left side.
 
@@ -189,7 +193,8 @@ class ContactSystem:
             from .halfspace.rolling_step import RollingSolver
 
             return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]))
-        return Stepper(self._tables)
+        functions = functions_in(self.parameters)
+        return Stepper(self._tables, OwnKernel(functions).bind if functions else None)
 
     def evaluate(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
         """The contact of both wheels at one pose.
