@@ -2,6 +2,7 @@
 
 import os
 import sys
+import warnings
 from pathlib import Path
 from typing import Annotated
 
@@ -13,7 +14,7 @@ from ..kernel.binding.files import PLATFORMS
 from ..methods import CHOICES
 from ..methods.words import did_you_mean
 from ..profiles.files import SMOOTHING
-from ..profiles.remarks import remarks_in_lines
+from ..profiles.remarks import ProfileWarning, remarks_in_lines
 from ..progress import in_lines, working
 from ..status import Status
 from .door import Door, Refused, check_file, check_folder, sentences
@@ -426,7 +427,10 @@ def check(
         raise Refused(f"--table is {str(table)!r}; permitted is a file that ends in .csv")
     for target in filter(None, (output, file, table)):
         check_file(target)
-    check_one(_system(geometry, smoothing), output, file, table)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ProfileWarning)  # the report has all remarks
+        system = _system(geometry, smoothing)
+    check_one(system, output, file, table)
 
 
 main.command(cls=Command, rich_help_panel=CONTACT)(with_all(reads_files(takes(geometry=GEOMETRY)(wear))))

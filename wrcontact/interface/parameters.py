@@ -380,6 +380,11 @@ def _split(given):
         if isinstance(value, (tuple, list)):
             if len(value) != 2:
                 raise ValueError(f"{name} is {value!r}; permitted is one value, or (left, right)")
+            if None in (value[0], value[1]):
+                raise ValueError(
+                    f"{name} is {value!r}, which says nothing of one side; permitted is a value for each side, or "
+                    "one value for both"
+                )
             if found.get(LEFT + name) is not None:
                 raise ValueError(
                     f"{LEFT}{name} is {found[LEFT + name]!r}, but {name} is {value!r}; "

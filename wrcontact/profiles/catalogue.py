@@ -177,7 +177,8 @@ def named_profile(source, kind, argument, others, missing=""):
     standard = standard_name(source) if isinstance(source, str) else None
     if standard in NAMES[kind]:
         return standard_profile(standard)
-    other = " (a profile of the other kind)" if standard else ""
+    swapped = {"wheel": "rail", "rail": "wheel"}[kind]
+    other = f" (a profile of a {swapped}; did you swap wheel and rail?)" if standard else ""
     meant = "" if missing or other else did_you_mean(source, NAMES[kind])
     raise ValueError(
         f"{argument} is {str(source)!r}{other}{missing}; permitted are "
