@@ -42,26 +42,71 @@ def command_line():
         "",
         *words,
     ]
+    groups = {name: groups_of(command) for name, command in group.commands.items()}
+    common = common_rows(groups.values())
     for name, command in group.commands.items():
-        lines += ["", *of_command(name, command)]
+        lines += ["", *of_command(name, command), *tables_of(groups[name], common)]
+    lines += ["", "## Options of several commands", "", "Each command above says which of these it takes."]
+    for title, rows in common.items():
+        lines += ["", f"### {title}", "", *table(rows)]
     return "\n".join(lines) + "\n"
 
 
 def of_command(name, command):
-    """Lines on one command."""
+    """Lines on one command, without its options."""
     text, example = cleandoc(command.help or ""), EXAMPLE.search(cleandoc(command.help or ""))
     paragraphs = [" ".join(part.split()) for part in EXAMPLE.sub("", text).strip().split("\n\n")]
     lines = [f"## wrcontact {name}", "", *"\n\n".join(map(angled, paragraphs)).split("\n")]
     if example:
         lines += ["", "```", " ".join(example[1].split()), "```"]
+    return lines
+
+
+def groups_of(command):
+    """{title: rows of its options}."""
     groups = {title: [] for title in (OWN, *ORDER)}
     for option in command.params:
         if option.param_type_name == "option" and option.name not in ("help", "help_all"):
-            groups.setdefault(getattr(option, "rich_help_panel", None) or OWN, []).append(option)
-    for title, options in groups.items():
-        if options:
-            lines += ["", f"**{title}**", "", "| option | meaning |", "|---|---|", *map(row, options)]
-    return lines
+            groups.setdefault(getattr(option, "rich_help_panel", None) or OWN, []).append(row(option))
+    return groups
+
+
+def common_rows(commands):
+    """{title: rows} of the groups that several of the ``commands`` have, each row once."""
+    found = {}
+    for title in ORDER:
+        having = [groups[title] for groups in commands if groups[title]]
+        if len(having) > 1:
+            found[title] = list(dict.fromkeys(line for rows in having for line in rows))
+    return found
+
+
+def tables_of(groups, common):
+    """Tables of a command's own options, and which of the ``common`` ones it takes."""
+    lines, takes = [], []
+    for title, rows in groups.items():
+        if not rows:
+            continue
+        if title not in common:
+            lines += ["", f"**{title}**", "", *table(rows)]
+            continue
+        left_out = [name_in(line) for line in common[title] if line not in rows]
+        link = f"[{title}](#{re.sub('[^a-z -]', '', title.lower()).replace(' ', '-')})"
+        if len(left_out) <= len(rows):
+            takes.append(f"{link}{' without ' if left_out else ''}{', '.join(left_out)}")
+        else:
+            takes.append(f"of {link} {', '.join(map(name_in, rows))}")
+    return [*lines, "", f"It also takes {'; '.join(takes)}."] if takes else lines
+
+
+def name_in(line):
+    """The option of a row, as code."""
+    return f"`{re.search('`(--[a-z0-9-]+)', line)[1]}`"
+
+
+def table(rows):
+    """Lines of a table of options."""
+    return ["| option | meaning |", "|---|---|", *rows]
 
 
 def row(option):

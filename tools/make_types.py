@@ -16,6 +16,7 @@ from wrcontact import methods
 from wrcontact.interface import one_wheel
 from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.parameters import GROUPS, LEFT, PARAMETERS, SIDED
+from wrcontact.methods.own import STAND_INS
 from wrcontact.results.outlines import Outline
 from wrcontact.results.views import View
 
@@ -89,6 +90,7 @@ def parameter_type(row, single=False):
     elif row.family:
         names = ", ".join(f'"{name}"' for name in row.family.names())
         typed = f"Literal[{names}] | {row.family.methods[0].__mro__[1].__name__}"
+        typed += " | Callable[..., Any]" if row.name in STAND_INS else ""
     else:
         typed = "bool" if number.switch else "int" if number.whole else "float"
         typed += " | str" if number.ratio else ""

@@ -15,11 +15,15 @@ from .kernel import layout
 from .methods.words import did_you_mean
 from .results import columns
 from .results.columns import SIDES, Kept, output_names, output_places
-from .results.inputs import Inputs
+from .results.inputs import PLACES, Inputs, Rows
 from .results.inputs import number as _number
 from .results.outlines import Outline, Strips, WornOutline, outline_offset
 from .results.views import View, number_at, view_at, words_of
+from .results.words import shown, unit_name
 from .status import Status
+
+#: Numbers of a wheel in the summary of one pose, and their units.
+IN_SUMMARY = (("contact_angle", "rad"), ("normal_force", "N"), ("area", "m2"), ("max_pressure", "Pa"))
 
 
 def _named(rows, record, **parts):
@@ -214,7 +218,10 @@ class WheelsetState(View):
     @property
     def inputs(self):
         """The inputs by name and place, :class:`~wrcontact.results.inputs.Inputs`."""
-        return None if self._inputs is None else Inputs.of(self._inputs, self._system is not None)
+        if self._inputs is None:
+            return None
+        rows = self._inputs[:] if isinstance(self._inputs, Rows) else self._inputs
+        return Inputs.of(rows, self._system is not None)
 
     @property
     def left(self):
@@ -239,6 +246,11 @@ class WheelsetState(View):
         return self._equilibrium
 
     @property
+    def rows_of_inputs(self):
+        """The :class:`~wrcontact.results.inputs.Rows` of a table."""
+        return self._inputs
+
+    @property
     def names(self):
         """Names of the outputs that are there, as in an FMU: ``roll``, ..., ``right.patch[1].area``, ..."""
         return output_names(self._places, self._values.shape[-1])
@@ -256,11 +268,11 @@ class WheelsetState(View):
         if np.ndim(key) == 0 and not isinstance(key, slice):
             values = self.values[key] if self._places is None else self._values.row(key)
             status = Status(int(self.status[key]))
-            return WheelsetState(values, status, self._inputs[key], system=self._system)
+            return WheelsetState(values, status, self._inputs.part(key), system=self._system)
         return WheelsetState(
             self.values[key],
             self.status[key],
-            self._inputs[key],
+            self._inputs.part(key),
             self._places,
             self._values.shape[-1],
             self._system,
@@ -273,7 +285,7 @@ class WheelsetState(View):
         if name.startswith("equilibrium."):
             return getattr(self.equilibrium, name.partition(".")[2])
         if name in INPUT_NAMES:
-            return self.inputs[name]
+            return _number(self._inputs.column(PLACES[name])) if self.values.ndim > 1 else self.inputs[name]
         place = output_places(self._values.shape[-1]).get(name)
         if place is None:
             meant = did_you_mean(name, ("status", *INPUT_NAMES, *output_places(self._values.shape[-1])))
@@ -305,17 +317,41 @@ class WheelsetState(View):
         if self.values.ndim > 1:
             return self
         return WheelsetState(
-            self.values[None], np.array([int(self.status)]), self._inputs[None], system=self._system
+            self.values[None],
+            np.array([int(self.status)]),
+            self._inputs.as_table()
+            if isinstance(self._inputs, Rows)
+            else Rows(self._inputs, [], np.empty((1, 0))),
+            system=self._system,
         )
 
     @property
     def summary(self):
-        """How many rows a table has, and of which status they are, in words."""
+        """The outcome in words: how many rows a table has, and of which status they are; status, roll and the
+        main numbers of both wheels of one pose."""
+        if self.values.ndim == 1:
+            return self._one_in_words()
         counts = {
             kind.name.lower().replace("_", " "): np.count_nonzero(self.status == kind) for kind in Status
         }
         said = ", ".join(f"{count} {words}" for words, count in counts.items() if count)
         return f"{len(self)} poses: {said}" if said else "0 poses"
+
+    def _one_in_words(self):
+        words = [Status(int(self.status)).name.lower().replace("_", " ")]
+        words += [f"roll {shown(self.roll, 'rad')} deg"] * (self.roll == self.roll)
+        for name in SIDES:
+            side = getattr(self, name)
+            numbers = [
+                f"{shown(self[f'{name}.{key}'], unit)} {unit_name(unit)}"
+                for key, unit in IN_SUMMARY
+                if np.isfinite(self[f"{name}.{key}"])
+            ]
+            count = side.patch_count
+            if count == count:
+                numbers.insert(0, f"{count} patch{'es' if count != 1 else ''}")
+            words += [f"{name} {', '.join(numbers)}"] * bool(numbers)
+        return "; ".join(words)
 
     def __repr__(self):
         if self.values.ndim > 1:

@@ -295,5 +295,8 @@ class WheelsetState(View[_N], Generic[_N, _K, _S]):
     def roll(self) -> _N:
         """Roll of the wheelset, positive with the right wheel down [rad]."""
     @property
+    def rows_of_inputs(self) -> _Array:
+        """The :class:`~wrcontact.results.inputs.Rows` of a table."""
+    @property
     def vertical_shift(self) -> _N:
         """Vertical shift of the wheelset, positive down [m]."""

@@ -15,7 +15,7 @@ import numpy as np
 from .interface.calls import PLACES, START_ROW, unknown_input
 from .interface.inputs import INPUT_NAMES
 from .kernel import layout
-from .kernel.binding.library import default_kernel
+from .kernel.binding.library import PythonKernel, default_kernel
 from .kernel.patch.outline import row_size
 from .methods.numbers import check_choice
 from .motion.names import differentiated_inputs, differentiated_outputs, is_computed, listed, place_of
@@ -167,7 +167,7 @@ class Stepper:
         if not hasattr(self._bound, "derivatives"):
             raise RuntimeError(
                 "there are no derivatives of the half-space's models"
-                if self._bind
+                if self._bind and not isinstance(self._bound, PythonKernel)
                 else "there are no derivatives, since the kernel runs uncompiled; they need the compiled one"
             )
         seeds = np.zeros((len(columns), len(self.inputs)))

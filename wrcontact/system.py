@@ -36,9 +36,11 @@ from .interface.parameters import (
     warn_of_parameters,
 )
 from .kernel import layout
+from .kernel.binding.own_models import OwnKernel
 from .kernel.binding.setup import prepare_sides, profile_tables
 from .kernel.prepare.tables import equal_sides
 from .methods import Halfspace, HalfspaceRolling
+from .methods.own import functions_in
 from .motion.names import listed
 from .motion.reaction import rail_reaction
 from .motion.standing import stand_at
@@ -46,6 +48,7 @@ from .profiles.catalogue import find_profiles
 from .profiles.corners import remark_corners
 from .profiles.plausible import remark_profiles
 from .results.columns import selected
+from .results.inputs import Rows
 from .state import Equilibrium, WheelsetState
 from .status import Status
 from .stepper import DEPTHS, Stepper, thread_count, threaded_parts
@@ -63,6 +66,8 @@ class ContactSystem:
     :class:`~wrcontact.Track`, :class:`~wrcontact.Wheelset`, :class:`~wrcontact.Material` or
     :class:`~wrcontact.Friction`.  A method is a string, with its numbers as keywords, or an object that holds
     them: ``normal_model=Analyn(tolerance=0.004)`` is ``normal_model="analyn", tolerance=0.004``.
+    ``normal_model`` and ``tangential_model`` may also be functions of Python, which the uncompiled kernel calls,
+    some hundred times slower (docs/guides/own_model.md).
 
     Parameters
     ----------
@@ -75,7 +80,7 @@ class ContactSystem:
 
     Attributes
     ----------
-    parameters : the value of every keyword but the groups; methods are strings.
+    parameters : the value of every keyword but the groups; methods are strings, or functions.
     methods : the object of every method, by its keyword.
     wheel, rail, left_wheel, left_rail : the profiles of the right and of the left side.
 
@@ -192,7 +197,8 @@ class ContactSystem:
             from .halfspace.rolling_step import RollingSolver
 
             return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]))
-        return Stepper(self._tables)
+        functions = functions_in(self.parameters)
+        return Stepper(self._tables, OwnKernel(functions).bind if functions else None)
 
     def evaluate(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
         """The contact of both wheels at one pose.
@@ -316,8 +322,8 @@ class ContactSystem:
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``, or "status" for
-        the outcome of the whole contact alone.  The table has memory only for what is wanted: 4.4 kB a row
-        for all outputs, 8 B for one.
+        the outcome of the whole contact alone.  A row has 8 B for each output that is wanted, for each input
+        that is given as an array, and for the status.
 
         ``threads`` share the rows of a long table, with the same bits; None are as many as this process has
         cores.  The half-space, which needs much time, is shared by ``processes`` instead, with the same
@@ -353,7 +359,7 @@ class ContactSystem:
         parts = self._parts(stepper, rows, wanted.places, processes)
         return (
             WheelsetState(
-                found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs), self._balancing()
+                found.copy(), outcome, rows.part(part), wanted.places, len(stepper.outputs), self._balancing()
             )
             for part, found, outcome in parts
         )
@@ -412,10 +418,7 @@ class ContactSystem:
         wanted = selected(side, outputs, len(stepper.outputs))
         stepper.want(wanted.side, wanted.depth)
         stepper.prescribe(penetration)
-        rows = np.empty((*shape, len(columns)))
-        for place, column in enumerate(columns):
-            rows[:, place] = column
-        return rows, wanted, stepper
+        return Rows.of(columns, shape[0], wanted.named), wanted, stepper
 
 
 def _rebuilt(kind, parameters, profiles):

@@ -1,7 +1,7 @@
 # Written by tools/make_types.py; do not edit.
 """A wheelset on its track: what is fixed, prepared once; poses are evaluated against it."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from os import PathLike
 from typing import Any, Literal
 
@@ -59,7 +59,7 @@ class ContactSystem:
         slope_reduction_rate: float = 0.0,
         contact_mode: Literal["rigid", "elastic", "compliant"] | ContactMode = "rigid",
         load: Literal["normal", "vertical"] | Load = "normal",
-        normal_model: Literal["analyn", "analyn_strip", "hertz", "halfspace"] | NormalModel = "analyn",
+        normal_model: Literal["analyn", "analyn_strip", "hertz", "halfspace"] | NormalModel | Callable[..., Any] = "analyn",
         tolerance: float | None = None,
         nodes: int | None = None,
         strips: int | None = None,
@@ -69,7 +69,7 @@ class ContactSystem:
         lateral_curvature: Literal["adaptive", "smooth", "rough"] | LateralCurvature = "adaptive",
         curvature_reach: float = 0.003,
         curvature_step: float = 0.0002,
-        tangential_model: Literal["none", "strips", "fastsim", "fastrip", "polach", "halfspace"] | TangentialModel = "none",
+        tangential_model: Literal["none", "strips", "fastsim", "fastrip", "polach", "halfspace"] | TangentialModel | Callable[..., Any] = "none",
         published_spin: int = 0,
         contact_damping: float = 0.0,
         rail_lateral_stiffness: float | tuple[float, float] = 0.0,

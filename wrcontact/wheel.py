@@ -46,7 +46,7 @@ class WheelState(Side):
     @property
     def inputs(self):
         """Inputs by name."""
-        return {own: self._state.inputs[row.name] for own, row in wheel_inputs(self.side).items()}
+        return {own: self._state[row.name] for own, row in wheel_inputs(self.side).items()}
 
     @property
     def names(self):

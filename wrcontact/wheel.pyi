@@ -1,7 +1,7 @@
 # Written by tools/make_types.py; do not edit.
 """One wheel on one rail: an independently rotating wheel, one of a tram, a flexible axle or a roller rig."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any, Generic, Literal, overload
 
 from numpy.typing import ArrayLike, NDArray
@@ -71,7 +71,7 @@ class WheelContact:
         slope_reduction_floor: float = 0.02,
         slope_reduction_rate: float = 0.0,
         contact_mode: Literal["rigid", "elastic", "compliant"] | ContactMode = "compliant",
-        normal_model: Literal["analyn", "analyn_strip", "hertz", "halfspace"] | NormalModel = "analyn",
+        normal_model: Literal["analyn", "analyn_strip", "hertz", "halfspace"] | NormalModel | Callable[..., Any] = "analyn",
         tolerance: float | None = None,
         nodes: int | None = None,
         strips: int | None = None,
@@ -81,7 +81,7 @@ class WheelContact:
         lateral_curvature: Literal["adaptive", "smooth", "rough"] | LateralCurvature = "adaptive",
         curvature_reach: float = 0.003,
         curvature_step: float = 0.0002,
-        tangential_model: Literal["none", "strips", "fastsim", "fastrip", "polach", "halfspace"] | TangentialModel = "none",
+        tangential_model: Literal["none", "strips", "fastsim", "fastrip", "polach", "halfspace"] | TangentialModel | Callable[..., Any] = "none",
         published_spin: int = 0,
         contact_damping: float = 0.0,
         rail_lateral_stiffness: float = 0.0,

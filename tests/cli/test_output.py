@@ -35,6 +35,29 @@ def test_csv(run, tmp_path, table, option):
     assert_columns(read_csv(tmp_path / "a.csv"), table)
 
 
+def test_named_outputs_in_a_file(run, tmp_path):
+    words = ("sweep", "--from-mm", 0, "--to-mm", 3, "--step-mm", 0.5, "--outputs", "roll,right.area")
+    assert run(*words, "--output", tmp_path / "a.csv")[0] == 0
+    found = read_csv(tmp_path / "a.csv")
+    assert list(found) == ["lateral_shift", "roll", "right.area", "status"]
+    state = ContactSystem().evaluate(lateral_shift=2e-3)
+    assert (found["roll"][4], found["right.area"][4]) == (state.roll, state.right.area)
+    code, _, err = run(*words)
+    assert (
+        code == 2 and err == "wrcontact: --outputs is given; it is permitted only with --output or --axis\n"
+    )
+    code, _, err = run(*words[:-1], "rol", "--output", tmp_path / "b.csv")
+    assert code == 2 and "--outputs has 'rol'; permitted are" in err and not (tmp_path / "b.csv").exists()
+
+
+def test_a_netcdf_file_has_the_shift_as_a_coordinate(run, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    words = ("--from-mm", 0, "--to-mm", 3, "--outputs", "roll")
+    assert run("sweep", *words, "--output", tmp_path / "a.nc")[0] == 0
+    with xarray.open_dataset(tmp_path / "a.nc") as data:
+        assert set(data.coords) == {"lateral_shift"} and set(data.data_vars) == {"roll", "status"}
+
+
 def assert_columns(found, table):
     assert list(found) == list(columns_of(table))
     for name, values in columns_of(table).items():

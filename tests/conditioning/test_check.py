@@ -1,6 +1,7 @@
 """The check of a pair: conicity, jumps, moves, conformal zones, quality, against closed forms and
 independent searches."""
 
+import csv
 import dataclasses
 import json
 import math
@@ -15,6 +16,7 @@ from data.noisy_profiles import even_points, noisy_points
 from tests.helpers.cases import MM
 from wrcontact import ContactSystem, Profile
 from wrcontact.conditioning.conicity import OFF_PROFILE
+from wrcontact.conditioning.table import table_text
 from wrcontact.conditioning.text import check_text
 from wrcontact.plots import check_figure
 from wrcontact.profiles.zones import Polynomial
@@ -94,6 +96,55 @@ def test_left_is_the_mirror_of_right(uic60):
 def test_a_check_has_the_same_bits_again(uic60):
     """Threads that shared long tables decided last digits by which of them was first."""
     assert check_text(wrcontact.check(ContactSystem())) == check_text(uic60)
+
+
+# --- the table over the lateral shift -------------------------------------------------------------
+
+
+def test_the_table_of_a_cone_has_closed_forms():
+    """Cones of 1:20 at zero roll: a shift of y changes each rolling radius by y / 20 and the conicity is 1 / 20;
+    roll turns both contact angles by as much, one up and one down."""
+    text = table_text(wrcontact.check(ContactSystem("cone20")))
+    comments = [line for line in text.splitlines() if line.startswith("#")]
+    assert comments[0].startswith("# cone20 on UIC60: gauge 1435 mm, inclination 1:40") and len(comments) == 7
+    heads, *rows = csv.reader(line for line in text.splitlines() if not line.startswith("#"))
+    read = dict(zip(heads, np.array([[float(cell or "nan") for cell in row] for row in rows]).T))
+    shift = read["lateral_shift [mm]"]
+    assert len(shift) > 300 and np.max(np.abs(np.diff(shift) - 0.05)) < 1e-9
+    np.testing.assert_allclose(read["level_radius_difference [mm]"], shift / 10, atol=1e-6)
+    inside = (np.abs(shift) > 0.01) & (np.abs(shift) < 14)
+    np.testing.assert_allclose(read["conicity [1]"][inside], 1 / 20, rtol=2e-6)
+    assert np.isnan(read["conicity [1]"][shift == 0.0])
+    slope = math.degrees(math.atan(1 / 20))
+    for side, sign in (("right", 1.0), ("left", -1.0)):
+        angle = read[f"{side}.contact_angle [deg]"]
+        np.testing.assert_allclose(angle, slope - sign * read["roll [deg]"], atol=1e-6)
+        y, radius = read[f"{side}.contact.y_wheel [mm]"], read[f"{side}.rolling_radius [mm]"]
+        np.testing.assert_allclose(radius, 460 - y / 20, atol=1e-6)
+    difference = read["right.rolling_radius [mm]"] - read["left.rolling_radius [mm]"]
+    np.testing.assert_allclose(difference, read["radius_difference [mm]"], atol=1e-6)
+
+
+def test_a_cell_without_a_value_is_empty(uic60):
+    """The rolling radius difference of the outermost shifts has no oscillation around it."""
+    last = table_text(uic60).splitlines()[-1]
+    assert last.startswith("15,") and last.endswith(",,")
+
+
+def test_a_check_as_a_frame(uic60):
+    pytest.importorskip("pandas")
+    frame = uic60.to_pandas()
+    at = frame.index[np.isclose(frame["lateral_shift"], 3e-3)][0]
+    state = ContactSystem().evaluate(lateral_shift=3e-3)
+    for name in (
+        "right.contact.y_wheel",
+        "left.contact.y_rail",
+        "right.contact_angle",
+        "left.rolling_radius",
+    ):
+        assert frame[name][at] == pytest.approx(state[name], abs=1e-12), name
+    assert frame["conicity"][at] == pytest.approx(uic60.conicity.level[2], rel=1e-9)
+    assert frame["rolled_conicity"][at] == pytest.approx(uic60.conicity.rolled[2], rel=1e-9)
 
 
 # --- profiles, ranges, files ----------------------------------------------------------------------
@@ -232,8 +283,8 @@ def test_what_is_no_system_is_refused():
 
 
 def test_command(run, tmp_path, standard):
-    picture, content = tmp_path / "pair.png", tmp_path / "pair.json"
-    code, out, err = run("check", "--rail", "60E1", "--output", picture, "--json", content)
+    picture, content, table = (tmp_path / f"pair.{ending}" for ending in ("png", "json", "csv"))
+    code, out, err = run("check", "--rail", "60E1", "--output", picture, "--json", content, "--table", table)
     assert code == 0 and err == ""
     for text in (
         "S1002 on 60E1: gauge 1435 mm, inclination 1:40",
@@ -245,6 +296,7 @@ def test_command(run, tmp_path, standard):
     ):
         assert text in out
     assert picture.stat().st_size > 50_000
+    assert out.endswith(f"table written to {table}\n") and table.read_text() == table_text(standard)
     read = json.loads(content.read_text(encoding="utf-8"))
     assert set(read) == {field.name for field in dataclasses.fields(standard)}
     assert read["conicity"]["level"] == standard.conicity.level.tolist()
@@ -257,6 +309,11 @@ def test_command_refuses_in_a_sentence(run, tmp_path):
         (("--wheel", "S1003"), "S1003"),
         (("--gauge-mm", "3000"), "gauge"),
         (("--load", "normal"), "--load"),
+        (("--table", tmp_path / "pair.txt"), "pair.txt'; permitted is a file that ends in .csv"),
+        (
+            ("--table", tmp_path / "a.csv", "--batch", "S1002", "60E1"),
+            "--table is given; it is permitted only without",
+        ),
     ):
         code, _, err = run("check", *words)
         assert code == 2 and err.startswith("wrcontact: ") and err.count("\n") == 1 and told in err
@@ -282,6 +339,13 @@ def test_picture_draws_the_numbers(standard):
     curve = panels["moves"].lines[0]
     x, y = curve.get_xdata(), curve.get_ydata()
     assert all(np.isnan(y[np.argmin(abs(x - mark))]) for mark in (0.225917, 4.991808))
+    right = next(line for line in panels["angles"].lines if line.get_label() == "right")
+    x, y = right.get_xdata(), right.get_ydata()
+    for shift in (-4.0, 2.0):  # [mm]
+        state = ContactSystem(rail="60E1").evaluate(lateral_shift=shift * MM)
+        assert y[np.argmin(abs(x - shift))] == pytest.approx(
+            math.degrees(state.right.contact_angle), abs=1e-9
+        )
     spans = [patch for patch in panels["near"].patches if patch.get_gid() == "conformal"]
     assert len(spans) == sum(zone.side == "right" for zone in standard.conformal)
     # lines join places that touch: at their lower ends the rail has the height it is drawn with

@@ -55,11 +55,26 @@ def test_version():
 
 
 def test_bytes_of_a_row():
-    all_of_it, one = numbers(
-        "docs/guides/usage.md", r"([\d.]+) kB a row for all outputs, (\d+) bytes for one"
+    """The arrays that a table holds, and what grows with a store's states."""
+    all_of_it, one, wear = numbers(
+        "docs/guides/usage.md",
+        r"([\d.]+) kB for all outputs and one such input, (\d+) bytes for one output.*?stations add ([\d.]+) kB",
     )
-    assert all_of_it == pytest.approx(8e-3 * layout.OUTPUT_COUNT, abs=0.05)
-    assert one == 8
+    system, shifts = ContactSystem(), [0.0, 1e-3]
+    assert all_of_it == pytest.approx(row_size(system.evaluate_many(shifts)) / 1e3, abs=0.05)
+    assert one == row_size(system.evaluate_many(shifts, outputs=["roll"]))
+    with_wear = row_size(ContactSystem(wear_outputs=True).evaluate_many(shifts)) / 1e3
+    assert wear == pytest.approx(with_wear - all_of_it, abs=0.06)
+    a_state, six = numbers(
+        "docs/guides/tables.md",
+        r"all of them are ([\d.]+) kB a state, and a million states with six outputs are (\d+) MB",
+    )
+    assert a_state == pytest.approx(8e-3 * layout.OUTPUT_COUNT, abs=0.05) and six == 6 * 8
+
+
+def row_size(table):
+    """Bytes of a row of a table, without what all rows share."""
+    return (table.values.nbytes + table.status.nbytes + table.rows_of_inputs.columns.nbytes) / len(table)
 
 
 def test_value_references_of_fmi_3():

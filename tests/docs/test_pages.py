@@ -1,10 +1,13 @@
 """What is generated is what its makers write today: ``make pages`` writes it."""
 
+import re
 import runpy
 
 import pytest
+import typer
 
 from tests.helpers.paths import ROOT
+from wrcontact.cli import main
 
 SCRIPT = runpy.run_path(str(ROOT / "docs" / "make_pages.py"))
 
@@ -37,3 +40,28 @@ def test_what_is_measured_is_not_checked_here(capsys):
             SCRIPT["main"](words)
         assert ended.value.code == 2
     assert "there is no pages; known are references" in capsys.readouterr().err
+
+
+def test_an_option_of_several_commands_stands_once():
+    """... and each command names, by groups and exceptions, every option that it has."""
+    text = (ROOT / "docs/reference/command_line.md").read_text(encoding="utf-8")
+    rows = [line for line in text.splitlines() if line.startswith("| `--")]
+    assert len(rows) == len(set(rows)) and len(rows) > 100
+    commands, _, common = text.partition("\n## Options of several commands\n")
+    groups = {part.partition("\n")[0]: options_in(part) for part in common.split("\n### ")[1:]}
+    found = typer.main.get_command(main).commands
+    for part in commands.split("\n## wrcontact ")[1:]:
+        name, rest = part.partition("\n")[::2]
+        own, _, takes = rest.partition("\nIt also takes ")
+        said = options_in(own)
+        for group in filter(None, takes.strip().removesuffix(".").split("; ")):
+            title, words = re.search(r"\[([^]]+)\]\([^)]*\)(.*)", group).groups()
+            named = set(re.findall(r"`(--[a-z0-9-]+)`", words))
+            said |= named if group.startswith("of ") else groups[title] - named
+        has = {p.opts[0] for p in found[name].params if p.param_type_name == "option"}
+        assert said == has - {"--help", "--help-all"}, name
+
+
+def options_in(text):
+    """Options of the tables in a text."""
+    return set(re.findall(r"^\| `(--[a-z0-9-]+)", text, re.MULTILINE))

@@ -4,7 +4,9 @@ import contextlib
 import os
 import random
 import signal
+import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -14,6 +16,7 @@ from tests.helpers.fmus import needs_compiler
 from wrcontact.cli.demo import apart
 from wrcontact.cli.door import Refused
 from wrcontact.fmu import native
+from wrcontact.kernel.binding.compiler import linked
 from wrcontact.storage.atomic import SILENT, write_atomically
 
 pytestmark = needs_linux
@@ -116,3 +119,42 @@ def test_a_build_that_is_killed(tmp_path, fmus, compiled, rounds):
 def test_a_helper_that_is_killed_is_told_in_a_sentence():
     with pytest.raises(Refused, match="the process that runs the FMU ended before it returned its results"):
         apart(os._exit, 9)
+
+
+SLOW_COMPILER = """
+import subprocess, sys, time
+later = "import time, pathlib; time.sleep(20); pathlib.Path('later').touch()"
+child = subprocess.Popen([sys.executable, "-c", later])
+open("begun", "w").close()
+child.wait()
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="there are no groups of processes")
+def test_an_interrupt_ends_compilers_and_what_they_have_started(tmp_path):
+    """A compiler's driver starts programs of its own; of the sources behind it none is begun."""
+    begun = tmp_path / "begun"
+
+    def interrupted(made, total):
+        while not begun.exists():
+            time.sleep(0.01)
+        raise KeyboardInterrupt
+
+    (tmp_path / "compiler.py").write_text(SLOW_COMPILER)
+    for name in ("a.c", "b.c", "c.c", "d.c"):
+        (tmp_path / name).write_text("")
+    command, sources = [sys.executable, "compiler.py"], ["a.c", "b.c", "c.c", "d.c"]
+    with pytest.raises(KeyboardInterrupt):
+        linked(command, tmp_path, sources, "library.so", watch=interrupted)
+    time.sleep(0.1)
+    assert not (tmp_path / "later").exists() and not running_in(tmp_path)
+
+
+def running_in(folder):
+    """Processes that run in a folder; none where that is not known."""
+    found = []
+    for link in Path("/proc").glob("[0-9]*/cwd"):
+        with contextlib.suppress(OSError):
+            if link.resolve() == folder.resolve() and (link.parent / "cmdline").read_bytes():
+                found.append(link.parent.name)
+    return found

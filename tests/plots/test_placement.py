@@ -115,7 +115,7 @@ def drawn(report):
         "contact": (lambda ax: plots.contact_figure(SYSTEM, state, ax=ax), (1, 2)),
         "contact of one side": (lambda ax: plots.contact_figure(SYSTEM, state, ax=ax, side="left"), (1, 1)),
         "pose": (lambda ax: plots.pose_figure(SYSTEM, state, ax=ax), (3, 2)),
-        "check": (lambda ax: plots.check_figure(report, ax=ax), (7, 1)),
+        "check": (lambda ax: plots.check_figure(report, ax=ax), (8, 1)),
     }
 
 

@@ -164,13 +164,19 @@ def test_prepared_file_gives_the_profile_back_bit_for_bit(tmp_path):
     assert Profile.from_file(path, "rail") == rail
     assert rail.height(0.0) == pytest.approx(0.0, abs=1e-15)
     assert rail.slope(0.0) == pytest.approx(0.0, abs=1e-12)
+    for name in ("measured.csv", "measured.prr", "measured"):
+        with pytest.raises(
+            ValueError, match=r"path is .*measured.*; permitted is a file that ends in \.json"
+        ):
+            rail.save(tmp_path / name)
+        assert not (tmp_path / name).exists()
 
 
 @pytest.mark.parametrize(
     "source, kind, sentence",
     [
         ("S1003", "wheel", "wheel is 'S1003'; permitted are S1002"),
-        ("UIC60", "wheel", "a profile of the other kind"),
+        ("UIC60", "wheel", "a profile of a rail; did you swap wheel and rail"),
         (3.0, "rail", "rail is '3.0'; permitted are UIC60, 60E1, 54E1"),
         (standard_profile("UIC60"), "wheel", "wheel is a rail profile"),
     ],

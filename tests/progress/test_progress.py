@@ -12,6 +12,7 @@ import pytest
 from tests.helpers.command_line import OUTSIDE
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem, Stepper, progress
+from wrcontact.progress.left import TimeLeft
 from wrcontact.progress.lines import Lines
 
 
@@ -205,3 +206,16 @@ LONG_WORK = (
 def test_long_work_is_shown(name):
     text = (ROOT / name).read_text(encoding="utf-8")
     assert "tracked(" in text or "working(" in text
+
+
+def test_the_time_left_never_grows():
+    """Ten steps: each takes a second, then one takes a minute, then a second again."""
+    left, told = TimeLeft(), []
+    ends = [0, 1, 2, 3, 63, 64, 65]
+    assert left.after(0.0, 0.5) is None
+    for now in range(1, 66):
+        done = sum(end <= now for end in ends) - 1
+        told.append(left.after(done / 10, float(now)))
+    assert told[:3] == [9.0, 8.0, pytest.approx(7.0)]
+    assert all(after <= before for before, after in zip(told, told[1:])) and told[-1] == 0.0
+    assert told[5] == pytest.approx(4.0)  # it falls with the time meanwhile

@@ -1,6 +1,7 @@
 """Results in other forms: rows and columns of tables, dictionaries, arrays, short texts, pandas, xarray."""
 
 import json
+import math
 import pickle
 import re
 import sys
@@ -339,6 +340,45 @@ def test_xarray(table):
     np.testing.assert_array_equal(data["normal_force"].sel(side="left"), table["left.normal_force"])
     np.testing.assert_array_equal(data["normal_force_input"], table["normal_force"])
     assert data["area"].attrs["units"] == "m2"
+
+
+def test_inputs_that_vary_are_coordinates():
+    xarray = pytest.importorskip("xarray")
+    table = SYSTEM.evaluate_many(lateral_shift=np.linspace(-4, 4, 9) * 1e-3, yaw=1e-3, outputs=["roll"])
+    data = table.to_xarray()
+    assert set(data.variables) == {"lateral_shift", "roll", "status"} and set(data.coords) == {
+        "lateral_shift"
+    }
+    near = data.sel(lateral_shift=2.3e-3, method="nearest")
+    assert near["roll"] == SYSTEM.evaluate(lateral_shift=2e-3, yaw=1e-3).roll
+    assert "yaw" in SYSTEM.evaluate_many(lateral_shift=[0.0, 1e-3]).to_xarray().data_vars
+    assert isinstance(near, xarray.Dataset)
+
+
+def test_a_table_of_names_has_no_other_inputs():
+    """... in memory and in frames; by name it knows them all."""
+    pytest.importorskip("pandas")
+    shifts = np.linspace(-4, 4, 1000) * 1e-3
+    table = SYSTEM.evaluate_many(lateral_shift=shifts, yaw=1e-3, outputs=["roll"])
+    assert list(table.to_pandas()) == ["lateral_shift", "roll", "status"]
+    few = SYSTEM.evaluate_many(lateral_shift=shifts[:200], yaw=1e-3, outputs=["roll"])
+    grown = len(pickle.dumps(table)) - len(pickle.dumps(few))
+    assert grown == pytest.approx(800 * 3 * 8, abs=50)  # [B] shift, roll, status; and longer numbers of sizes
+    np.testing.assert_array_equal(table["yaw"], np.full(1000, 1e-3))
+    np.testing.assert_array_equal(table[10:20].inputs.lateral_shift, shifts[10:20])
+    np.testing.assert_array_equal(table[table.roll > 0]["lateral_shift"], shifts[table.roll > 0])
+    assert table[7].inputs.yaw == 1e-3 and table[7].inputs.lateral_shift == shifts[7]
+
+
+def test_the_summary_of_a_pose(state):
+    said = state.summary
+    assert said.startswith("valid; roll -0.0") and f"{state.right.max_pressure / 1e6:.1f} MPa" in said
+    assert (
+        "right 2 patches" in said
+        and f"left 1 patch, {math.degrees(state.left.contact_angle):.4f} deg" in said
+    )
+    assert SYSTEM.evaluate(lateral_shift=0.05).summary == "off profile"
+    assert SYSTEM.evaluate(lateral_shift=0.0, outputs=["right.area"]).summary.count("right") == 1
 
 
 @pytest.mark.parametrize("method, package", [("to_pandas", "pandas"), ("to_xarray", "xarray")])

@@ -12,8 +12,8 @@ from rich.table import Table
 from ..conditioning import check
 from ..conditioning.conformal import NEAR
 from ..conditioning.curves import merged_jumps
-from ..conditioning.report import differing_left
-from ..conditioning.text import check_text
+from ..conditioning.table import table_text
+from ..conditioning.text import check_text, headline
 from ..profiles.remarks import Grave
 from ..progress import working
 from ..results.words import fixed
@@ -55,9 +55,9 @@ READINGS = (
 )
 
 
-def check_one(system, output, file):
-    """Check the pair of a ``system``, print the report, and write its picture to ``output`` and its JSON to
-    ``file``, if that is not None."""
+def check_one(system, output, file, table):
+    """Check the pair of a ``system``, print the report, and write its picture to ``output``, its JSON to
+    ``file`` and its curves to ``table``, where these are not None."""
     from ..plots import check_figure, save
 
     with working("checking the pair", 2) as advance:
@@ -70,9 +70,13 @@ def check_one(system, output, file):
     with sentences():
         if file:
             write_atomically(file, check_text(report).encode())
+        if table:
+            write_atomically(table, table_text(report).encode())
         for target, figure in pictures.items():
             save(figure, target)
     print(f"\npicture written to {' and '.join(map(str, pictures))}")
+    if table:
+        print(f"table written to {table}")
     if not report.usable:
         raise typer.Exit(1)
 
@@ -100,15 +104,8 @@ def check_many(geometry, batch, output, chosen):
 
 def print_check(report):
     """Print all tables and remarks of a :class:`~wrcontact.conditioning.Conditioning`."""
-    out, chosen = console(), report.system.parameters
-    inclination = chosen["rail_inclination"]
-    out.print(
-        f"{report.system.title}: gauge {_mm(chosen['gauge'])} mm, "
-        f"{f'inclination 1:{1 / inclination:.4g}' if inclination else 'rails upright'}, nominal radius "
-        f"{_mm(chosen['nominal_radius'])} mm, running circles {_mm(chosen['running_circle_distance'])} "
-        f"mm apart{differing_left(report.system)}; without yaw",
-        soft_wrap=True,
-    )
+    out = console()
+    out.print(headline(report), soft_wrap=True)
     for remark in filter(lambda one: isinstance(one, Grave), report.remarks):
         out.print(f" * {typed(remark)}", soft_wrap=True)
     out.print(_range_words(report), soft_wrap=True)

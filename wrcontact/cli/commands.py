@@ -2,6 +2,7 @@
 
 import os
 import sys
+import warnings
 from pathlib import Path
 from typing import Annotated
 
@@ -13,12 +14,12 @@ from ..kernel.binding.files import PLATFORMS
 from ..methods import CHOICES
 from ..methods.words import did_you_mean
 from ..profiles.files import SMOOTHING
-from ..profiles.remarks import remarks_in_lines
+from ..profiles.remarks import ProfileWarning, remarks_in_lines
 from ..progress import in_lines, working
 from ..status import Status
 from .catalogue import profiles
 from .door import Door, Refused, check_file, check_folder, sentences
-from .grids import refuse_beside_axes, sweeps_grids, write_grid
+from .grids import grid_options, refuse_beside_axes, sweeps_grids, write_grid
 from .groups import FILES
 from .help import Command, with_all
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
@@ -265,13 +266,13 @@ def sweep(
 ):
     """Move the wheelset across the track and print a table of its contacts.
 
-    With --output all outputs are written to a file instead: .csv and .json with the names of the FMU,
-    .parquet for pandas, .nc for xarray. With --axis and --store the table is over several inputs, of
+    With --output all outputs, or --outputs, are written to a file instead: .csv and .json with the names of
+    the FMU, .parquet for pandas, .nc for xarray. With --axis and --store the table is over several inputs, of
     any size.
 
     Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --output sweep.csv
     """
-    if grid:
+    if grid.axes:
         refuse_beside_axes({"--from-mm": start, "--to-mm": stop, "--step-mm": step, "--output": file})
         system = _system(system, smoothing)
         _refuse_what_is_not_read(system, {**load, **grid.axes})
@@ -280,11 +281,13 @@ def sweep(
     shifts, step = shifts_of(start, stop, step, to_file=bool(file))
     if file:
         check_file(file.path)
+    elif grid.outputs is not None:
+        raise Refused("--outputs is given; it is permitted only with --output or --axis")
     system = _system(system, smoothing)
     _refuse_what_is_not_read(system, load)
     remark = Remark(system)
     if file:
-        _write_sweep(file, system, shifts, load, remark)
+        _write_sweep(file, system, shifts, {"outputs": grid.outputs or "all", **load}, remark)
         print(f"{len(shifts)} rows written to {file.path}")
     else:
         columns = sweep_columns(system, load)
@@ -300,12 +303,13 @@ def sweep(
         print(f"wrcontact: {remark.words()}", file=sys.stderr)
 
 
-def _write_sweep(file, system, shifts, load, remark):
-    """Write the sweep part by part; no file if no row has a contact."""
-    if file.size_words(len(shifts)):
+def _write_sweep(file, system, shifts, chosen, remark):
+    """Write the sweep part by part, with the other arguments ``chosen`` of ``evaluate_parts``; no file if no
+    row has a contact."""
+    if chosen["outputs"] == "all" and file.size_words(len(shifts)):
         print(f"wrcontact: {file.size_words(len(shifts))}", file=sys.stderr)
-    with sentences(), working("sweep", len(shifts)) as advance, file.open(len(shifts)) as write:
-        for part in system.evaluate_parts(lateral_shift=shifts, processes=os.cpu_count() or 1, **load):
+    with sentences(grid_options), working("sweep", len(shifts)) as advance, file.open(len(shifts)) as write:
+        for part in system.evaluate_parts(lateral_shift=shifts, processes=os.cpu_count() or 1, **chosen):
             write(part)
             remark.add(part)
             advance(len(part))
@@ -359,6 +363,14 @@ def check(
         Path | None,
         typer.Option("--json", metavar="FILE", help="Write all results to this file as JSON, in SI units"),
     ] = None,
+    table: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.csv",
+            help="Write contact points, contact angles, rolling radii, their difference and the equivalent "
+            "conicity over the lateral shift to this file, in mm and deg",
+        ),
+    ] = None,
     batch: Annotated[
         tuple[str, str] | None,
         typer.Option(
@@ -396,10 +408,10 @@ def check(
     from .check import check_many, check_one
 
     if batch:
-        if file:
-            raise Refused(
-                "--json is given; it is permitted only without --batch, which writes one for each pair"
-            )
+        for name, value in (("json", file), ("table", table)):
+            if value:
+                more = ", which writes one for each pair" if name == "json" else ""
+                raise Refused(f"--{name} is given; it is permitted only without --batch{more}")
         check_many(
             geometry,
             batch,
@@ -412,9 +424,14 @@ def check(
             raise Refused(f"--{name} is given; it is permitted only with --batch")
     output = output or Path("check.png")
     _refuse_no_picture(output)
-    for target in (output, *([file] if file else [])):
+    if table and table.suffix.lower() != ".csv":
+        raise Refused(f"--table is {str(table)!r}; permitted is a file that ends in .csv")
+    for target in filter(None, (output, file, table)):
         check_file(target)
-    check_one(_system(geometry, smoothing), output, file)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ProfileWarning)  # the report has all remarks
+        system = _system(geometry, smoothing)
+    check_one(system, output, file, table)
 
 
 main.command(cls=Command, rich_help_panel=CONTACT)(with_all(reads_files(takes(geometry=GEOMETRY)(wear))))

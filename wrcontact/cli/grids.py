@@ -11,6 +11,7 @@ import numpy as np
 import typer
 
 from .. import sweep
+from ..results.columns import DEPTH_SIZES
 from ..results.convert import needed
 from ..status import Status
 from ..sweeps.grid import checked_axes
@@ -37,7 +38,11 @@ WORDS = {
         "FOLDER",
         "Folder of the table, a Zarr store; the same command goes on where it was stopped",
     ),
-    "outputs": (str, "NAME[,NAME]", "Outputs, roll,right.area; or geometry, patches, all (default: all)"),
+    "outputs": (
+        str,
+        "NAME[,NAME]",
+        "Outputs, roll,right.area; or geometry, patches, all (default: all); with --output too",
+    ),
     "workers": (int, "NUMBER", "Threads (default: as many as there are cores)"),
     "scheduler": (str, "ADDRESS", "Dask scheduler whose workers compute, tcp://host:8786"),
 }
@@ -47,21 +52,25 @@ OPTIONS = {"axes has": "--axis has", "the axis ": "--axis ", "outputs has": "--o
 
 @dataclass(frozen=True)
 class Grid:
-    """What the options ask for: ``axes`` {keyword: array}, and the values of the others."""
+    """What the options ask for: ``axes`` {keyword: array}, {} without any, and the values of the others;
+    ``outputs`` as ``evaluate_many`` takes them, None if they are not given."""
 
     axes: dict
-    store: Path
+    store: Path | None
     outputs: object
     workers: int | None
     scheduler: str | None
 
 
 def sweeps_grids(command):
-    """Decorator that adds these options; the command receives ``grid``, a :class:`Grid` or None."""
+    """Decorator that adds these options; the command receives ``grid``, a :class:`Grid`."""
 
     @wraps(command)
     def with_options(**given):
         chosen = {name: given.pop(name) for name in WORDS}
+        outputs = chosen["outputs"]
+        if outputs is not None and ("," in outputs or outputs not in DEPTH_SIZES):
+            chosen["outputs"] = outputs.split(",")
         return command(**given, grid=_grid(**chosen))
 
     options = [
@@ -85,13 +94,13 @@ def sweeps_grids(command):
 
 
 def _grid(axis, store, outputs, workers, scheduler):
-    """The :class:`Grid` of the options, None without any; Refused if they do not go together."""
-    others = {"--store": store, "--outputs": outputs, "--workers": workers, "--scheduler": scheduler}
+    """The :class:`Grid` of the options; Refused if they do not go together."""
+    others = {"--store": store, "--workers": workers, "--scheduler": scheduler}
     if not axis:
         for name, value in others.items():
             if value is not None:
                 raise Refused(f"{name} is given; it is permitted only with --axis")
-        return None
+        return Grid({}, None, outputs, None, None)
     if store is None:
         raise Refused("--axis is given without --store, the folder of the table")
     if workers is not None and scheduler is not None:
@@ -102,11 +111,9 @@ def _grid(axis, store, outputs, workers, scheduler):
     for name, _ in given:
         if [other for other, _ in given].count(name) > 1:
             raise Refused(f"--axis has {name!r} twice; permitted is each input once")
-    with sentences(_options):
+    with sentences(grid_options):
         axes = checked_axes(dict(given))
-    if outputs is None or "," in outputs or outputs not in ("all", "patches", "geometry"):
-        outputs = "all" if outputs is None else outputs.split(",")
-    return Grid(axes, store, outputs, workers, scheduler)
+    return Grid(axes, store, "all" if outputs is None else outputs, workers, scheduler)
 
 
 def _axis(text):
@@ -123,7 +130,7 @@ def _axis(text):
         raise Refused(f"--axis is {text!r}; permitted is {FORM}") from None
 
 
-def _options(sentence):
+def grid_options(sentence):
     """A sentence of the sweep with options in place of its arguments."""
     for word, option in OPTIONS.items():
         if sentence.startswith(word):
@@ -140,7 +147,7 @@ def refuse_beside_axes(options):
 
 def write_grid(grid, system, load):
     """Compute what is missing of a table with the inputs ``load`` fixed, and print how many states it has."""
-    with _stopped(grid.store), sentences(_options), _client(grid.scheduler) as client:
+    with _stopped(grid.store), sentences(grid_options), _client(grid.scheduler) as client:
         try:
             table = sweep(
                 system, grid.axes, grid.outputs, grid.store, client=client, workers=grid.workers, **load

@@ -168,7 +168,8 @@ def _checked(variable, value):
         unit = UNITS[variable.unit]
         low, high = (limit * unit.display_factor for limit in (known.low, known.high))
         text = distinct(value, high if value > high else low)
-        raise Refused(f"{option} is {text}; permitted is {low:g} ... {high:g} {_unit(variable)}".rstrip())
+        words = f"{option} is {text}; permitted is {low:g} ... {high:g} {_unit(variable)}".rstrip()
+        raise Refused(words + known.meant(value, unit.display_factor, _unit(variable)))
     return found
 
 

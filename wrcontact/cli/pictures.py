@@ -1,6 +1,7 @@
 """Kinds of pictures of ``wrcontact plot``, the options that each reads, and how it is drawn."""
 
 import re
+import sys
 from dataclasses import dataclass
 from functools import wraps
 from inspect import Parameter, signature
@@ -113,7 +114,10 @@ class Picture:
             (SYSTEM, set() if self.kind.system else set(system)),
         ):
             for variable in variables:
-                if name_of(variable) in unread:
+                if variable.name == "lateral_shift" and name_of(variable) in unread:
+                    print(f"wrcontact: plot {self.name} does not use {option_of(variable)}", file=sys.stderr)
+                    del pose[variable.name]
+                elif name_of(variable) in unread:
                     raise Refused(f"{option_of(variable)} is given; plot {self.name} does not use it")
         if "run" in self.kind.options and self.chosen["run"] is None:
             raise Refused(f"--run is missing; plot {self.name} needs the CSV file of a run")

@@ -17,7 +17,7 @@ import numpy as np
 import typer
 
 from ..interface.variables import INTEGER, VARIABLES
-from ..results.convert import columns_of, data_variables, labels_of, needed
+from ..results.convert import columns_of, data_variables, labels_of, name_of_input, needed
 from ..storage.atomic import open_atomically
 from .door import Refused
 
@@ -127,6 +127,7 @@ def _netcdf(path, count):
             found = data_variables(table)
             if not done:
                 _declare(data, found, count)
+                data.setncattr("coordinates", " ".join(map(name_of_input, table.rows_of_inputs.varying)))
             for name, (_, values, _) in found.items():
                 data[name][done : done + len(table)] = values
             done += len(table)

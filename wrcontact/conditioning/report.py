@@ -9,6 +9,7 @@ import numpy as np
 from ..conventions import MIRROR, SIDES
 from ..interface.inputs import LATERAL_LIMIT
 from ..interface.parameters import GEOMETRY, LEFT, SIDED
+from ..results.convert import needed
 from ..results.words import ShortText
 from ..status import Status
 from ..system import ContactSystem
@@ -26,6 +27,7 @@ from .curves import (
 )
 from .quality import ProfileQuality, profile_quality
 from .remarks import FLANGE, LEAST_RANGE, sentences
+from .table import table_columns
 
 STEP = 0.05e-3  # [m] step of the lateral shift in the curves
 FINE = 0.01e-3  # [m] step of the lateral shift for the conicity, which is then accurate to 1e-5
@@ -74,6 +76,20 @@ class Conditioning(ShortText):
     left_rail: ProfileQuality
     remarks: tuple
 
+    def to_pandas(self):
+        """The curves as a pandas.DataFrame in SI, a row for each shift with contact: lateral_shift, roll, for
+        each side contact.y_wheel, contact.y_rail, contact_angle and rolling_radius, their radius_difference,
+        level_radius_difference (at zero roll), and the equivalent conicity at an amplitude of |lateral_shift|,
+        ``conicity`` at zero roll (EN 15302) and ``rolled_conicity``.
+
+        Raises
+        ------
+        ImportError
+            in one sentence, if pandas is not installed.
+        """
+        columns = {name: values for name, (values, _) in table_columns(self).items()}
+        return needed("pandas", "to_pandas").DataFrame(columns)
+
 
 def check(system):
     """Check the pair of profiles of ``system``, without yaw, and return a :class:`Conditioning`.
@@ -115,17 +131,6 @@ def check(system):
     usable = bool(first <= -LEAST_RANGE and last >= LEAST_RANGE)
     silent = Conditioning(system=system, usable=usable, **found, remarks=())
     return replace(silent, remarks=sentences(silent))
-
-
-def differing_left(system):
-    """What a headline adds on the left side: its nominal radius and inclination where they differ."""
-    right, left, words = system.parameters, system.side_parameters("left"), []
-    if left["nominal_radius"] != right["nominal_radius"]:
-        words.append(f"nominal radius {left['nominal_radius'] * 1e3:.6g} mm")
-    if left["rail_inclination"] != right["rail_inclination"]:
-        lean = left["rail_inclination"]
-        words.append(f"inclination 1:{1 / lean:.4g}" if lean else "upright rail")
-    return f"; on the left {', '.join(words)}" if words else ""
 
 
 def _wheelset(system, contact_mode):

@@ -1,16 +1,20 @@
 """Creep forces of a patch by the kernel's models."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from math import fsum, pi
+from typing import Any
 
 import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.fixed_tables import fixed_tables
 from ..kernel.binding.library import default_kernel
+from ..kernel.binding.own_models import OwnKernel
 from ..kernel.prepare import tables as fixed
 from ..methods import HalfspaceRolling, TangentialModel, family_of
+from ..methods.own import STAND_INS, functions_in
 from ..state import Patch
 from .patch import CreepPatch, check_number
 from .results import rolling_patch
@@ -33,7 +37,7 @@ def creep_forces(
     creepage_y: float = 0.0,
     spin: float = 0.0,
     friction: float = 0.3,
-    tangential_model: str | TangentialModel = "strips",
+    tangential_model: str | TangentialModel | Callable[..., Any] = "strips",
 ) -> CreepForces:
     """Creep force and moment of a patch in steady rolling.
 
@@ -47,7 +51,7 @@ def creep_forces(
         x forward, y to the field side and the normal are right-handed.
     friction : coefficient of friction [-].
     tangential_model : "strips" or another one of :class:`~wrcontact.ContactSystem`, or a method with its
-        numbers, such as ``wrcontact.Fastsim(published_spin=1)``.
+        numbers, such as ``wrcontact.Fastsim(published_spin=1)``, or a function (docs/guides/own_model.md).
 
     Returns
     -------
@@ -74,15 +78,17 @@ def creep_forces(
         check_number(name, value, unit, -high, high)
     check_number("friction", friction, "", 0.0, 10.0)
     model = tangential_model
+    functions = functions_in({"tangential_model": model})
     if not isinstance(model, TangentialModel):
-        model = family_of("tangential_model").method(tangential_model)
+        name = STAND_INS["tangential_model"] if functions else tangential_model
+        model = family_of("tangential_model").method(name)
     tables = model_tables(model.kernel_number, patch.youngs_modulus, patch.poisson_ratio)
     workspace = np.zeros(layout.WORK_SIZE)
     work = layout.Work.at(workspace)
     found = work.patch
     found.creepage_x, found.creepage_y, found.spin, found.friction = creepage_x, creepage_y, spin, friction
     work.rolling.published = getattr(model, "published_spin", 0) == 1
-    roll(patch, tables, workspace)
+    roll(patch, tables, workspace, OwnKernel(functions) if functions else None)
     if model.name == HalfspaceRolling.name:
         roll_on_halfspace(patch, found)
     return CreepForces(found.creep_x, found.creep_y, found.creep_moment, found.stick_share, found.max_shear)
@@ -96,12 +102,12 @@ def roll_on_halfspace(patch, found):
     roll_strips(found, shear_modulus=shear_modulus, poisson_ratio=patch.poisson_ratio)
 
 
-def roll(patch, tables, workspace):
+def roll(patch, tables, workspace, kernel=None):
     """Cut a patch into the strips of the workspace (n,) and find its creep force there, with the creepages
-    and the friction that stand there."""
+    and the friction that stand there, by this process's ``kernel`` where None is given."""
     work = layout.Work.at(workspace)
     write_patch(patch, work.patch, work.contact.strips)
-    kernel = default_kernel()
+    kernel = kernel or default_kernel()
     kernel.cut_patch(workspace)
     kernel.solve_creep_force(tables, workspace)
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 from ..methods import FAMILIES
 from ..methods.numbers import Checked, Number, check_choice, frozen, number, unit_behind, warn_unusual
+from ..methods.own import STAND_INS, functions_in
 from .friction import Friction
 from .outputs import STATION_COUNT, STATION_LEAST, STATION_LIMIT
 
@@ -320,8 +321,9 @@ def checked_parameters(given, groups):
 
     Returns
     -------
-    parameters : the checked value of every keyword; methods are strings.
-    methods : the object of every method, by its parameter.
+    parameters : the checked value of every keyword; methods are strings, or the user's functions.
+    methods : the object of every method, by its parameter; of a function that of the method in whose place
+        the kernel calls it.
 
     Raises
     ------
@@ -329,6 +331,8 @@ def checked_parameters(given, groups):
         in one sentence with name, value, unit and permitted range or choices.
     """
     given = _split(given)
+    functions = functions_in(given)
+    given |= {name: STAND_INS[name] for name in functions}
     for name, group in groups.items():
         if group is not None:
             if not isinstance(group, GROUPS[name]):
@@ -346,7 +350,8 @@ def checked_parameters(given, groups):
             _take(method, given, family.parameter)
     parameters = {name: row.checked(given.get(name, row.default)) for name, row in PARAMETERS.items()}
     _check_springs(parameters)
-    return parameters, {family.parameter: _method_of(family, parameters) for family in FAMILIES}
+    methods = {family.parameter: _method_of(family, parameters) for family in FAMILIES}
+    return parameters | functions, methods
 
 
 def _check_springs(parameters):
@@ -375,6 +380,11 @@ def _split(given):
         if isinstance(value, (tuple, list)):
             if len(value) != 2:
                 raise ValueError(f"{name} is {value!r}; permitted is one value, or (left, right)")
+            if None in (value[0], value[1]):
+                raise ValueError(
+                    f"{name} is {value!r}, which says nothing of one side; permitted is a value for each side, or "
+                    "one value for both"
+                )
             if found.get(LEFT + name) is not None:
                 raise ValueError(
                     f"{LEFT}{name} is {found[LEFT + name]!r}, but {name} is {value!r}; "

@@ -116,8 +116,22 @@ class Number:
         else:
             found = _number(value) if isinstance(value, Real) or not self.whole else math.nan
         if not self.low <= found <= self.high or (self.whole and found != int(found)):
-            raise ValueError(f"{name} is {value!r}; permitted {self._permitted(context)}")
+            raise ValueError(f"{name} is {value!r}; permitted {self._permitted(context)}{self.meant(found)}")
         return int(found) if self.whole else found
+
+    def meant(self, value, factor=1.0, unit=""):
+        """What may be meant by a ``value`` out of range: it would be permitted in mm for m, or m for mm, or as
+        the other side of a ratio; "" where nothing is likely.  ``factor`` is that from SI to the ``unit`` of the
+        value."""
+        if self.ratio:
+            return (
+                f"; did you mean 1:{value:g}?" if self.low <= 1.0 / (value or math.inf) <= self.high else ""
+            )
+        unit = unit or self.unit
+        for other, scale in {"m": (("mm", 1e-3),), "mm": (("m", 1e3),)}.get(unit, ()):
+            if self.low <= value * scale / factor <= self.high:
+                return f"; did you mean {value:g} {other}, which is {value * scale:g} {unit}?"
+        return ""
 
     def _permitted(self, context):
         if self.whole:

@@ -1,5 +1,5 @@
-"""The picture of ``wrcontact check``: contact positions, rolling radii, conicity, sensitivities and conformal
-zones."""
+"""The picture of ``wrcontact check``: contact positions, rolling radii, contact angles, conicity, sensitivities
+and conformal zones."""
 
 from functools import partial
 
@@ -8,7 +8,8 @@ import numpy as np
 from ..conditioning.conformal import NEAR, TURN, WIDE
 from ..conditioning.conicity import AMPLITUDES, Swing
 from ..conditioning.curves import merged_jumps
-from ..conditioning.report import differing_left
+from ..conditioning.text import differing_left
+from ..conventions import SIDES
 from .lines import SHIFTS, draw_lines
 from .style import (
     DEGREE,
@@ -34,22 +35,24 @@ SWINGS = ("rolled", INK, "with roll"), ("level", "#009E73", "without roll")
 
 @styled
 def check_figure(report, ax=None, side="right"):
-    """Draw ``report``, a :class:`~wrcontact.conditioning.Conditioning`, in seven panels: the axes ``ax`` (7,)
+    """Draw ``report``, a :class:`~wrcontact.conditioning.Conditioning`, in eight panels: the axes ``ax`` (8,)
     or those of a new figure, which is returned; places and rates are those of ``side``."""
     if ax is None:
         figure = new_figure(10, 12.2)
-        grid = figure.add_gridspec(4, 2, height_ratios=(3.6, 2.6, 2.3, 2.3))
+        grid = figure.add_gridspec(4, 6, height_ratios=(3.6, 2.6, 2.3, 2.3))
         figure.suptitle(in_lines(_headline(report), 10), x=0.01, ha="left")
         ax = [
             figure.add_subplot(grid[0, :]),
-            *(figure.add_subplot(grid[row, column]) for row in (1, 2, 3) for column in (0, 1)),
+            *(figure.add_subplot(grid[1, column : column + 2]) for column in (0, 2, 4)),
+            *(figure.add_subplot(grid[row, column : column + 3]) for row in (2, 3) for column in (0, 3)),
         ]
-    figure, panels = given_axes(ax, (7,))
+    figure, panels = given_axes(ax, (8,))
     draw_places(panels[0], report, side)
     for panel, draw in zip(
         panels[1:],
         (
             draw_radii,
+            draw_angles,
             draw_conicity,
             partial(draw_moves, of=side),
             draw_roll_rate,
@@ -105,7 +108,7 @@ def _shown_jumps(report, side):
 
 def draw_radii(panel, report):
     """Rolling radius difference [mm] against the lateral shift, with and without roll."""
-    _head(panel, "radii", "Rolling radius difference, right minus left")
+    _head(panel, "radii", "Radius difference, right minus left")
     for name, colour, words in SWINGS:
         if report.conicity_curves[name] is not None:
             shift, difference = report.conicity_curves[name]
@@ -122,9 +125,22 @@ def draw_radii(panel, report):
     _legend(panel)
 
 
+def draw_angles(panel, report):
+    """Contact angles of both wheels [deg] against the lateral shift."""
+    _head(panel, "angles", "Contact angles, to the flange +")
+    shift = report.curves.lateral_shift / MM
+    for side, stroke in zip(SIDES, ("-", (0, (5, 1.5)))):
+        angle = getattr(report.curves, side).contact_angle / DEGREE
+        panel.plot(
+            *_broken(report, shift, angle, side), color=SIDE_COLOUR[side], linestyle=stroke, label=side
+        )
+    _shift_axis(panel, "deg")
+    panel.legend(loc="best")
+
+
 def draw_conicity(panel, report):
     """Equivalent conicity against the amplitude, with and without roll; dots are the values in the report."""
-    _head(panel, "conicity", "Equivalent conicity (EN 15302: without roll)")
+    _head(panel, "conicity", "Conicity (EN 15302: no roll)")
     shown = [0.0, 0.09]
     for name, colour, words in SWINGS:
         curve, dots = report.conicity_curves[name], getattr(report.conicity, name)

@@ -5,12 +5,14 @@ without pyplot: they need no display and leave no global state.
 """
 
 import textwrap
+import warnings
 from functools import wraps
 from math import radians
 from pathlib import Path
 
 import matplotlib
 import numpy as np
+from matplotlib import font_manager
 from matplotlib.figure import Figure
 
 from ..conventions import MILLIMETRE as MM  # noqa: F401  beside the other units
@@ -31,8 +33,18 @@ PRESSURE_COLOURS = "magma_r"
 #: Lateral shifts from left to right, without the light end, which is hard to see on white.
 SHIFT_COLOURS = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.92, 128))
 
+#: Fonts of Windows, macOS and Linux with Chinese, Japanese and Korean letters, which names of files may have.
+WIDE_FONTS = (
+    *(f"Noto Sans CJK {script}" for script in ("SC", "TC", "JP", "KR")),
+    *("WenQuanYi Zen Hei", "WenQuanYi Micro Hei", "Droid Sans Fallback"),
+    *("Microsoft YaHei", "SimHei", "Yu Gothic", "Malgun Gothic"),
+    *("PingFang SC", "Hiragino Sans GB", "Apple SD Gothic Neo", "Arial Unicode MS"),
+)
+#: Those of them that this machine has.
+OTHER_FONTS = [name for name in WIDE_FONTS if name in font_manager.get_font_names()]
+
 LOOK = {
-    "font.family": "DejaVu Sans",
+    "font.family": ["DejaVu Sans", *OTHER_FONTS],
     "font.size": 9,
     "axes.titlesize": 9.5,
     "axes.titlelocation": "left",
@@ -68,7 +80,8 @@ def styled(draw):
 
     @wraps(draw)
     def drawing(*arguments, **options):
-        with matplotlib.rc_context():
+        with matplotlib.rc_context(), warnings.catch_warnings():
+            warnings.filterwarnings("ignore", "Glyph .* missing from font")  # a box stands for it
             matplotlib.rcdefaults()
             matplotlib.rcParams.update(LOOK)
             return draw(*arguments, **options)

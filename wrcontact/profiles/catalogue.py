@@ -89,7 +89,8 @@ def named_profile(source, kind, argument, others, missing=""):
     standard = standard_name(source) if isinstance(source, str) else None
     if standard and standard_profile(standard).kind == kind:
         return standard_profile(standard)
-    other = " (a profile of the other kind)" if standard else ""
+    swapped = {"wheel": "rail", "rail": "wheel"}[kind]
+    other = f" (a profile of a {swapped}; did you swap wheel and rail?)" if standard else ""
     known = (*names(kind), *(PATTERNS if kind == "wheel" else ()))
     meant = "" if missing or other else did_you_mean(source, known)
     raise ValueError(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from os import PathLike
+from os import PathLike, fspath
 from typing import Any
 
 import numpy as np
@@ -151,7 +151,15 @@ class Profile:
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the profile, with all its digits, to a prepared file, such as worn.json; ``wheel`` and
-        ``rail``, their options of the command line and :meth:`from_file` read it."""
+        ``rail``, their options of the command line and :meth:`from_file` read it.
+
+        Raises
+        ------
+        ValueError
+            if the path does not end in .json: that of another format would be read as that format.
+        """
+        if not str(path).lower().endswith(".json"):
+            raise ValueError(f"path is {fspath(path)!r}; permitted is a file that ends in .json")
         write_atomically(path, prepared_text(self).encode())
 
     @classmethod

@@ -63,7 +63,9 @@ def read_points(text, extension, kind, select=None):
             f"permitted are files with one cross-section, such as those that it lists"
         )
     if named and named != kind:
-        raise Refusal(f"ends in {extension}, which is a {named} profile; permitted are {kind} profiles")
+        raise Refusal(
+            f"ends in {extension}, which is a {named} profile; permitted are {kind} profiles (did you swap wheel and rail?)"
+        )
     if extension == ".mpt" or any(map(SECTION.match, text.splitlines()[:100])):
         return several_points(text, select)
     if extension in (".whe", ".rai") or text.lstrip()[:12].strip().lower() in FIRST.values():

@@ -6,11 +6,28 @@ from rich.console import Console
 from rich.progress import (
     BarColumn,
     Progress,
+    ProgressColumn,
     SpinnerColumn,
     TaskProgressColumn,
     TextColumn,
-    TimeRemainingColumn,
 )
+from rich.text import Text
+
+from .left import TimeLeft
+
+
+class LeftColumn(ProgressColumn):
+    """The time that each line of work still needs, "1:05"."""
+
+    def __init__(self):
+        super().__init__()
+        self._left = {}
+
+    def render(self, task):
+        """The text of one line."""
+        left = self._left.setdefault(task.id, TimeLeft())
+        seconds = left.after(task.completed / task.total, task.elapsed or 0.0) if task.total else None
+        return Text("-:--" if seconds is None else f"{seconds // 60:.0f}:{seconds % 60:02.0f}")
 
 
 class Board:
@@ -27,7 +44,7 @@ class Board:
             TextColumn("{task.description}", markup=False),
             BarColumn(),
             TaskProgressColumn(),
-            TimeRemainingColumn(compact=True, elapsed_when_finished=True),
+            LeftColumn(),
         )
         self._progress = Progress(
             *columns, console=console, transient=True, refresh_per_second=4, redirect_stdout=shared

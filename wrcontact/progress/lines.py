@@ -4,13 +4,15 @@ import sys
 import threading
 import time
 
+from .left import TimeLeft
+
 
 class Lines:
     """Lines of work, of which one line "prefix: ..." tells every ``interval`` [s] on the error stream."""
 
     def __init__(self, interval, prefix):
         self._prefix, self._begun = prefix, time.monotonic()
-        self._works, self._numbers = {}, 0  # [words, steps done, total] by number
+        self._works, self._numbers = {}, 0  # [words, steps done, total, its TimeLeft] by number
         self._lock, self._closed = threading.Lock(), threading.Event()
         threading.Thread(target=self._tell, args=(interval,), daemon=True).start()
 
@@ -18,7 +20,7 @@ class Lines:
         """A new work; its number."""
         with self._lock:
             self._numbers += 1
-            self._works[self._numbers] = [words, 0, total]
+            self._works[self._numbers] = [words, 0, total, TimeLeft()]
             return self._numbers
 
     def advance(self, work, steps, words):
@@ -41,10 +43,12 @@ class Lines:
         """What is written after ``elapsed`` [s]: the works from the outermost on, and the time."""
         with self._lock:
             works = list(self._works.values())
-        parts = [words if not total else f"{words} {done / total:.0%}" for words, done, total in works]
-        share = next((done / total for _, done, total in works if total and done), 0.0)
-        left = f", about {elapsed * (1.0 / share - 1.0):.0f} s left" if share else ""
-        return f"{self._prefix}: {', '.join(parts)} after {elapsed:.0f} s{left}"
+        parts = [words if not total else f"{words} {done / total:.0%}" for words, done, total, _ in works]
+        seconds = next(
+            (left.after(done / total, elapsed) for _, done, total, left in works if total and done), None
+        )
+        said = "" if seconds is None else f", about {seconds:.0f} s left"
+        return f"{self._prefix}: {', '.join(parts)} after {elapsed:.0f} s{said}"
 
     def _tell(self, interval):
         while not self._closed.wait(interval):

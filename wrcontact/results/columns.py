@@ -109,11 +109,12 @@ def _stem(name):
 @dataclass(frozen=True)
 class Selection:
     """What a table keeps: ``places`` of its columns in the kernel's outputs (k,), None for all; what has to
-    be computed for them, ``side`` and ``depth``."""
+    be computed for them, ``side`` and ``depth``; whether outputs were ``named`` one by one."""
 
     side: str
     depth: str
     places: np.ndarray | None
+    named: bool = False
 
 
 def selected(side, outputs, width):
@@ -165,7 +166,7 @@ def _named(side, outputs, width):
         side = owners.pop()
     depth = max((_depth(name, known.get(name)) for name in chosen), key=list(reversed(DEPTH_SIZES)).index)
     places = dict.fromkeys(known[name] for name in chosen if name != STATUS)
-    return Selection(side, depth, np.array([*places], dtype=int))
+    return Selection(side, depth, np.array([*places], dtype=int), named=True)
 
 
 def _matching(name, known, verb):

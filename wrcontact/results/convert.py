@@ -6,7 +6,7 @@ import re
 import numpy as np
 
 from ..interface.variables import INPUT, VARIABLES
-from .columns import INPUT_PLACES, OUTPUTS, is_run, variable_of
+from .columns import OUTPUTS, is_run, variable_of
 
 #: Dimensions of a data set, and what follows their names in those of outputs.
 AXES = ("x", "y", "z")
@@ -35,8 +35,9 @@ def needed(package, purpose, extra="tables"):
 
 
 def columns_of(table):
-    """Columns (n,) of a table of states in SI by FMU name: inputs, the outputs that it has, status."""
-    columns = {name: table.inputs[:, place] for name, place in INPUT_PLACES.items()}
+    """Columns (n,) of a table of states in SI by FMU name: inputs, the outputs that it has, status.  Of outputs
+    that were asked for by name the inputs are those that vary."""
+    columns = {name: table[name] for name in table.rows_of_inputs.names}
     columns |= {name: table[name] for name in table.names}
     return {**columns, "status": np.asarray(table.status)}
 
@@ -50,18 +51,22 @@ def to_xarray(table):
     """A xarray.Dataset: ``pose`` is its first dimension; wheels, patches, stations and axes are dimensions.
 
     ``right.patch[2].area`` is ``data["patch.area"].sel(side="right", patch=2)``.  The input ``normal_force``
-    is ``normal_force_input``: the wheels have outputs of its name.
+    is ``normal_force_input``: the wheels have outputs of its name.  Inputs that vary are coordinates with an
+    index: ``data.sel(lateral_shift=2e-3, method="nearest")``.
     """
     xarray = needed("xarray", "to_xarray")
     variables = data_variables(table)
-    return xarray.Dataset(variables, labels_of(variables))
+    data = xarray.Dataset(variables, labels_of(variables))
+    for name in map(name_of_input, table.rows_of_inputs.varying):
+        data = data.set_coords(name).set_xindex(name)
+    return data
 
 
 def data_variables(table):
     """Variables of the data set of :func:`to_xarray`: {name: (dimensions, values, attributes)}."""
     found = {
-        _input_name(name): (("pose",), table.inputs[:, place], _words(INPUT_VARIABLES[name]))
-        for name, place in INPUT_PLACES.items()
+        name_of_input(name): (("pose",), table[name], _words(INPUT_VARIABLES[name]))
+        for name in table.rows_of_inputs.names
     }
     for name, parts in _grouped(table.names).items():
         found[name] = (*_stacked(table, parts), _words(variable_of(next(iter(parts.values())))))
@@ -80,7 +85,7 @@ def labels_of(variables):
     }
 
 
-def _input_name(name):
+def name_of_input(name):
     """The name of an input in a data set, where outputs have lost their side."""
     return f"{name}_input" if f"right.{name}" in OUTPUTS else name
 

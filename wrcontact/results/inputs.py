@@ -1,5 +1,7 @@
 """The inputs that a state belongs to: an array whose columns have names."""
 
+import math
+
 import numpy as np
 
 from ..interface.inputs import INPUT_NAMES, INPUTS
@@ -14,6 +16,67 @@ PLACES = {name: place for place, row in enumerate(INPUTS) for name in (row.name,
 def number(value):
     """A float of one pose, (n,) of a table."""
     return float(value) if value.ndim == 0 else value
+
+
+class Rows:
+    """Rows of inputs (n, inputs), of which only the columns that vary are held.
+
+    Parameters
+    ----------
+    start : an array (inputs,), the values of all others.
+    places : of those that vary (k,), and their values ``columns`` (n, k).
+    named : whether outputs were asked for by name: files and frames of the table then have no other inputs.
+    """
+
+    __slots__ = ("start", "places", "columns", "named")
+
+    def __init__(self, start, places, columns, named=False):
+        self.start, self.places, self.columns, self.named = start, places, columns, named
+
+    @classmethod
+    def of(cls, given, count, named):
+        """Of the inputs ``given``, a number or an array each, in ``count`` rows."""
+        places = [place for place, values in enumerate(given) if np.ndim(values)]
+        start = np.array([math.nan if np.ndim(values) else float(values) for values in given])
+        columns = np.empty((count, len(places)))
+        for column, place in enumerate(places):
+            columns[:, column] = given[place]
+        return cls(start, places, columns, named)
+
+    def __len__(self):
+        return len(self.columns)
+
+    def __getitem__(self, key):
+        """A row (inputs,), or some (m, inputs), as an array."""
+        columns = self.columns[key]
+        found = np.empty((*columns.shape[:-1], len(self.start)))
+        found[:] = self.start
+        found[..., self.places] = columns
+        return found
+
+    def part(self, key):
+        """Some of the rows; of one row, whose ``columns`` are (k,), ``[:]`` is an array (inputs,)."""
+        return Rows(self.start, self.places, self.columns[key], self.named)
+
+    def as_table(self):
+        """One row as rows."""
+        return self.part(None)
+
+    def column(self, place):
+        """The values (n,) of the input at this ``place``."""
+        if place in self.places:
+            return self.columns[:, self.places.index(place)]
+        return np.full(len(self), self.start[place])
+
+    @property
+    def varying(self):
+        """Names of the inputs that vary."""
+        return tuple(INPUT_NAMES[place] for place in self.places)
+
+    @property
+    def names(self):
+        """Names of the inputs that files and frames of the table have."""
+        return self.varying if self.named else INPUT_NAMES
 
 
 class Inputs(np.ndarray):

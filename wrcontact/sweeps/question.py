@@ -14,6 +14,7 @@ from .. import __version__
 from ..interface.calls import given_inputs, warn_of_inputs
 from ..interface.parameters import LEFT, PARAMETERS
 from ..methods.numbers import unit_behind
+from ..methods.own import functions_in
 from ..profiles.catalogue import standard_name, standard_profile
 from ..profiles.files import prepared_profile, prepared_text
 from ..profiles.profile import Profile
@@ -68,6 +69,11 @@ def asked(system, axes, outputs, fixed):
     """The checked :class:`Question`; ValueError or TypeError, in a sentence, if it is none."""
     if not isinstance(system, ContactSystem):
         raise ValueError(f"system is {system!r}; permitted is a ContactSystem")
+    for name, function in functions_in(system.parameters).items():
+        raise ValueError(
+            f"{name} is the function {getattr(function, '__name__', function)!r}; permitted in a sweep are models "
+            "with a name, which a store and other processes know"
+        )
     axes = checked_axes(axes)
     fixed = checked_inputs(fixed, axes)
     if not isinstance(outputs, str):

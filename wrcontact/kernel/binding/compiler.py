@@ -13,6 +13,7 @@ import hashlib
 import importlib.metadata
 import importlib.util
 import os
+import signal
 import platform
 import shlex
 import shutil
@@ -21,6 +22,7 @@ import sys
 import tempfile
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
 
@@ -165,28 +167,53 @@ def linked(command, folder, sources, library, links=(), cache=None, watch=None):
             kept = place / f"{digest(words, folder, source)}.o"
             if not kept.exists():
                 made = Path(scratch, f"{threading.get_ident()}.o")
-                checked([*words, "-c", source, "-o", str(made)], folder)
+                checked([*words, "-c", source, "-o", str(made)], folder, running)
                 write_atomically(kept, made.read_bytes())
             kept.touch()  # it is in use
             return str(kept)
 
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
+        with ThreadPoolExecutor(os.cpu_count()) as pool, ended_together(pool) as running:
             objects = list(watch(pool.map(compiled, sources), len(sources)))
         output = Path(scratch, library)
         checked([*command, "-shared", *objects, *links, "-o", str(output)], folder)
         return output.read_bytes()
 
 
-def checked(command, folder):
+@contextmanager
+def ended_together(pool):
+    """The set of compilers that the threads of a ``pool`` run; an interrupt or error ends them at once, with
+    the programs that they have started, and lets no other one begin."""
+    running = set()
+    try:
+        yield running
+    except BaseException:
+        pool.shutdown(wait=False, cancel_futures=True)
+        for process in list(running):
+            _kill(process)
+        raise
+
+
+def _kill(process):
+    """End a compiler and the programs that it has started."""
+    with suppress(OSError):
+        if hasattr(os, "killpg"):
+            os.killpg(process.pid, signal.SIGKILL)
+        else:
+            process.kill()
+
+
+def checked(command, folder, running=None):
     """Run a compiler; CompilerProblem with what it says if it fails."""
-    done = run(command, folder)
+    done = run(command, folder, running)
     if done.returncode:
         raise CompilerProblem(f"{' '.join(command)} failed:\n{done.stdout}")
 
 
-def run(command, folder):
-    """A compiler's run in ``folder``, ended, with all that it has written."""
-    return subprocess.run(
+def run(command, folder, running=None):
+    """A compiler's run in ``folder``, ended, with all that it has written; it is in the set ``running``
+    meanwhile, where there is one."""
+    running = set() if running is None else running
+    with subprocess.Popen(
         command,
         cwd=folder,
         text=True,
@@ -195,7 +222,17 @@ def run(command, folder):
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         env={**os.environ, **zig_cache()},
-    )
+        start_new_session=True,  # a group of its own, see _kill
+    ) as process:
+        running.add(process)
+        try:
+            said, _ = process.communicate()
+        except BaseException:
+            _kill(process)
+            raise
+        finally:
+            running.discard(process)
+    return subprocess.CompletedProcess(command, process.returncode, said)
 
 
 def digest(command, folder, source):
