@@ -142,7 +142,7 @@ def test_names_are_read_in_any_case_and_by_other_names():
     [
         ("CHN6", "rail", "did you mean CHN60"),
         ("APTA14", "wheel", "did you mean APTA140 or APTA140M"),
-        ("R65", "wheel", "a profile of the other kind"),
+        ("R65", "wheel", "a profile of a rail; did you swap wheel and rail"),
         (
             "S1002/h33/e30/15%",
             "wheel",
