@@ -421,7 +421,16 @@ WRONG = {
     "two_files": ("sweep --csv a.csv --json a.json", ["--csv and --json", "one of them"]),
     "picture": ("plot --output {folder}/pose.doc", ["pose.doc", ".png"]),
     "picture_kind": ("plot line", ["KIND is 'line'", "'lines'", "did you mean lines?"]),
-    "picture_of_no_pose": ("plot lines --lateral-shift-mm 3", ["--lateral-shift-mm is given; plot lines"]),
+    "picture_of_no_pose": ("plot lines --load-transfer 0.1", ["--load-transfer is given; plot lines"]),
+    "swapped_profiles": (
+        "solve --wheel UIC60 --rail S1002",
+        ["--wheel is 'UIC60'", "did you swap --wheel and --rail?"],
+    ),
+    "metres": (
+        "solve --gauge-mm 1.435",
+        ["permitted is 500 ... 2000 mm; did you mean 1.435 m, which is 1435 mm?"],
+    ),
+    "other_side_of_a_ratio": ("solve --rail-inclination 40", ["is 40; permitted is", "did you mean 1:40?"]),
     "picture_side": ("plot radii --side left", ["--side is given", "plot lines or wheel or patch or creep"]),
     "picture_without_run": ("plot history --names yaw", ["--run is missing", "CSV file"]),
     "picture_without_names": ("plot history --run run.csv", ["--names is missing"]),

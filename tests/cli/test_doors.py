@@ -239,3 +239,24 @@ def test_the_announced_size_is_about_that_of_a_file(run, tmp_path, ending):
     path = tmp_path / f"a.{ending}"
     run("sweep", "--step-mm", 0.1, "--tangential-model", "strips", "--speed", 20, "--output", path)
     assert path.stat().st_size / 161 == pytest.approx(tables.ROW_SIZES[ending], rel=0.25)
+
+
+def test_a_check_tells_its_remarks_once(run, tmp_path):
+    """In the report, and not on the error stream as well."""
+    (tmp_path / "own.txt").write_text(columns(*inclined_rail(1 / 40)))
+    words = ["--rail", tmp_path / "own.txt", "--rail-file-inclination", "1:20"]
+    _, out, err = run("check", *words, "--output", tmp_path / "检查.svg")
+    assert err == "" and out.count("its head is inclined by 1:40") == 1
+
+
+def test_a_picture_over_the_shift_takes_a_shift(run, tmp_path):
+    code, out, err = run("plot", "radii", "--lateral-shift-mm", "3", "--output", tmp_path / "a.svg")
+    assert code == 0 and out.startswith("picture written") and (tmp_path / "a.svg").stat().st_size > 5000
+    assert err == "wrcontact: plot radii does not use --lateral-shift-mm\n"
+
+
+@pytest.mark.filterwarnings("error")
+def test_names_of_other_scripts_give_no_warnings(run, tmp_path):
+    (tmp_path / "车轮.txt").write_text(columns(Y, Z))
+    code, _, err = run("plot", "--wheel", tmp_path / "车轮.txt", "--output", tmp_path / "a.png")
+    assert code == 0 and "Glyph" not in err

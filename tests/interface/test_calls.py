@@ -177,9 +177,32 @@ def test_an_inclination_as_a_ratio_is_that_of_the_rail():
 def test_another_inclination_is_refused(value):
     with pytest.raises(ValueError) as refusal:
         ContactSystem(rail_inclination=value)
+    hint = "; did you mean 1:40?" if value in (40, "40") else ""
     assert str(refusal.value) == (
-        f"rail_inclination is {value!r}; permitted is 0 ... 0.1, or a ratio such as '1:40'"
+        f"rail_inclination is {value!r}; permitted is 0 ... 0.1, or a ratio such as '1:40'{hint}"
     )
+
+
+def test_a_value_in_another_unit_is_guessed():
+    """Of lengths alone, and only where the guess is permitted."""
+    for given, words in (
+        ({"nominal_radius": 460}, "permitted is 0.1 ... 1 m; did you mean 460 mm, which is 0.46 m?"),
+        ({"gauge": 1435}, "did you mean 1435 mm, which is 1.435 m?"),
+        ({"gauge": 20.0}, "permitted is 0.5 ... 2 m"),
+        ({"poisson_ratio": 28}, "permitted is 0 ... 0.499"),
+    ):
+        with pytest.raises(ValueError) as refusal:
+            ContactSystem(**given)
+        assert str(refusal.value).endswith(words), given
+
+
+def test_a_pair_says_both_sides():
+    """None would be the default on one side and the value of the other one on the other side."""
+    for given in ({"rail": (None, "60E1")}, {"nominal_radius": (0.46, None)}):
+        with pytest.raises(
+            ValueError, match="which says nothing of one side; permitted is a value for each side"
+        ):
+            ContactSystem(**given)
 
 
 # --- warnings ---------------------------------------------------------------------------------------------

@@ -116,7 +116,11 @@ def test_what_contradicts_is_refused_in_a_sentence(arguments, sentence):
 @pytest.mark.parametrize(
     "kind, numbers, sentence",
     [
-        (Track, {"gauge": 1435}, "gauge is 1435; permitted is 0.5 ... 2 m"),
+        (
+            Track,
+            {"gauge": 1435},
+            "gauge is 1435; permitted is 0.5 ... 2 m; did you mean 1435 mm, which is 1.435 m?",
+        ),
         (Material, {"poisson_ratio": 0.5}, "poisson_ratio is 0.5; permitted is 0 ... 0.499"),
         (
             Analyn,
@@ -127,7 +131,7 @@ def test_what_contradicts_is_refused_in_a_sentence(arguments, sentence):
         (
             Smooth,
             {"reach": 3},
-            "reach is 3; permitted with the lateral_curvature 'smooth' is 0.0001 ... 0.01 m",
+            "reach is 3; permitted with the lateral_curvature 'smooth' is 0.0001 ... 0.01 m; did you mean 3 mm, which is 0.003 m?",
         ),
     ],
 )

@@ -46,6 +46,7 @@ SWEEP = Typed(lateral_shift="lateral shift")
 
 def typed(sentence):
     """A sentence of :class:`~wrcontact.ContactSystem` with options in place of its keywords."""
+    sentence = sentence.replace("swap wheel and rail?", "swap --wheel and --rail?")
     of_profile = OF_PROFILE.match(sentence)
     if of_profile:
         return of_file(sentence, of_profile[1])

@@ -17,7 +17,7 @@ from .left import TimeLeft
 
 
 class LeftColumn(ProgressColumn):
-    """The time that each line of work still needs, "1:05"."""
+    """The time that each line of work still needs, "01:05"."""
 
     def __init__(self):
         super().__init__()
@@ -27,7 +27,10 @@ class LeftColumn(ProgressColumn):
         """The text of one line."""
         left = self._left.setdefault(task.id, TimeLeft())
         seconds = left.after(task.completed / task.total, task.elapsed or 0.0) if task.total else None
-        return Text("-:--" if seconds is None else f"{seconds // 60:.0f}:{seconds % 60:02.0f}")
+        if seconds is None:
+            return Text("--:--")
+        minutes, seconds = divmod(round(seconds), 60)
+        return Text(f"{minutes:02d}:{seconds:02d}")
 
 
 class Board:
