@@ -22,6 +22,10 @@ from .help import write_help
 UsageError = typer.BadParameter.__base__
 
 
+#: What is said of Ctrl-C, and its exit code.
+INTERRUPTION, INTERRUPTED = "interrupted; no file is half written", 130
+
+
 class Refused(Exception):
     """A request that cannot be fulfilled, with a sentence that says why, and the exit code ``code``."""
 
@@ -44,6 +48,8 @@ class Door(TyperGroup):
         try:
             code = super().main(*arguments, standalone_mode=False, **options)
             sys.stdout.flush()
+            if code == INTERRUPTED:  # before the command was known: typer says nothing
+                code = _say(INTERRUPTION, INTERRUPTED)
         except Refused as refusal:
             code = _say(str(refusal), refusal.code)
         except UsageError as wrong:
@@ -66,7 +72,7 @@ class Door(TyperGroup):
             with ended_by_signals():
                 return super().invoke(context)
         except KeyboardInterrupt:
-            raise Refused("interrupted; no file is half written", code=130) from None
+            raise Refused(INTERRUPTION, INTERRUPTED) from None
 
 
 @contextmanager
