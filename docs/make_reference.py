@@ -19,8 +19,7 @@ WHEN = {
     "infinite": "not finite",
     "beyond": "too large",
     "outside": "out of range",
-    "negative": "negative",
-    "zero": "zero",
+    "below": "too small",
     "nonzero": "",
     "always": "",
 }

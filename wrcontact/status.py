@@ -22,6 +22,7 @@ from .interface.inputs import (
     YAW_LIMIT,
 )
 from .kernel import layout
+from .kernel.wheelset.requested import NO_FORCE
 from .kernel.wheelset.trial import DEEPEST
 from .methods.numbers import unit_behind
 
@@ -91,8 +92,7 @@ TESTS = {
     "infinite": lambda value, limit: not math.isfinite(value),
     "beyond": lambda value, limit: abs(value) > limit,
     "outside": lambda value, limit: not 0.0 <= value <= limit,
-    "negative": lambda value, limit: value < 0.0,
-    "zero": lambda value, limit: value == 0.0,
+    "below": lambda value, limit: value < limit,
     "nonzero": lambda value, limit: value != 0.0,
 }
 
@@ -137,7 +137,7 @@ SENTENCES = (
     ),
     Sentence(
         Status.INVALID_INPUT,
-        "negative",
+        "below",
         "normal_force",
         0.0,
         "<normal_force> is [normal_force]; permitted is <normal_force> >= [normal_force:0.0]",
@@ -164,12 +164,12 @@ SENTENCES = (
             Status.UNLOADED,
             test,
             name,
-            math.nan,
+            limit,
             f"<{name}> is [{name}], so a wheel carries no load; its patch is empty (a load needs "
-            "<normal_force> > [normal_force:0.0] and |<load_transfer>| < 1)",
+            f"(1 - |<load_transfer>|) <normal_force> >= [normal_force:{NO_FORCE!r}])",
             False,
         )
-        for test, name in (("zero", "normal_force"), ("always", "load_transfer"))
+        for test, name, limit in (("below", "normal_force", NO_FORCE), ("always", "load_transfer", 1.0))
     ),
     _beyond(Status.OFF_PROFILE, "lateral_shift", LATERAL_LIMIT, ", beyond the profiles"),
     _beyond(Status.OFF_PROFILE, "yaw", YAW_LIMIT, ", beyond the profiles"),

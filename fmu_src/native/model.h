@@ -32,7 +32,7 @@ typedef struct {
 } model_variable;
 
 /* What is said of a status if a test of an input holds; wrcontact/status.py has the table. */
-typedef enum { TEST_ALWAYS, TEST_INFINITE, TEST_BEYOND, TEST_OUTSIDE, TEST_NEGATIVE, TEST_ZERO, TEST_NONZERO } model_test;
+typedef enum { TEST_ALWAYS, TEST_INFINITE, TEST_BEYOND, TEST_OUTSIDE, TEST_BELOW, TEST_NONZERO } model_test;
 
 typedef struct {
     int status;

@@ -95,8 +95,7 @@ static bool holds(const model_sentence *said, double value)
     case TEST_INFINITE: return !isfinite(value);
     case TEST_BEYOND: return fabs(value) > said->limit;
     case TEST_OUTSIDE: return !(0.0 <= value && value <= said->limit);
-    case TEST_NEGATIVE: return value < 0.0;
-    case TEST_ZERO: return value == 0.0;
+    case TEST_BELOW: return value < said->limit;
     case TEST_NONZERO: return value != 0.0;
     default: return true;
     }

@@ -10,6 +10,7 @@ import pytest
 import wrcontact
 from tests.helpers.elastic import carried, compliant, elastic
 from tests.helpers.inside import counts_of
+from wrcontact import ContactSystem, Status
 
 #: Poses without an equilibrium, in which brackets around brackets took some 1000 solutions of a side: near the
 #: track's centre, and where the flange root gives way to the flange.
@@ -146,3 +147,39 @@ def test_a_patch_between_two_strips_has_pressure_and_length():
     assert sliver.normal_force < 0.1  # [N]
     assert np.pi / 4 * sliver.length * sliver.width == pytest.approx(sliver.area, rel=1e-12)
     assert 2 / 3 * sliver.max_pressure * sliver.area == pytest.approx(sliver.normal_force, rel=1e-12)
+
+
+# --- forces beyond what contacts are computed for -----------------------------------------------------------
+
+
+@pytest.mark.parametrize("model", ["hertz", "analyn", "analyn_strip"])
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+def test_no_load_presses_a_wheel_deeper_than_two_millimetres(mode, model):
+    """Up to 40 MN, with a penetration that grows until the step is refused; a rigid wheel of 100 MN was 13 mm
+    deep in its rail."""
+    system = ContactSystem(contact_mode=mode, normal_model=model)
+    table = system.evaluate_many(1e-3, normal_force=np.geomspace(1e5, 4e7, 30))
+    valid = table.status == Status.VALID
+    first = np.argmin(valid)
+    assert 10 < first < 29 and not valid[first:].any()
+    assert set(table.status[first:]) <= {Status.OFF_PROFILE, Status.NOT_CONVERGED}
+    depths = table.right.penetration[:first]
+    assert np.all(np.diff(depths) > 0.0) and 1.5e-3 < depths[-1] <= 2e-3
+    if mode == "rigid":
+        assert system.evaluate(1e-3, penetration=2.1e-3).status == Status.VALID
+
+
+@pytest.mark.parametrize("load", ["normal", "vertical"])
+@pytest.mark.parametrize("mode", ["rigid", "elastic"])
+def test_a_wheel_of_next_to_no_load_has_none(mode, load):
+    """Below 1e-10 N, where loads were not met; above, both wheels carry theirs."""
+    system = ContactSystem(contact_mode=mode, load=load, tangential_model="strips")
+    transfer = np.concatenate([1.0 - 2.0 ** -np.arange(20.0, 54.0), [1.0]])
+    for force in (1e-4, 1.0, 5e4):
+        found = system.evaluate_many(
+            -1.3729e-3, -22.4e-3, normal_force=force, load_transfer=transfer, speed=20.0
+        )
+        carried = force * (1.0 - transfer)
+        np.testing.assert_array_equal(found.status, np.where(carried < 1e-10, Status.UNLOADED, Status.VALID))
+        wanted = found.left.normal_force if load == "normal" else -found.left.force.z
+        np.testing.assert_allclose(wanted, np.where(carried < 1e-10, 0.0, carried), rtol=1e-8)

@@ -1698,6 +1698,9 @@ static const double leaning__FLATTEST_FALL = -0.5;
 /* wheelset/report.py */
 static const int64_t report__OUTLINE_RUNS = INT64_C(3);
 
+/* wheelset/requested.py */
+static const double requested__NO_FORCE = 1e-10;
+
 /* wheelset/rigid.py */
 static const double rigid__NEAR_SHIFT = 0.0002;
 

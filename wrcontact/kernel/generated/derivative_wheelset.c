@@ -1075,12 +1075,29 @@ static inline int64_t derivative_report__complete_strips_t(array_double_1d work,
 /* Derivative of ``side_force``. */
 static inline void derivative_requested__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    double sign, v1, v2;
-    sign = (double)(2 * index - 1);
-    v1 = 1.0 + sign * AT(work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER);
-    v2 = AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * v1;
-    *out_0 = v2 * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1 + AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (sign * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)))) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD) + v2 * each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
+    double v1;
+    lanes v1_t;
+    derivative_requested__wanted_force_t(&v1, &v1_t, work, work_t, layout__WORK_INPUTS, index);
+    *out_0 = v1 * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
+    EACH_LANE each(*out_1) = each(v1_t) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD) + v1 * each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
+}
+
+/* Derivative of ``wanted_force``. */
+static inline void derivative_requested__wanted_force_t(double* force_out, lanes* force_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, int64_t index)
+{
+    double v1, v2, force;
+    lanes force_t;
+    v1 = (double)(2 * index - 1);
+    v2 = 1.0 + v1 * AT(work, inputs + layout__INPUTS_LOAD_TRANSFER);
+    EACH_LANE each(force_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_NORMAL_FORCE)) * v2 + AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * (v1 * each(RATE_AT(work_t, inputs + layout__INPUTS_LOAD_TRANSFER)));
+    force = AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * v2;
+    if (force < requested__NO_FORCE)
+    {
+        force_t = all_lanes(0.0);
+        force = 0.0;
+    }
+    *force_out = force;
+    EACH_LANE each(*force_t_out) = each(force_t);
 }
 
 /* Derivative of ``outer_torque``. */
@@ -2285,22 +2302,21 @@ static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, a
 /* Derivative of ``carried_share``. */
 static inline void derivative_vertical_load__carried_share_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    lanes share_t, wanted_t;
-    double share, v1, v2, wanted, v3, v4;
+    lanes share_t, v1_t, wanted_t;
+    double share, v1, wanted, v2, v3;
     int64_t forces;
     share_t = all_lanes(0.0);
     share = 1.0;
-    v1 = (double)(2 * index - 1);
-    v2 = 1.0 + v1 * AT(work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER);
-    EACH_LANE each(wanted_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2 + AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (v1 * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
-    wanted = AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * v2;
+    derivative_requested__wanted_force_t(&v1, &v1_t, work, work_t, layout__WORK_INPUTS, index);
+    EACH_LANE each(wanted_t) = each(v1_t);
+    wanted = v1;
     forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
     if (wanted > 0.0 && AT(work, forces + layout__FORCES_NORMAL_FORCE + 2) < 0.0)
     {
-        v3 = -AT(work, forces + layout__FORCES_FORCE + 2);
-        v4 = v3 / wanted;
-        EACH_LANE each(share_t) = (-each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) - v4 * each(wanted_t)) / wanted;
-        share = v4;
+        v2 = -AT(work, forces + layout__FORCES_FORCE + 2);
+        v3 = v2 / wanted;
+        EACH_LANE each(share_t) = (-each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) - v3 * each(wanted_t)) / wanted;
+        share = v3;
     }
     *share_out = share;
     EACH_LANE each(*share_t_out) = each(share_t);

@@ -393,6 +393,7 @@ static inline int64_t derivative_report__complete_strips_t(array_double_1d work,
 
 /* derivative_requested.py */
 static inline void derivative_requested__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline void derivative_requested__wanted_force_t(double* force_out, lanes* force_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, int64_t index);
 static inline void derivative_requested__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index);
 
 /* derivative_rigid.py */

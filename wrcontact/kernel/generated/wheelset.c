@@ -113,6 +113,7 @@ static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t
 static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables, int64_t inputs);
 static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs);
 static inline double requested__side_force(array_double_1d work, int64_t index);
+static inline double requested__wanted_force(array_double_1d work, int64_t inputs, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
 static inline bool requested__is_needed(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
 static inline int64_t requested__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t outcome);
@@ -130,6 +131,7 @@ static inline bool requested__has_wear(array_double_1d tables);
 static inline void rigid__find_roll(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, array_double_1d state);
 static inline void rigid__find_leaning_roll(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll);
 static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, double roll);
+static inline int64_t rigid__pressed_outcome(array_double_1d tables, array_double_1d work, int64_t status);
 static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d state, double roll);
 
 /* wheelset/rubbing.py */
@@ -2769,9 +2771,19 @@ static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs)
  */
 static inline double requested__side_force(array_double_1d work, int64_t index)
 {
-    double sign;
-    sign = (double)(2 * index - 1);
-    return AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (1.0 + sign * AT(work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
+    return requested__wanted_force(work, layout__WORK_INPUTS, index) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
+}
+
+/* The force that is wanted of side ``index`` [N]; none below NO_FORCE. */
+static inline double requested__wanted_force(array_double_1d work, int64_t inputs, int64_t index)
+{
+    double force;
+    force = AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * (1.0 + (double)(2 * index - 1) * AT(work, inputs + layout__INPUTS_LOAD_TRANSFER));
+    if (force < requested__NO_FORCE)
+    {
+        force = 0.0;
+    }
+    return force;
 }
 
 /* Whether the outputs of side ``index`` are requested. */
@@ -3006,6 +3018,22 @@ static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d
         {
             outcome = side__solve_side(tables, work, index, requested__side_force(work, index));
             status = requested__counted_outcome(tables, index, status, outcome);
+        }
+    }
+    return status;
+}
+
+/* ``status``, or OFF_PROFILE if a rigid wheel carries its load deeper in its rail than DEEPEST, which the
+ * other modes refuse too.  A penetration that is prescribed is taken as it is.
+ */
+static inline int64_t rigid__pressed_outcome(array_double_1d tables, array_double_1d work, int64_t status)
+{
+    int64_t index;
+    for (index = 0; index < 2; index += 1)
+    {
+        if (!isfinite(AT(tables, layout__TABLES_PENETRATION + index)) && AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PENETRATION) > trial__DEEPEST)
+        {
+            status = layout__OFF_PROFILE;
         }
     }
     return status;
@@ -4701,6 +4729,10 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     {
         status = step__solve_with_friction(tables, work, state, status);
     }
+    if (status <= layout__UNLOADED && (int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_RIGID)
+    {
+        status = rigid__pressed_outcome(tables, work, status);
+    }
     if (status <= layout__UNLOADED)
     {
         report__report(tables, work);
@@ -5088,7 +5120,7 @@ static inline double vertical_load__carried_share(array_double_1d work, int64_t 
     double share, wanted;
     int64_t forces;
     share = 1.0;
-    wanted = AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (1.0 + (double)(2 * index - 1) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
+    wanted = requested__wanted_force(work, layout__WORK_INPUTS, index);
     forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
     if (wanted > 0.0 && AT(work, forces + layout__FORCES_NORMAL_FORCE + 2) < 0.0)
     {

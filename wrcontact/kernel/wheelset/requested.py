@@ -3,6 +3,7 @@ requested.
 """
 
 from math import fabs, isfinite
+from typing import Final
 
 from ..creep.friction import is_frictional
 from ..creep.motion import are_independent, is_moderate
@@ -27,6 +28,9 @@ from ..layout import (
     Tables,
     Work,
 )
+
+#: A smaller force [N] is none: it presses a wheel in by 1e-14 m, the rounding of its height.
+NO_FORCE: Final[float] = 1e-10
 
 
 def check_inputs(tables: Tables, inputs: Inputs):
@@ -78,12 +82,15 @@ def is_rail_far(inputs: Inputs) -> bool:
 def side_force(work: Work, index: int):
     """The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what
     is left to the normal forces (vertical_load.py)."""
-    sign = float(2 * index - 1)
-    return (
-        work.inputs.normal_force
-        * (1.0 + sign * work.inputs.load_transfer)
-        * work.supports[index].friction_load
-    )
+    return wanted_force(work.inputs, index) * work.supports[index].friction_load
+
+
+def wanted_force(inputs: Inputs, index: int):
+    """The force that is wanted of side ``index`` [N]; none below NO_FORCE."""
+    force = inputs.normal_force * (1.0 + float(2 * index - 1) * inputs.load_transfer)
+    if force < NO_FORCE:
+        force = 0.0
+    return force
 
 
 def is_requested(tables: Tables, index: int) -> bool:

@@ -1,9 +1,9 @@
 """Rigid contact: the roll at which both wheels touch, and the load that each carries there."""
 
-from math import fabs
+from math import fabs, isfinite
 from typing import Final
 
-from ..layout import NOT_CONVERGED, VALID, State, Tables, Work
+from ..layout import NOT_CONVERGED, OFF_PROFILE, VALID, State, Tables, Work
 from ..search.first_root import solve_roll
 from ..search.roll import nearest_start
 from .leaning import (
@@ -17,6 +17,7 @@ from .leaning import (
 )
 from .requested import counted_outcome, is_needed, side_force
 from .side import clear_side, solve_side
+from .trial import DEEPEST
 
 #: After a longer lateral move the search does not start at the last contacts [m].
 NEAR_SHIFT: Final[float] = 2e-4
@@ -74,6 +75,15 @@ def solve_rigid(tables: Tables, work: Work, roll: float):
         if is_needed(tables, work.inputs, index):
             outcome = solve_side(tables, work, index, side_force(work, index))
             status = counted_outcome(tables, index, status, outcome)
+    return status
+
+
+def pressed_outcome(tables: Tables, work: Work, status: int):
+    """``status``, or OFF_PROFILE if a rigid wheel carries its load deeper in its rail than DEEPEST, which the
+    other modes refuse too.  A penetration that is prescribed is taken as it is."""
+    for index in range(2):
+        if not isfinite(tables.penetration[index]) and work.sides[index].penetration > DEEPEST:
+            status = OFF_PROFILE
     return status
 
 

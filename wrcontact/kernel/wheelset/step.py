@@ -42,7 +42,7 @@ from .leaning import (
 )
 from .rubbing import move_patches, move_wheelset, rub_patches
 from .report import report
-from .rigid import find_roll, keep_roll, solve_rigid
+from .rigid import find_roll, keep_roll, pressed_outcome, solve_rigid
 from .trial import turn_to
 from .vertical_load import (
     LOAD_PASSES,
@@ -64,6 +64,8 @@ def evaluate(tables: Tables, work: Work, state: State):
     status = solve_wheelset(tables, work, state)
     if status <= UNLOADED and carries_friction(tables, work):
         status = solve_with_friction(tables, work, state, status)
+    if status <= UNLOADED and tables.mode == MODE_RIGID:
+        status = pressed_outcome(tables, work, status)
     if status <= UNLOADED:
         report(tables, work)
     return status

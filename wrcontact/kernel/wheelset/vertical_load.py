@@ -17,7 +17,7 @@ from math import fabs
 from typing import Final
 
 from ..layout import LOAD_VERTICAL, MODE_COMPLIANT, Support, Tables, Work
-from .requested import has_creep_forces
+from .requested import has_creep_forces, wanted_force
 from .trial import DEEPEST
 
 #: The load is met when no wheel misses it by more than this share [-].
@@ -60,7 +60,7 @@ def carries_friction(tables: Tables, work: Work) -> bool:
 def carried_share(work: Work, index: int):
     """The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load."""
     share = 1.0
-    wanted = work.inputs.normal_force * (1.0 + float(2 * index - 1) * work.inputs.load_transfer)
+    wanted = wanted_force(work.inputs, index)
     forces = work.sides[index].forces
     if wanted > 0.0 and forces.normal_force[2] < 0.0:
         share = -forces.force[2] / wanted
