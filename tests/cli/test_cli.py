@@ -341,7 +341,8 @@ KINDS = {
 def test_plot_draws_every_kind(run, tmp_path, monkeypatch, kind):
     """In the working directory, under the name of its kind."""
     monkeypatch.chdir(tmp_path)
-    words = KINDS[kind].format(run=ROOT / "data" / "trajectories" / "hunting.csv").split()
+    table = ROOT / "data" / "trajectories" / "hunting.csv"  # a checkout may have spaces in its path
+    words = [word.format(run=table) for word in KINDS[kind].split()]
     name = f"{kind}.{'gif' if kind == 'animation' else 'png'}"
     assert run("plot", kind, *words) == (0, f"picture written to {name}\n", "")
     assert (tmp_path / name).read_bytes()[:4] in (b"\x89PNG", b"GIF8")
@@ -456,7 +457,7 @@ WRONG = {
 @pytest.mark.parametrize("words, told", WRONG.values(), ids=WRONG)
 def test_wrong_input_is_one_sentence(run, tmp_path, words, told):
     (tmp_path / "file").write_text("not a folder")
-    code, out, err = run(*words.format(folder=tmp_path).split())
+    code, out, err = run(*(word.format(folder=tmp_path) for word in words.split()))
     assert code == 2 and out == ""
     assert err.startswith("wrcontact: ") and err.count("\n") == 1 and "Traceback" not in err
     assert all(word in err for word in told), err

@@ -206,7 +206,7 @@ def no_work(monkeypatch):
 def test_folders_are_checked_before_the_work(run, tmp_path, no_work, words):
     (tmp_path / "file").write_text("not a folder")
     (tmp_path / "folder.png").mkdir()
-    code, out, err = run(*words.format(tmp_path).split())
+    code, out, err = run(*(word.format(tmp_path) for word in words.split()))
     assert (code, out) == (2, "") and err.count("\n") == 1 and str(tmp_path) in err
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder.png"]
 

@@ -18,8 +18,9 @@ from wrcontact.kernel.binding.files import PLATFORMS
 from .packages import ROOT, ReleaseProblem
 
 #: Folders and endings of libraries, as they stand in archives.
-BINARIES = r"binaries/[\w-]+/\w+\.(so|dll|dylib)"
+BINARIES = r"binaries/[\w-]+/[\w-]+\.(so|dll|dylib)"
 KERNELS = r"(resources/wrcontact_\w+|wrcontact)/kernel/_wrcontact_kernel-[\w-]+\.(so|dll|dylib)"
+LOADERS = r"wrcontact/fmu/_wrcontact_loader-[\w-]+\.so"
 #: What the builds make: descriptions, pages, texts of licences, tables of a model, metadata, libraries.
 MADE = re.compile(
     "|".join(
@@ -37,6 +38,7 @@ MADE = re.compile(
             r"wrcontact\.egg-info/.*",
             BINARIES,
             KERNELS,
+            LOADERS,
         )
     )
 )
@@ -70,7 +72,7 @@ class Part:
 def parts():
     """Every :class:`Part` that may be in a release."""
     native, python, source = r"Wheel\w+_native_\w+\.fmu", r"WheelsetContact\.fmu", r".*\.tar\.gz"
-    compiled = ((native, BINARIES), (python, KERNELS), (r".*\.whl", KERNELS))
+    compiled = ((native, BINARIES), (python, KERNELS), (r".*\.whl", rf"({KERNELS}|{LOADERS})"))
     return (
         *(
             Part(
