@@ -11,10 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..conventions import MILLIMETRE as MM
 from ..storage.atomic import write_atomically
 from .definition import definition
-from .files import prepared_text, read_profile, zones_through
+from .files import read_profile, zones_through
 from .options import ProfileFile
 from .remarks import Reading, counted, remark, stretch
 from .source import Source
+from .writers import saved_text
 from .zones import Chain, joined
 
 #: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
@@ -148,9 +149,19 @@ class Profile:
         return read_profile(ProfileFile(path, **options), kind, smoothing, cls)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write the profile, with all its digits, to a prepared file, such as worn.json; ``wheel`` and
-        ``rail``, their options of the command line and :meth:`from_file` read it."""
-        write_atomically(path, prepared_text(self).encode())
+        """Write the profile to a file; ``wheel`` and ``rail``, their options of the command line and
+        :meth:`from_file` read it.
+
+        A prepared file, such as worn.json, has all digits. Other endings are those of points, at most 0.1 mm apart,
+        with nine digits behind the point of a millimetre: .csv, .txt, Simpack's .prw and .prr, MiniProf's .whl and .ban,
+        GENSYS's .wheel and .rail.
+
+        Raises
+        ------
+        ValueError
+            if the path has another ending, one of the other kind of profile, or if the format cannot hold it.
+        """
+        write_atomically(path, saved_text(self, path).encode())
 
     @classmethod
     def from_points(cls, y: ArrayLike, z: ArrayLike, *, name: str, kind: str) -> "Profile":
