@@ -36,7 +36,9 @@ def test_what_is_written_is_read_back(tmp_path, name, ending):
     np.testing.assert_allclose(found.height(y * MM), z * MM, rtol=0, atol=1e-7 if ending == ".whl" else 1e-9)
     # a spline through the points swings beside a corner
     between = np.linspace(-30.0, 29.0, 3001) * MM
-    np.testing.assert_allclose(found.height(between), profile.height(between), rtol=0, atol=2e-6 if name == "EN15302-H" else 5e-7)
+    np.testing.assert_allclose(
+        found.height(between), profile.height(between), rtol=0, atol=2e-6 if name == "EN15302-H" else 5e-7
+    )
 
 
 def test_points_are_close_and_include_the_joints():

@@ -15,7 +15,6 @@ from .files import read_profile, zones_through
 from .options import ProfileFile
 from .remarks import Reading, counted, remark, stretch
 from .source import Source
-from .writers import saved_text
 from .zones import Chain, joined
 
 #: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
@@ -161,6 +160,8 @@ class Profile:
         ValueError
             if the path has another ending, one of the other kind of profile, or if the format cannot hold it.
         """
+        from .writers import saved_text  # not needed before something is saved
+
         write_atomically(path, saved_text(self, path).encode())
 
     @classmethod
