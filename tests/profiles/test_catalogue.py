@@ -142,6 +142,12 @@ def test_names_are_read_in_any_case_and_by_other_names():
     [
         ("CHN6", "rail", "did you mean CHN60"),
         ("APTA14", "wheel", "did you mean APTA140 or APTA140M"),
+        (
+            "GOST 10791",
+            "wheel",
+            "'GOST 10791', of which no public source with enough numbers was found; permitted is a file",
+        ),
+        ("136re", "rail", "'136re', of which no public source"),
         ("R65", "wheel", "a profile of a rail; did you swap wheel and rail"),
         (
             "S1002/h33/e30/15%",

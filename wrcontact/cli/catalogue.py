@@ -25,16 +25,27 @@ def profiles(
     output: Annotated[
         Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")
     ] = Path("profiles.png"),
+    save_as: Annotated[
+        Path | None,
+        typer.Option(
+            "--save",
+            metavar="FILE",
+            show_default=False,
+            help="Write the one profile that is named to a file: .json, .csv, .txt, .prw, .prr, .whl, .ban, .wheel or .rail",
+        ),
+    ] = None,
 ):
     """List the standard profiles: rails and wheels by name, with the standard, and how many sources agree.
 
     With names, each is told in full. A wheel of EN 13715 is named by its designation: tread, height and
     thickness of the flange in mm, outer slope.
 
-    Example: wrcontact profiles R65 S1002/h30/e31.5/15% --plot
+    Example: wrcontact profiles R65 --save r65.prr
     """
     with sentences():
         found = [_profile(name) for name in chosen or ()]
+    if save_as:
+        _save(found, save_as)
     if plot:
         _draw(found, output)
     if found:
@@ -85,6 +96,15 @@ def _row(entry):
         str(entry["sources"]),
         entry.get("note", ""),
     )
+
+
+def _save(found, path):
+    if len(found) != 1:
+        raise Refused(f"--save is given with {len(found)} profiles; permitted is one NAME")
+    check_file(path)
+    with sentences():
+        found[0].save(path)
+    print(f"profile written to {path}")
 
 
 def _draw(found, output):

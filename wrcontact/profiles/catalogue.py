@@ -11,7 +11,7 @@ from ..methods.words import did_you_mean
 from .files import of_kind, read_profile, smoothing_in_mm
 from .options import ProfileFile
 from .profile import Profile
-from .standards import PATTERNS, build, known_name, names
+from .standards import PATTERNS, build, is_missing, known_name, names
 
 #: The profiles that help texts and refusals name; all others are in ``wrcontact profiles``.
 WHEELS = ("S1002", "cone20", "cone40")
@@ -91,6 +91,11 @@ def named_profile(source, kind, argument, others, missing=""):
         return standard_profile(standard)
     swapped = {"wheel": "rail", "rail": "wheel"}[kind]
     other = f" (a profile of a {swapped}; did you swap wheel and rail?)" if standard else ""
+    if isinstance(source, str) and is_missing(source):
+        raise ValueError(
+            f"{argument} is {source!r}, of which no public source with enough numbers was found; permitted is a file "
+            "of its points, or a name of `wrcontact profiles`"
+        )
     known = (*names(kind), *(PATTERNS if kind == "wheel" else ()))
     meant = "" if missing or other else did_you_mean(source, known)
     raise ValueError(

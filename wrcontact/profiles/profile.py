@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..conventions import MILLIMETRE as MM
 from ..storage.atomic import write_atomically
 from .definition import definition
-from .files import prepared_text, read_profile, zones_through
+from .files import read_profile, zones_through
 from .options import ProfileFile
 from .remarks import Reading, counted, remark, stretch
 from .source import Source
@@ -150,17 +150,21 @@ class Profile:
         return read_profile(ProfileFile(path, **options), kind, smoothing, cls)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write the profile, with all its digits, to a prepared file, such as worn.json; ``wheel`` and
-        ``rail``, their options of the command line and :meth:`from_file` read it.
+        """Write the profile to a file; ``wheel`` and ``rail``, their options of the command line and
+        :meth:`from_file` read it.
+
+        A prepared file, such as worn.json, has all digits. Other endings are those of points, at most 0.1 mm apart,
+        with nine digits behind the point of a millimetre: .csv, .txt, Simpack's .prw and .prr, MiniProf's .whl and .ban,
+        GENSYS's .wheel and .rail.
 
         Raises
         ------
         ValueError
-            if the path does not end in .json: that of another format would be read as that format.
+            if the path has another ending, one of the other kind of profile, or if the format cannot hold it.
         """
-        if not str(path).lower().endswith(".json"):
-            raise ValueError(f"path is {fspath(path)!r}; permitted is a file that ends in .json")
-        write_atomically(path, prepared_text(self).encode())
+        from .writers import saved_text  # not needed before something is saved
+
+        write_atomically(path, saved_text(self, path).encode())
 
     @classmethod
     def from_points(cls, y: ArrayLike, z: ArrayLike, *, name: str, kind: str) -> Profile:

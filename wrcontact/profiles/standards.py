@@ -28,7 +28,7 @@ FACE_SLOPE, FACE_END = -2.747477419, (-38.426669071, 11.999738200)
 
 @cache
 def standards():
-    """What the file says: {"rails": {name: entry}, "wheels": ..., "en13715": ...}."""
+    """What the file says: {"rails": {name: entry}, "wheels": ..., "en13715": ..., "missing": [name]}."""
     return json.loads(FILE.read_text(encoding="utf-8"))
 
 
@@ -51,6 +51,11 @@ def _known():
 def compared(name):
     """``name`` without what has no meaning in it: case, blanks, underscores and hyphens."""
     return re.sub(r"[\s_-]", "", name.lower())
+
+
+def is_missing(name):
+    """Whether ``name`` is a profile of which no public source with enough numbers was found."""
+    return compared(name) in map(compared, standards()["missing"])
 
 
 def known_name(name):

@@ -1,0 +1,76 @@
+"""Profiles as files for other programs, and read back."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+from wrcontact import Profile
+from wrcontact.profiles import standard_profile
+from wrcontact.profiles.writers import FORMATS, points
+
+MM = 1e-3
+PAIRS = [
+    (name, ending)
+    for name in ("S1002", "EN15302-H", "APTA240", "60E1", "46E1")
+    for ending, (kind, _) in FORMATS.items()
+    if kind in (None, standard_profile(name).kind)
+]
+
+
+@pytest.mark.parametrize("name, ending", PAIRS)
+def test_what_is_written_is_read_back(tmp_path, name, ending):
+    profile, path = standard_profile(name), tmp_path / f"profile{ending}"
+    profile.save(path)
+    given = {"file_inclination": 0.0} if profile.kind == "rail" else {}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # the order of points is told, and that corners stay
+        found = Profile.from_file(path, profile.kind, smoothing=0.0, **given)
+    y, z = points(profile)
+    y, z = (
+        y[(y * MM >= found.start) & (y * MM <= found.stop)],
+        z[(y * MM >= found.start) & (y * MM <= found.stop)],
+    )
+    assert len(y) > 1000
+    # MiniProf counts the height of a wheel from its running circle, which its reader finds to 0.05 um
+    np.testing.assert_allclose(found.height(y * MM), z * MM, rtol=0, atol=1e-7 if ending == ".whl" else 1e-9)
+    # a spline through the points swings beside a corner
+    between = np.linspace(-30.0, 29.0, 3001) * MM
+    np.testing.assert_allclose(
+        found.height(between), profile.height(between), rtol=0, atol=2e-6 if name == "EN15302-H" else 5e-7
+    )
+
+
+def test_points_are_close_and_include_the_joints():
+    wheel = standard_profile("S1002")
+    y, z = points(wheel)
+    assert np.hypot(np.diff(y), np.diff(z)).max() < 0.11  # [mm], where the back of the flange is vertical
+    assert all(np.min(np.abs(y - joint.y / MM)) < 1e-8 for joint in wheel.joints)
+
+
+def test_simpack_says_its_kind_and_units(tmp_path):
+    standard_profile("60E1").save(tmp_path / "a.prr")
+    text = (tmp_path / "a.prr").read_text()
+    assert "type = 0" in text and "units.len.f = 1000.0" in text and text.count("point.") == 2
+
+
+def test_endings_are_refused_in_a_sentence(tmp_path):
+    wheel = standard_profile("S1002")
+    with pytest.raises(ValueError, match="permitted is a file that ends in .json, .csv"):
+        wheel.save(tmp_path / "wheel.xyz")
+    with pytest.raises(
+        ValueError,
+        match="a file of a rail, and the profile is a wheel; permitted for it are .csv, .txt, .prw",
+    ):
+        wheel.save(tmp_path / "wheel.prr")
+    worn = Profile(
+        "worn",
+        "wheel",
+        tuple(
+            type(z)(z.start, z.stop, (z.coefficients[0] + 1.0, *z.coefficients[1:]), z.origin)
+            for z in standard_profile("cone20").zones
+        ),
+    )
+    with pytest.raises(ValueError, match="worn is 1 mm high at its running circle"):
+        worn.save(tmp_path / "worn.whl")
+    assert not list(tmp_path.iterdir())
