@@ -43,13 +43,13 @@ def main(names):
 
 
 def hunting(rows=160, cycles=4):
-    """Growing hunting: shift to +-7.6 mm, yaw a quarter cycle behind to +-0.3 deg, load
-    moving with the shift.  A wheelset that rolls has this yaw where its path has a wavelength of 9 m."""
+    """Growing hunting: shift to +-7.6 mm, yaw a quarter cycle behind to +-1.2 deg, load
+    moving with the shift."""
     phase = 2 * np.pi * cycles * np.arange(rows) / (rows - 1)
     growth = np.minimum(1, (0.3 + phase / phase[-1]) / 1.05)
     shift, yaw = growth * np.sin(phase), growth * np.sin(phase - np.pi / 2)
     return [
-        (round(7.6e-3 * y, 9), round(np.radians(0.3) * a, 9), None, WHEEL_FORCE, round(0.25 * y, 6))
+        (round(7.6e-3 * y, 9), round(np.radians(1.2) * a, 9), None, WHEEL_FORCE, round(0.25 * y, 6))
         for y, a in zip(shift, yaw)
     ]
 

@@ -26,7 +26,7 @@ from .style import (
 
 #: [m] of the rail ahead of and behind the contact, and of the wheel's running circle; of the wheel on the track
 #: and field side; and of its rim towards the axle.
-AHEAD, ARC, INSIDE, OUTSIDE, RIM = 60e-3, 100e-3, 70e-3, 65e-3, 32e-3
+AHEAD, ARC, INSIDE, OUTSIDE, RIM = 60e-3, 100e-3, 69.5e-3, 59.5e-3, 32e-3
 #: [m] of the arrow of the largest normal force.
 NORMAL = 45e-3
 #: Points of the drawn surfaces along the track and across, and where the reader stands [deg].
