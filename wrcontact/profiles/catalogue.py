@@ -120,6 +120,10 @@ RAILS = ("UIC60", "60E1", "54E1")
 NAMES = {"wheel": WHEELS, "rail": RAILS}
 
 
+#: What may have happened where a wheel's profile is a rail's.
+SWAPPED = "; did you swap wheel and rail?"
+
+
 @cache
 def standard_profile(name):
     """The built-in profile called ``name``; KeyError if there is none."""
@@ -150,9 +154,8 @@ def find_profile(source, kind, smoothing=None, argument=None, track=None):
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return read_profile(ProfileFile(source), kind, smoothing, Profile, track)
     missing = ", and there is no such file" if _looks_like_a_path(source) else ""
-    return named_profile(
-        source, kind, argument or kind, ", the path of a profile file, or a Profile", missing
-    )
+    others = ", the path of a profile file, or a Profile"
+    return named_profile(source, kind, argument or kind, others, missing, SWAPPED)
 
 
 def find_profiles(parameters):
@@ -170,15 +173,14 @@ def find_profiles(parameters):
     return *right, *left
 
 
-def named_profile(source, kind, argument, others, missing=""):
+def named_profile(source, kind, argument, others, missing="", swapped=""):
     """The standard profile called ``source``, in any case; otherwise a ValueError, which names the
     ``argument``, what is ``missing`` and what is permitted: the names, and ``others``, words that continue
-    their list."""
+    their list; ``swapped`` continues that the profile is of the other kind."""
     standard = standard_name(source) if isinstance(source, str) else None
     if standard in NAMES[kind]:
         return standard_profile(standard)
-    swapped = {"wheel": "rail", "rail": "wheel"}[kind]
-    other = f" (a profile of a {swapped}; did you swap wheel and rail?)" if standard else ""
+    other = f" (a profile of the other kind{swapped})" if standard else ""
     meant = "" if missing or other else did_you_mean(source, NAMES[kind])
     raise ValueError(
         f"{argument} is {str(source)!r}{other}{missing}; permitted are "
