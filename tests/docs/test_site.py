@@ -183,3 +183,13 @@ def test_notebooks_ran_and_show_something(site):
     )
     assert conicity["worn"] > 2 * conicity["new"]
     assert speed["worn"] < 0.75 * speed["new"]
+
+
+def test_signatures_have_one_argument_a_line(site):
+    """Those that do not fit one line."""
+    page = (site / "reference" / "api" / "index.html").read_text(encoding="utf-8")
+    begin = page.index('id="wrcontact.ContactSystem.evaluate"')
+    lines = re.sub(r"<[^>]+>", "", page[begin : page.index("</pre>", begin)]).splitlines()
+    arguments = [line.strip() for line in lines if "=" in line and line.startswith("    ")]
+    assert "lateral_shift=0.0," in arguments and len(arguments) > 40
+    assert all(line.count("=") == 1 for line in arguments)

@@ -101,6 +101,24 @@ def test_patches_without_yaw_lie_beside_the_contact_point():
     assert not np.any(patch_places(SYSTEM, state, "right"))
 
 
+# --- a pose -----------------------------------------------------------------------------------------------
+
+
+def test_all_patches_of_a_pose_are_marked_and_the_left_one_lies_as_in_its_section():
+    state = SYSTEM.evaluate(lateral_shift=4.9e-3)
+    figure = plots.pose_figure(SYSTEM, state)
+    marks = [line for line in panel(figure, "right contact").lines if line.get_label() == "patch"]
+    centres = [[patch.y_track / MM, -patch.z_track / MM] for patch in state.right.patches]
+    assert len(centres) == 2 and np.transpose(marks[0].get_data()) == pytest.approx(np.array(centres))
+    assert [
+        text.get_text() for text in panel(figure, "right contact").texts if text.get_text().isdigit()
+    ] == ["1", "2"]
+    assert not [line for line in panel(figure, "left contact").lines if line.get_label() == "patch"]
+    for kind in ("patch", "pressure"):  # the field side is on the left of the left wheel
+        assert panel(figure, f"left {kind}").xaxis_inverted()
+        assert not panel(figure, f"right {kind}").xaxis_inverted()
+
+
 # --- the caller's axes ------------------------------------------------------------------------------------
 
 

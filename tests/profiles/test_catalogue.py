@@ -148,7 +148,7 @@ def test_names_are_read_in_any_case_and_by_other_names():
             "'GOST 10791', of which no public source with enough numbers was found; permitted is a file",
         ),
         ("136re", "rail", "'136re', of which no public source"),
-        ("R65", "wheel", "a profile of a rail; did you swap wheel and rail"),
+        ("R65", "wheel", "a profile of the other kind"),
         (
             "S1002/h33/e30/15%",
             "wheel",

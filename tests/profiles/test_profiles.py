@@ -176,7 +176,7 @@ def test_prepared_file_gives_the_profile_back_bit_for_bit(tmp_path):
     "source, kind, sentence",
     [
         ("S1003", "wheel", "wheel is 'S1003'; permitted are S1002"),
-        ("UIC60", "wheel", "a profile of a rail; did you swap wheel and rail"),
+        ("UIC60", "wheel", "a profile of the other kind; did you swap wheel and rail"),
         (3.0, "rail", "rail is '3.0'; permitted are UIC60, 60E1, 54E1"),
         (standard_profile("UIC60"), "wheel", "wheel is a rail profile"),
     ],

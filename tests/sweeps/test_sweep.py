@@ -290,7 +290,15 @@ def test_a_store_has_the_whole_system(tmp_path, options):
 
 
 @pytest.mark.parametrize(
-    "name, damage", [("right_area", None), ("status", None), ("status", b"\x00\x01garbage")]
+    "name, damage",
+    [
+        ("right_area", None),
+        ("right_area", "bit"),
+        ("roll", b""),
+        ("status", None),
+        ("status", "bit"),
+        ("status", b"\x00\x01garbage"),
+    ],
 )
 def test_a_lost_or_damaged_chunk_is_computed_again(tmp_path, name, damage):
     """It is no NaN with status 0, and no error."""
@@ -306,6 +314,10 @@ def test_a_lost_or_damaged_chunk_is_computed_again(tmp_path, name, damage):
     whole = wrcontact.sweep(system, store=tmp_path / "own", **ask)["right_area"].values.copy()
     chunk = tmp_path / "own" / name / "c" / "1"
     assert chunk.is_file()
+    if damage == "bit":  # in the middle; a checksum tells it
+        kept = bytearray(chunk.read_bytes())
+        kept[len(kept) // 2] ^= 1
+        damage = bytes(kept)
     chunk.unlink() if damage is None else chunk.write_bytes(damage)
     states = []
     again = wrcontact.sweep(

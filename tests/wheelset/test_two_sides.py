@@ -265,8 +265,8 @@ def test_a_copy_has_the_same_sides():
 @pytest.mark.parametrize(
     "given, words",
     [
-        (dict(wheel=("S1002", "UIC60")), "wheel is 'UIC60' (a profile of a rail; did you swap"),
-        (dict(wheel=("UIC60", "S1002")), "left_wheel is 'UIC60' (a profile of a rail; did you swap"),
+        (dict(wheel=("S1002", "UIC60")), "wheel is 'UIC60' (a profile of the other kind; did you swap"),
+        (dict(wheel=("UIC60", "S1002")), "left_wheel is 'UIC60' (a profile of the other kind; did you swap"),
         (dict(rail=("UIC60",)), "rail is ('UIC60',); permitted is one value, or (left, right)"),
         (dict(nominal_radius=(0.0, 0.46)), "left_nominal_radius is 0.0; permitted is 0.1 ... 1 m"),
         (dict(nominal_radius=(0.45, 0.46), left_nominal_radius=0.44), "left_nominal_radius is 0.44, but"),

@@ -6,7 +6,7 @@ words.
 ...     gauge: float = number(1.435, 0.5, 2.0, "m", "Track gauge")
 >>> Track(gauge=1435)
 Traceback (most recent call last):
-ValueError: gauge is 1435; permitted is 0.5 ... 2 m
+ValueError: gauge is 1435; permitted is 0.5 ... 2 m; did you mean 1435 mm, which is 1.435 m?
 """
 
 import math

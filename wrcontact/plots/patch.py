@@ -260,7 +260,7 @@ def headline(name, side):
     regions = {1: "one patch"}.get(side.patch_count, f"{side.patch_count} patches")
     return (
         f"{name.capitalize()} wheel: {regions}, {side.area / MM**2:.0f} mm²,\n"
-        f"pressure up to {side.max_pressure / MEGAPASCAL:.0f} MPa{_creep(side)}"
+        f"up to {side.max_pressure / MEGAPASCAL:.0f} MPa{_creep(side)}"
     )
 
 

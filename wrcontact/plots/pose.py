@@ -8,6 +8,7 @@ from .patch import chosen_sides, draw_outlines, of_one_pose
 from .style import (
     CONTACT_COLOUR,
     DEGREE,
+    INK,
     KILONEWTON,
     MM,
     RAIL_COLOUR,
@@ -37,6 +38,8 @@ def pose_figure(system, state, ax=None):
     figure, panels = given_axes(ax, (3, 2))
     draw_contacts(panels[0], system, state)
     draw_outlines(figure, panels[1:], system, state)
+    for panel in panels[1:, 0]:  # the left wheel's field side is to the left, as in its section
+        panel.invert_xaxis()
     return figure
 
 
@@ -64,8 +67,14 @@ def draw_contacts(panels, system, state, sides=SIDES):
     for panel, side in zip(panels, sides):
         draw_contact(panel, system, state, side)
     middle_of_rail = (OUTSIDE if sides[0] == "left" else INSIDE) / (INSIDE + OUTSIDE)
+    shown = {label: line for panel in panels for line, label in zip(*panel.get_legend_handles_labels())}
     panels[0].legend(
-        loc="lower center", bbox_to_anchor=(middle_of_rail, -0.03), handlelength=1.8, labelspacing=0.3
+        shown.values(),
+        shown.keys(),
+        loc="lower center",
+        bbox_to_anchor=(middle_of_rail, -0.03),
+        handlelength=1.8,
+        labelspacing=0.3,
     )
 
 
@@ -81,6 +90,7 @@ def draw_contact(panel, system, state, side):
     panel.fill(y_wheel / MM, -z_wheel / MM, color=WHEEL_COLOUR, alpha=0.15, linewidth=0)
     panel.plot(y_wheel / MM, -z_wheel / MM, color=WHEEL_COLOUR)
     draw_plane(panel, getattr(state, side), side)
+    draw_patch_places(panel, getattr(state, side))
     top = y_rail[np.argmin(z_rail)]
     _frame(panel, top, side)
     panel.text(top / MM, -7, "rail", color=RAIL_LABEL, ha="center", va="center")
@@ -102,6 +112,27 @@ def draw_plane(panel, contact, side):
         label="contact plane",
     )
     panel.plot([y / MM], [-z / MM], "o", color=CONTACT_COLOUR, markersize=5, label="contact point")
+
+
+def draw_patch_places(panel, contact):
+    """The centres of load of all patches, with their numbers where there are several."""
+    if not contact.patch_count > 1:
+        return
+    y, z = (
+        np.array([getattr(patch, name) for patch in contact.patches]) / MM for name in ("y_track", "z_track")
+    )
+    panel.plot(y, -z, "o", color="white", markeredgecolor=INK, markersize=4, label="patch", zorder=4)
+    for number_of, place in enumerate(zip(y, -z), 1):
+        panel.annotate(
+            str(number_of),
+            place,
+            (0, -5),
+            textcoords="offset points",
+            ha="center",
+            va="top",
+            fontsize=8,
+            color=INK,
+        )
 
 
 def _frame(panel, top, side):

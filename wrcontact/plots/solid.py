@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.cm import ScalarMappable
 from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ..conventions import SIDES
 from ..methods.numbers import check_choice
@@ -23,20 +24,21 @@ from .style import (
     styled,
 )
 
-#: [m] of wheel and rail ahead of and behind the contact, and of the wheel on the track and field side.
-AHEAD, INSIDE, OUTSIDE = 32e-3, 60e-3, 40e-3
+#: [m] of the rail ahead of and behind the contact, and of the wheel's running circle; of the wheel on the track
+#: and field side; and of its rim towards the axle.
+AHEAD, ARC, INSIDE, OUTSIDE, RIM = 60e-3, 100e-3, 69.5e-3, 59.5e-3, 32e-3
 #: [m] of the arrow of the largest normal force.
-NORMAL = 30e-3
+NORMAL = 45e-3
 #: Points of the drawn surfaces along the track and across, and where the reader stands [deg].
-ALONG, ACROSS = 13, 41
-ELEVATION, AZIMUTH = 20, 30
+ALONG, ACROSS = 33, 41
+ELEVATION, AZIMUTH = 18, 42
 
 
 @styled
 @of_one_pose()
 def wheel_on_rail(system, state, axis=None, *, side="right"):
-    """A part of a wheel on its rail in three dimensions, seen from ahead and from the track's middle, with
-    the pressure of its patches on the rail and an arrow along the normal of each, as long as its normal
+    """The lower part of a wheel's rim on its rail in three dimensions, seen from ahead and from the track's middle,
+    with the pressure of its patches on the rail and an arrow along the normal of each, as long as its normal
     force is large.
 
     The patches have the outline of the state, whose pressure is continued along the rolling direction as a
@@ -63,8 +65,9 @@ def wheel_on_rail(system, state, axis=None, *, side="right"):
     _draw_rail(axis, system, state, side)
     axis.plot_surface(x / MM, y / MM, -z / MM, color=WHEEL_COLOUR, alpha=0.16, linewidth=0, zorder=5)
     axis.plot_wireframe(
-        x / MM, y / MM, -z / MM, color=WHEEL_COLOUR, linewidth=0.5, alpha=0.55, rcount=7, ccount=9, zorder=6
+        x / MM, y / MM, -z / MM, color=WHEEL_COLOUR, linewidth=0.4, alpha=0.4, rcount=9, ccount=7, zorder=6
     )
+    _draw_rim(axis, system, state, side)
     if not missing(wheel):
         _draw_patches(axis, system, state, side)
         for patch in wheel.patches:
@@ -77,8 +80,8 @@ def wheel_on_rail(system, state, axis=None, *, side="right"):
         y=1.03,
     )
     axis.set_aspect("equal")
-    axis.set_box_aspect(axis._box_aspect, zoom=0.93)
-    for part, bins in ((axis.xaxis, 3), (axis.yaxis, 5), (axis.zaxis, 4)):
+    axis.set_box_aspect(axis._box_aspect, zoom=1.0)
+    for part, bins in ((axis.xaxis, 3), (axis.yaxis, 4), (axis.zaxis, 4)):
         part.set_major_locator(MaxNLocator(bins))
         part.set_pane_color((1.0, 1.0, 1.0, 0.0))
         part.labelpad = 6
@@ -95,13 +98,22 @@ def _azimuth(side):
 def wheel_surface(system, state, side):
     """Track coordinates x, y, z (down) [m] of the wheel's surface of revolution around its lowest line,
     three arrays (along, across)."""
-    profile, chosen = (
-        readable_wheel(system.wheel if side == "right" else system.left_wheel),
-        system.side_parameters(side),
-    )
+    y, radius = wheel_section(system, side)
+    return turned(system, state, side, y, radius)
+
+
+def wheel_section(system, side):
+    """Lateral places y and radii [m] of the drawn part of a wheel's profile, (across,) each."""
+    profile = readable_wheel(system.wheel if side == "right" else system.left_wheel)
     y = np.linspace(max(profile.start, -INSIDE), min(profile.stop, OUTSIDE), ACROSS)
-    radius = chosen["nominal_radius"] + profile.evaluate(y)[0]
-    turn = np.linspace(-AHEAD, AHEAD, ALONG)[:, None] / chosen["nominal_radius"]
+    return y, system.side_parameters(side)["nominal_radius"] + profile.evaluate(y)[0]
+
+
+def turned(system, state, side, y, radius):
+    """Track coordinates x, y, z (down) [m] of the surface of revolution of points with lateral places ``y``
+    and radii (n,) [m], three arrays (along, n)."""
+    chosen = system.side_parameters(side)
+    turn = np.linspace(-ARC, ARC, ALONG)[:, None] / chosen["nominal_radius"]
     sign = mirrored(side)
     lateral = sign * (chosen["running_circle_distance"] / 2 + y) + 0.0 * turn
     forward, down = radius * np.sin(turn), radius * np.cos(turn)
@@ -115,6 +127,32 @@ def wheel_surface(system, state, side):
         np.sin(yaw) * forward + np.cos(yaw) * lateral + state.inputs.lateral_shift,
         down - system.centre_height + state.vertical_shift,
     )
+
+
+def _draw_rim(axis, system, state, side):
+    """Both faces of the rim, and its sections at both ends, so that a wheel is seen."""
+    y, radius = wheel_section(system, side)
+    inner = system.side_parameters(side)["nominal_radius"] - RIM
+    for end in (0, -1):
+        x, across, z = turned(system, state, side, y[[end, end]], np.array([radius[end], inner]))
+        axis.plot_surface(x / MM, across / MM, -z / MM, color=WHEEL_COLOUR, alpha=0.13, linewidth=0, zorder=4)
+        for line in (0, 1):
+            axis.plot(
+                x[:, line] / MM,
+                across[:, line] / MM,
+                -z[:, line] / MM,
+                color=WHEEL_COLOUR,
+                linewidth=1,
+                zorder=7,
+            )
+    closed = np.concatenate([y, y[[-1, 0, 0]]]), np.concatenate([radius, [inner, inner, radius[0]]])
+    x, across, z = turned(system, state, side, *closed)
+    for end in (0, -1):
+        axis.plot(x[end] / MM, across[end] / MM, -z[end] / MM, color=WHEEL_COLOUR, linewidth=1.2, zorder=7)
+        face = Poly3DCollection(
+            [np.transpose([x[end], across[end], -z[end]]) / MM], color=WHEEL_COLOUR, alpha=0.3, linewidth=0
+        )
+        axis.add_collection3d(face)
 
 
 def _draw_rail(axis, system, state, side):

@@ -20,6 +20,10 @@ NAMES = {"wheel": WHEELS, "rail": RAILS}
 USUAL = (*WHEELS, *RAILS)
 
 
+#: What may have happened where a wheel's profile is a rail's.
+SWAPPED = "; did you swap wheel and rail?"
+
+
 @cache
 def standard_profile(name):
     """The standard profile with this very ``name``; KeyError if there is none."""
@@ -62,9 +66,8 @@ def find_profile(source, kind, smoothing=None, argument=None, track=None):
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return read_profile(ProfileFile(source), kind, smoothing, Profile, track)
     missing = ", and there is no such file" if _looks_like_a_path(source) else ""
-    return named_profile(
-        source, kind, argument or kind, ", the path of a profile file, or a Profile", missing
-    )
+    others = ", the path of a profile file, or a Profile"
+    return named_profile(source, kind, argument or kind, others, missing, SWAPPED)
 
 
 def find_profiles(parameters):
@@ -82,15 +85,14 @@ def find_profiles(parameters):
     return *right, *left
 
 
-def named_profile(source, kind, argument, others, missing=""):
+def named_profile(source, kind, argument, others, missing="", swapped=""):
     """The standard profile called ``source``, in any case; otherwise a ValueError, which names the
     ``argument``, what is ``missing`` and what is permitted: the names, and ``others``, words that continue
-    their list."""
+    their list; ``swapped`` continues that the profile is of the other kind."""
     standard = standard_name(source) if isinstance(source, str) else None
     if standard and standard_profile(standard).kind == kind:
         return standard_profile(standard)
-    swapped = {"wheel": "rail", "rail": "wheel"}[kind]
-    other = f" (a profile of a {swapped}; did you swap wheel and rail?)" if standard else ""
+    other = f" (a profile of the other kind{swapped})" if standard else ""
     if isinstance(source, str) and is_missing(source):
         raise ValueError(
             f"{argument} is {source!r}, of which no public source with enough numbers was found; permitted is a file "

@@ -111,9 +111,20 @@ class Store:
         return array.with_config({"write_empty_chunks": True})
 
     def lost(self, place, names):
-        """Whether the block of this number along each axis lacks a chunk of an output: every block writes all."""
-        key = "/".join(["c", *map(str, place)])
-        return any(not (Path(self.path) / plain(name) / key).is_file() for name in names)
+        """Whether the block of this number along each axis lacks a chunk of an output, or has a damaged one:
+        every block writes all, with a checksum."""
+        key, group = "/".join(["c", *map(str, place)]), self.arrays()
+        at = tuple(slice(k * width, (k + 1) * width) for k, width in zip(place, self.block))
+        for name in map(plain, names):
+            if not (Path(self.path) / name / key).is_file():
+                return True
+            try:
+                group[name][at]
+            except OSError:
+                raise
+            except Exception:  # a damaged chunk fails in many ways
+                return True
+        return False
 
     def dataset(self):
         """What is there, as a data set of xarray that reads values when they are used."""
@@ -175,7 +186,7 @@ def open_group(path):
 
 def _make(path, question, block):
     """Make a store without values beside ``path``, and move it there: it is there as a whole, or not."""
-    zarr = needed("zarr", "a store")
+    zarr, codecs = needed("zarr", "a store"), needed("zarr.codecs", "a store")
     part = path.with_name(f".wrcontact-{secrets.token_hex(8)}.part")
     try:
         part.mkdir()
@@ -191,6 +202,8 @@ def _make(path, question, block):
             "shape": question.sizes,
             "chunks": block_shape(question.sizes, block),
             "dimension_names": list(question.axes),
+            # of each chunk; what has changed on the disk cannot be read
+            "compressors": (codecs.ZstdCodec(), codecs.Crc32cCodec()),
         }
         for name in question.names:
             group.create_array(
