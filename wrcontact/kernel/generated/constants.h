@@ -110,7 +110,7 @@ static const int64_t layout__OPEN = INT64_C(1000000);
 static const int64_t layout__REGION_LIMIT = INT64_C(4);
 static const int64_t layout__RAIL = INT64_C(0);
 static const int64_t layout__WHEEL = INT64_C(1);
-static const int64_t layout__PIECE_SIZE = INT64_C(7);
+static const int64_t layout__PIECE_SIZE = INT64_C(8);
 static const int64_t layout__PROFILE_HEAD = INT64_C(5);
 static const int64_t layout__CUBIC_SIZE = INT64_C(4);
 static const int64_t layout__PLACE_SIZE = INT64_C(30);
@@ -802,6 +802,7 @@ static const int64_t layout__PIECE_C2 = INT64_C(3);
 static const int64_t layout__PIECE_C3 = INT64_C(4);
 static const int64_t layout__PIECE_C4 = INT64_C(5);
 static const int64_t layout__PIECE_C5 = INT64_C(6);
+static const int64_t layout__PIECE_STOP = INT64_C(7);
 static const int64_t layout__CUBIC_VALUE = INT64_C(0);
 static const int64_t layout__CUBIC_SLOPE = INT64_C(1);
 static const int64_t layout__CUBIC_BEND = INT64_C(2);
@@ -1314,6 +1315,7 @@ static const double powers__HALVES = 134217729.0;
 
 /* elementary/whole.py */
 static const double whole__WHOLE = 6755399441055744.0;
+static const double whole__COUNTED = 4503599627370496.0;
 
 /* surface/curvature.py */
 static const double curvature__CURVATURE_FLOOR = 0.05;
