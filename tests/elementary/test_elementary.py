@@ -16,7 +16,8 @@ from tests.helpers.paths import ROOT, TESTS
 from tools.make_elementary import constants
 from wrcontact.kernel.binding.compiler import FLAGS, find_compiler
 from wrcontact.kernel.elementary import circle, powers
-from wrcontact.kernel.elementary.whole import nearest_whole, rounded_up
+from wrcontact.kernel.elementary.binary import counted
+from wrcontact.kernel.elementary.whole import COUNTED, nearest_whole, rounded_up
 
 COUNT = 800
 #: Largest error [units in the last place]; twenty times as many arguments gave 0.92.
@@ -134,6 +135,8 @@ EDGES = [
     (rounded_up, (3.0,), 3),
     (rounded_up, (3.1,), 4),
     (rounded_up, (0.0,), 0),
+    (counted, (COUNTED,), 0),
+    (counted, (COUNTED + 4294967295.0,), 4294967295),
 ]
 
 

@@ -11,9 +11,9 @@ HERTZ, WAVES, PARTS = ("normal/test_strip_hertz.py", "prepare/test_waves.py", "n
 STRIP_LAWS = [
     (
         "strip_near",
-        "facing[j] = cosine * other.width",
-        "facing[j] = 0.5 * cosine * other.width",
-        "a strip presses those after it down by half as much",
+        "facing[j] = (cos * rows.cos[j] + sin * rows.sin[j]) * rows.width[j]",
+        "facing[j] = 0.5 * (cos * rows.cos[j] + sin * rows.sin[j]) * rows.width[j]",
+        "strips press each other down by half as much",
         HERTZ,
         PRESSURES,
     ),

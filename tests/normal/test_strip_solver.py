@@ -20,6 +20,7 @@ from wrcontact.kernel.normal.strip_pressures import (
     TESTED_CONSTANT,
     TESTED_HEIGHT,
     WIDEST_SPACING,
+    apartness,
     eliminate,
     influence_at,
     middle_influence,
@@ -58,9 +59,11 @@ def test_influence_table_holds_it(low, high, error):
     rng = np.random.default_rng(5)
     for t, e in zip(np.exp(rng.uniform(math.log(0.01), 3.0, 300)), rng.uniform(low, high, 300)):
         near = nearness(t, 1.0)
+        at, x = 3 * int(near), near % 1.0
         allowed = error if t < 0.2 else 0.004
-        assert influence_at(table, near, e * e, 1.0) == pytest.approx(float(influence(t, e)), abs=allowed)
-        assert middle_influence(table, near) == influence_at(table, near, 0.0, 1.0)
+        found = influence_at(table, at, x, apartness(e * e, 1.0))
+        assert found == pytest.approx(float(influence(t, e)), abs=allowed)
+        assert middle_influence(table, at, x) == influence_at(table, at, x, 0.0)
 
 
 def test_influence_close_by_is_a_logarithm_and_far_away_a_point():

@@ -212,6 +212,7 @@ def check_pieces(table, profile):
     them; steps of the heights are led over within REPAIR_WIDTH or half of the zone."""
     pieces, head = table_pieces(table), layout.Profile.at(table)
     assert (head.start, head.stop) == (profile.start, profile.stop) and np.isnan(pieces[-1]).all()
+    np.testing.assert_array_equal(pieces[:-1, 7], pieces[1:, 0])
     edges = np.append(pieces[:-1, 0], head.stop)
     assert (np.diff(edges) > 0).all() and np.diff(edges).max() <= MM * made.LONGEST_PIECE * (1 + 1e-9)
     starts = np.array([zone.start * MM for zone in profile.zones])
@@ -219,7 +220,7 @@ def check_pieces(table, profile):
     owners = np.searchsorted(starts, 0.5 * (edges[1:] + edges[:-1])) - 1
     for index, low, high, row in zip(owners, edges, edges[1:], pieces):
         wanted, stepped = joint_jets(profile, index, np.array([low, high]))
-        quintic = np.polynomial.Polynomial(row[1:])
+        quintic = np.polynomial.Polynomial(row[1:7])
 
         def jets(u):
             return np.array([quintic(u), quintic.deriv()(u), quintic.deriv(2)(u)])
@@ -285,7 +286,7 @@ class Samples:
         widths = np.diff(np.append(pieces[:, 0], head.stop))
         u = np.linspace(0.0, 1.0, raster.LAST_SAMPLE + 1)[:, None] * widths
         quintics = np.polynomial.polynomial
-        coefficients = pieces[:, 1:].T
+        coefficients = pieces[:, 1:7].T
         self.y = pieces[:, 0] + u
         self.slopes, self.bends = (
             quintics.polyval(u, quintics.polyder(coefficients, order)[:, None, :], tensor=False)

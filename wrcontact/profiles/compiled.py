@@ -7,8 +7,8 @@ from ..kernel.layout import PIECE_SIZE, Profile, offset
 
 
 def table_pieces(table):
-    """Pieces (n + 1, 7) in a compiled profile's ``table``: start [m] and coefficients; the
-    last row is after the end."""
+    """Pieces (n + 1, 8) in a compiled profile's ``table``: start [m], coefficients, and where the next one
+    starts [m]; the last row is after the end."""
     profile = Profile.at(table)
     return table[offset(profile.pieces, profile) :].reshape(-1, PIECE_SIZE)
 
@@ -23,7 +23,7 @@ def evaluate_table(table, y):
     y = np.asarray(y, dtype=float)
     index = np.clip(np.searchsorted(pieces[:-1, 0], y, side="right") - 1, 0, len(pieces) - 2)
     u = y - pieces[index, 0]
-    c0, c1, c2, c3, c4, c5 = np.moveaxis(pieces[index, 1:], -1, 0)
+    c0, c1, c2, c3, c4, c5 = np.moveaxis(pieces[index, 1:7], -1, 0)
     p4 = c4 + u * c5  # the same bits as profile_table.height_slope_bend
     p3 = c3 + u * p4
     p2 = c2 + u * p3

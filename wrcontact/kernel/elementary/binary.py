@@ -1,4 +1,4 @@
-"""The exponents of floats.  C has these functions in native/spans.h; they are exact."""
+"""The bits of floats.  C has these functions in native/spans.h; they are exact."""
 
 from struct import pack, unpack
 
@@ -15,3 +15,10 @@ def exponent(x: float) -> int:
 def power_of_two(k: int) -> float:
     """2^k, for k = -1022 ... 1023."""
     return unpack("<d", pack("<q", (k + 1023) << 52))[0]
+
+
+@native
+def counted(x: float) -> int:
+    """The whole number n of ``x`` = 2^52 + n, 0 <= n < 2^32, from its lowest bits: so it takes no conversion,
+    which an address would wait for."""
+    return unpack("<q", pack("<d", x))[0] & 0xFFFFFFFF

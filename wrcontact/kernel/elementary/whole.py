@@ -6,6 +6,8 @@ from ..layout import inlined
 
 #: Added and taken away again, it leaves a whole number: 1.5 * 2^52.
 WHOLE: Final[float] = 6755399441055744.0
+#: 2^52: a whole number that is added to it is read from the sum by binary.counted.
+COUNTED: Final[float] = 4503599627370496.0
 
 
 @inlined

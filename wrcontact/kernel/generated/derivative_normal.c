@@ -3865,48 +3865,44 @@ static inline void derivative_strip_pressures__nearness_t(double* v5_out, lanes*
     EACH_LANE each(*v5_t_out) = each(v5_t);
 }
 
-/* Derivative of ``influence_at``. */
-static inline void derivative_strip_pressures__influence_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double near, lanes near_t, double apart, lanes apart_t, double square, lanes square_t)
+/* Derivative of ``apartness``. */
+static inline void derivative_strip_pressures__apartness_t(double* out_0, lanes* out_1, double apart, lanes apart_t, double square, lanes square_t)
 {
-    int64_t cell, column, at, to;
-    lanes x_t, along_t, low_t, high_t;
-    double x, v1, v2, v3, along, v4, low, v5, high, v6, v7;
-    cell = (int64_t)near;
-    EACH_LANE each(x_t) = each(near_t);
-    x = near - (double)cell;
+    double v1, v2, v3;
     v1 = apart + square;
     v2 = apart / v1;
     v3 = (double)layout__INFLUENCE_COLUMNS;
-    EACH_LANE each(along_t) = (each(apart_t) - v2 * (each(apart_t) + each(square_t))) / v1 * v3;
-    along = v2 * v3;
-    column = (int64_t)along;
-    at = layout__INFLUENCE_COLUMN * column + 3 * cell;
-    to = at + layout__INFLUENCE_COLUMN;
-    v4 = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2));
-    EACH_LANE each(low_t) = each(x_t) * v4 + x * (each(x_t) * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
-    low = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * v4;
-    v5 = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + 2));
-    EACH_LANE each(high_t) = each(x_t) * v5 + x * (each(x_t) * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + 2)));
-    high = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + to) + x * v5;
-    v6 = along - (double)column;
-    v7 = high - low;
-    *out_0 = low + v6 * v7;
-    EACH_LANE each(*out_1) = each(low_t) + (each(along_t) * v7 + v6 * (each(high_t) - each(low_t)));
+    *out_0 = v2 * v3;
+    EACH_LANE each(*out_1) = (each(apart_t) - v2 * (each(apart_t) + each(square_t))) / v1 * v3;
 }
 
 /* Derivative of ``middle_influence``. */
-static inline void derivative_strip_pressures__middle_influence_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double near, lanes near_t)
+static inline void derivative_strip_pressures__middle_influence_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double x, lanes x_t)
 {
-    int64_t cell, at;
-    lanes x_t;
-    double x, v1;
-    cell = (int64_t)near;
-    EACH_LANE each(x_t) = each(near_t);
-    x = near - (double)cell;
-    at = 3 * cell;
+    double v1;
     v1 = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2));
     *out_0 = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * v1;
     EACH_LANE each(*out_1) = each(x_t) * v1 + x * (each(x_t) * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
+}
+
+/* Derivative of ``influence_at``. */
+static inline void derivative_strip_pressures__influence_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double x, lanes x_t, double along, lanes along_t)
+{
+    int64_t column, low_at;
+    double v1, low, v2, high, v3, v4;
+    lanes v1_t, low_t, v2_t, high_t;
+    column = (int64_t)along;
+    low_at = layout__INFLUENCE_COLUMN * column + at;
+    derivative_strip_pressures__middle_influence_t(&v1, &v1_t, tables, table, low_at, x, x_t);
+    EACH_LANE each(low_t) = each(v1_t);
+    low = v1;
+    derivative_strip_pressures__middle_influence_t(&v2, &v2_t, tables, table, low_at + layout__INFLUENCE_COLUMN, x, x_t);
+    EACH_LANE each(high_t) = each(v2_t);
+    high = v2;
+    v3 = along - (double)column;
+    v4 = high - low;
+    *out_0 = low + v3 * v4;
+    EACH_LANE each(*out_1) = each(low_t) + (each(along_t) * v4 + v3 * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``spacing_at``. */
@@ -3958,41 +3954,77 @@ static inline void derivative_strip_pressures__own_influence_t(double* out_0, la
     EACH_LANE each(*out_1) = each(rest_t) - (each(height_t) * v3 + height * (2.0 * each(slender_t)));
 }
 
-/* Derivative of ``see_pairs``. */
-static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_lanes_1d work_t)
+/* Derivative of ``fill_rows``. */
+static inline int64_t derivative_strip_pressures__fill_rows_t(array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t i, strip, near, facing, j, other, i_end;
-    double v1, distance, cosine, v2, v3;
-    lanes distance_t, cosine_t, v2_t, v3_t;
+    int64_t i, strip, i_end;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_PLACE));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i) = AT(work, strip + layout__STRIP_PLACE);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i)) = each(RATE_AT(work_t, strip + layout__STRIP_COS));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i) = AT(work, strip + layout__STRIP_COS);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i)) = each(RATE_AT(work_t, strip + layout__STRIP_SIN));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i) = AT(work, strip + layout__STRIP_SIN);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + i)) = each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + i) = AT(work, strip + layout__STRIP_HALF_LENGTH);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_SQUARE));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + i) = AT(work, strip + layout__STRIP_SQUARE);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + i)) = each(RATE_AT(work_t, strip + layout__STRIP_WIDTH));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + i) = AT(work, strip + layout__STRIP_WIDTH);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_MIDDLE));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i) = AT(work, strip + layout__STRIP_MIDDLE);
+    }
+    return 0;
+}
+
+/* Derivative of ``see_pairs``. */
+static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_lanes_1d work_t)
+{
+    int64_t size, i, j, cells, within, cell, facing;
+    lanes place_t, v1_t, cos_t, sin_t, rates;
+    double place, v2, v1, cos, sin, v3;
+    derivative_strip_pressures__fill_rows_t(work, work_t);
+    size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < size; i += 1)
+    {
+        EACH_LANE each(place_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i));
+        place = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i);
+        for (j = 0; j < size; j += 1)
+        {
+            v2 = place - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + j);
+            EACH_LANE each(rates) = derivative_rates__size_rate(v2, each(place_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + j)));
+            derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), rates, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + j));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j)) = each(v1_t);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j) = v1;
+        }
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + i) = all_lanes(0.0);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + i) = 0.0;
+        cells = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + 96 * i;
+        within = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_WITHIN + 96 * i;
+        for (j = 0; j < size; j += 1)
+        {
+            cell = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j);
+            RATE_AT(work_t, cells + j) = all_lanes(0.0);
+            AT(work, cells + j) = (double)(3 * cell);
+            EACH_LANE each(RATE_AT(work_t, within + j)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j));
+            AT(work, within + j) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j) - (double)cell;
+        }
+        EACH_LANE each(cos_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i));
+        cos = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i);
+        EACH_LANE each(sin_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i));
+        sin = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i);
         facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
-        RATE_AT(work_t, near + i) = all_lanes(0.0);
-        AT(work, near + i) = 0.0;
+        for (j = 0; j < size; j += 1)
+        {
+            v3 = cos * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j) + sin * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j);
+            EACH_LANE each(RATE_AT(work_t, facing + j)) = (each(cos_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j) + cos * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j)) + (each(sin_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j) + sin * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j)))) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j) + v3 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j));
+            AT(work, facing + j) = v3 * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j);
+        }
         RATE_AT(work_t, facing + i) = all_lanes(0.0);
         AT(work, facing + i) = 0.0;
-        for (j = 0; j < i; j += 1)
-        {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            v1 = AT(work, strip + layout__STRIP_PLACE) - AT(work, other + layout__STRIP_PLACE);
-            EACH_LANE each(distance_t) = derivative_rates__size_rate(v1, each(RATE_AT(work_t, strip + layout__STRIP_PLACE)) - each(RATE_AT(work_t, other + layout__STRIP_PLACE)));
-            distance = fabs(v1);
-            EACH_LANE each(cosine_t) = each(RATE_AT(work_t, strip + layout__STRIP_COS)) * AT(work, other + layout__STRIP_COS) + AT(work, strip + layout__STRIP_COS) * each(RATE_AT(work_t, other + layout__STRIP_COS)) + (each(RATE_AT(work_t, strip + layout__STRIP_SIN)) * AT(work, other + layout__STRIP_SIN) + AT(work, strip + layout__STRIP_SIN) * each(RATE_AT(work_t, other + layout__STRIP_SIN)));
-            cosine = AT(work, strip + layout__STRIP_COS) * AT(work, other + layout__STRIP_COS) + AT(work, strip + layout__STRIP_SIN) * AT(work, other + layout__STRIP_SIN);
-            derivative_strip_pressures__nearness_t(&v2, &v2_t, distance, distance_t, AT(work, other + layout__STRIP_HALF_LENGTH), RATE_AT(work_t, other + layout__STRIP_HALF_LENGTH));
-            EACH_LANE each(RATE_AT(work_t, near + j)) = each(v2_t);
-            AT(work, near + j) = v2;
-            EACH_LANE each(RATE_AT(work_t, facing + j)) = each(cosine_t) * AT(work, other + layout__STRIP_WIDTH) + cosine * each(RATE_AT(work_t, other + layout__STRIP_WIDTH));
-            AT(work, facing + j) = cosine * AT(work, other + layout__STRIP_WIDTH);
-            derivative_strip_pressures__nearness_t(&v3, &v3_t, distance, distance_t, AT(work, strip + layout__STRIP_HALF_LENGTH), RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH));
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * j + i)) = each(v3_t);
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * j + i) = v3;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * j + i)) = each(cosine_t) * AT(work, strip + layout__STRIP_WIDTH) + cosine * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * j + i) = cosine * AT(work, strip + layout__STRIP_WIDTH);
-        }
     }
     return 0;
 }
@@ -4000,37 +4032,45 @@ static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d wo
 /* Derivative of ``write_equations``. */
 static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, bool yawed)
 {
-    int64_t waves, size, i, row, near, facing, j, k, first, own, singular, strip, k_end, own_end, j_end;
-    lanes middle_t, away_t, v1_t, v2_t, v3_t, rates;
-    double middle, away, v1, v2, v3;
+    int64_t waves, table, size, i, row, cells, within, facing, j, k, first, own, singular, strip, k_end, own_end, j_end;
+    lanes middle_t, away_t, v1_t, v2_t, v3_t, v4_t, rates;
+    double middle, away, v1, v2, v3, v4;
     waves = (int64_t)AT(tables, layout__TABLES_WAVES);
+    table = (int64_t)AT(tables, layout__TABLES_INFLUENCE);
     size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < size; i += 1)
     {
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
+        cells = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + 96 * i;
+        within = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_WITHIN + 96 * i;
         facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
         if (yawed)
         {
-            EACH_LANE each(middle_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
-            middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE);
+            EACH_LANE each(middle_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i));
+            middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i);
             for (j = 0; j < size; j += 1)
             {
-                EACH_LANE each(away_t) = each(middle_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
-                away = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE);
+                EACH_LANE each(away_t) = each(middle_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j));
+                away = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j);
                 EACH_LANE each(rates) = each(away_t) * away + away * each(away_t);
-                derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), RATE_AT(work_t, near + j), away * away, rates, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE));
-                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, facing + j)) * v1 + AT(work, facing + j) * each(v1_t);
-                AT(work, row + j) = AT(work, facing + j) * v1;
+                derivative_strip_pressures__apartness_t(&v1, &v1_t, away * away, rates, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
+                EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v1_t);
+                AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = v1;
+            }
+            for (j = 0; j < size; j += 1)
+            {
+                derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j));
+                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, facing + j)) * v2 + AT(work, facing + j) * each(v2_t);
+                AT(work, row + j) = AT(work, facing + j) * v2;
             }
         }
         else
         {
             for (j = 0; j < size; j += 1)
             {
-                derivative_strip_pressures__middle_influence_t(&v2, &v2_t, tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), RATE_AT(work_t, near + j));
-                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, facing + j)) * v2 + AT(work, facing + j) * each(v2_t);
-                AT(work, row + j) = AT(work, facing + j) * v2;
+                derivative_strip_pressures__middle_influence_t(&v3, &v3_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j));
+                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, facing + j)) * v3 + AT(work, facing + j) * each(v3_t);
+                AT(work, row + j) = AT(work, facing + j) * v3;
             }
         }
         EACH_LANE each(RATE_AT(work_t, row + size)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
@@ -4055,9 +4095,9 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
                 EACH_LANE each(RATE_AT(work_t, row + (first + j))) = each(RATE_AT(work_t, row + (first + j))) - AT(tables, singular + j) * each(RATE_AT(work_t, facing + (first + j)));
                 AT(work, row + (first + j)) = AT(work, row + (first + j)) - AT(tables, singular + j) * AT(work, facing + (first + j));
             }
-            derivative_strip_pressures__own_influence_t(&v3, &v3_t, tables, AT(work, strip + layout__STRIP_SLENDER), RATE_AT(work_t, strip + layout__STRIP_SLENDER), own, 1.0, all_lanes(0.0), strip_pressures__MIDDLE_CONSTANT, all_lanes(0.0), layout__INFLUENCE_MAP);
-            EACH_LANE each(RATE_AT(work_t, row + (first + own))) = each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) * v3 + AT(work, strip + layout__STRIP_WIDTH) * each(v3_t);
-            AT(work, row + (first + own)) = AT(work, strip + layout__STRIP_WIDTH) * v3;
+            derivative_strip_pressures__own_influence_t(&v4, &v4_t, tables, AT(work, strip + layout__STRIP_SLENDER), RATE_AT(work_t, strip + layout__STRIP_SLENDER), own, 1.0, all_lanes(0.0), strip_pressures__MIDDLE_CONSTANT, all_lanes(0.0), layout__INFLUENCE_MAP);
+            EACH_LANE each(RATE_AT(work_t, row + (first + own))) = each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) * v4 + AT(work, strip + layout__STRIP_WIDTH) * each(v4_t);
+            AT(work, row + (first + own)) = AT(work, strip + layout__STRIP_WIDTH) * v4;
         }
     }
     return 0;
@@ -4092,51 +4132,65 @@ static inline void derivative_strip_pressures__local_displacement_t(double* out_
 /* Derivative of ``tested_displacements``. */
 static inline void derivative_strip_pressures__tested_displacements_t(double* front_out, lanes* front_t_out, double* back_out, lanes* back_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t i, double away, lanes away_t, bool yawed)
 {
-    int64_t near, facing, j, other, j_end, j_end_2;
-    lanes front_t, back_t, middle_t, pushed_t, x_t, v1_t, v2_t, v3_t, rates, rates_2, rates_3;
-    double front, back, middle, pushed, x, v1, v2, v3;
-    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
+    int64_t table, cells, within, facing, size, j;
+    lanes front_t, back_t, middle_t, x_t, v1_t, v2_t, pushed_t, v3_t, v4_t, v5_t, v6_t, rates, rates_2, rates_3;
+    double front, back, middle, x, v1, v2, pushed, v3, v4, v5, v6;
+    table = (int64_t)AT(tables, layout__TABLES_INFLUENCE);
+    cells = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + 96 * i;
+    within = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_WITHIN + 96 * i;
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
+    size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     front_t = all_lanes(0.0);
     front = 0.0;
     back_t = all_lanes(0.0);
     back = 0.0;
     if (yawed)
     {
-        EACH_LANE each(middle_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
-        middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE);
-        j_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
-        for (j = 0; j < j_end; j += 1)
+        EACH_LANE each(middle_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i));
+        middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i);
+        for (j = 0; j < size; j += 1)
         {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            EACH_LANE each(pushed_t) = each(RATE_AT(work_t, facing + j)) * AT(work, other + layout__STRIP_Y) + AT(work, facing + j) * each(RATE_AT(work_t, other + layout__STRIP_Y));
-            pushed = AT(work, facing + j) * AT(work, other + layout__STRIP_Y);
-            EACH_LANE each(x_t) = each(middle_t) - each(RATE_AT(work_t, other + layout__STRIP_MIDDLE)) + each(away_t);
-            x = middle - AT(work, other + layout__STRIP_MIDDLE) + away;
+            EACH_LANE each(x_t) = each(middle_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j)) + each(away_t);
+            x = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j) + away;
             EACH_LANE each(rates) = each(x_t) * x + x * each(x_t);
-            derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), RATE_AT(work_t, near + j), x * x, rates, AT(work, other + layout__STRIP_SQUARE), RATE_AT(work_t, other + layout__STRIP_SQUARE));
-            EACH_LANE each(front_t) = each(front_t) + (each(v1_t) * pushed + v1 * each(pushed_t));
-            front = front + v1 * pushed;
+            derivative_strip_pressures__apartness_t(&v1, &v1_t, x * x, rates, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v1_t);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = v1;
             EACH_LANE each(x_t) = each(x_t) - 2.0 * each(away_t);
             x = x - 2.0 * away;
             EACH_LANE each(rates_2) = each(x_t) * x + x * each(x_t);
-            derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), RATE_AT(work_t, near + j), x * x, rates_2, AT(work, other + layout__STRIP_SQUARE), RATE_AT(work_t, other + layout__STRIP_SQUARE));
-            EACH_LANE each(back_t) = each(back_t) + (each(v2_t) * pushed + v2 * each(pushed_t));
-            back = back + v2 * pushed;
+            derivative_strip_pressures__apartness_t(&v2, &v2_t, x * x, rates_2, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j)) = each(v2_t);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j) = v2;
+        }
+        for (j = 0; j < size; j += 1)
+        {
+            EACH_LANE each(pushed_t) = each(RATE_AT(work_t, facing + j)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y) + AT(work, facing + j) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+            pushed = AT(work, facing + j) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y);
+            derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j));
+            EACH_LANE each(front_t) = each(front_t) + (each(v3_t) * pushed + v3 * each(pushed_t));
+            front = front + v3 * pushed;
+            derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j));
+            EACH_LANE each(back_t) = each(back_t) + (each(v4_t) * pushed + v4 * each(pushed_t));
+            back = back + v4 * pushed;
         }
     }
     else
     {
-        j_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
-        for (j = 0; j < j_end_2; j += 1)
+        for (j = 0; j < size; j += 1)
         {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            EACH_LANE each(pushed_t) = each(RATE_AT(work_t, facing + j)) * AT(work, other + layout__STRIP_Y) + AT(work, facing + j) * each(RATE_AT(work_t, other + layout__STRIP_Y));
-            pushed = AT(work, facing + j) * AT(work, other + layout__STRIP_Y);
             EACH_LANE each(rates_3) = each(away_t) * away + away * each(away_t);
-            derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), RATE_AT(work_t, near + j), away * away, rates_3, AT(work, other + layout__STRIP_SQUARE), RATE_AT(work_t, other + layout__STRIP_SQUARE));
-            EACH_LANE each(front_t) = each(front_t) + (each(v3_t) * pushed + v3 * each(pushed_t));
-            front = front + v3 * pushed;
+            derivative_strip_pressures__apartness_t(&v5, &v5_t, away * away, rates_3, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v5_t);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = v5;
+        }
+        for (j = 0; j < size; j += 1)
+        {
+            EACH_LANE each(pushed_t) = each(RATE_AT(work_t, facing + j)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y) + AT(work, facing + j) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+            pushed = AT(work, facing + j) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y);
+            derivative_strip_pressures__influence_at_t(&v6, &v6_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j));
+            EACH_LANE each(front_t) = each(front_t) + (each(v6_t) * pushed + v6 * each(pushed_t));
+            front = front + v6 * pushed;
         }
         EACH_LANE each(back_t) = each(front_t);
         back = front;

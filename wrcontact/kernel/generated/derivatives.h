@@ -511,10 +511,12 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
 /* derivative_strip_pressures.py */
 static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_lanes_1d work_t, int64_t size);
 static inline void derivative_strip_pressures__nearness_t(double* v5_out, lanes* v5_t_out, double distance, lanes distance_t, double half_length, lanes half_length_t);
-static inline void derivative_strip_pressures__influence_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double near, lanes near_t, double apart, lanes apart_t, double square, lanes square_t);
-static inline void derivative_strip_pressures__middle_influence_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double near, lanes near_t);
+static inline void derivative_strip_pressures__apartness_t(double* out_0, lanes* out_1, double apart, lanes apart_t, double square, lanes square_t);
+static inline void derivative_strip_pressures__middle_influence_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double x, lanes x_t);
+static inline void derivative_strip_pressures__influence_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double x, lanes x_t, double along, lanes along_t);
 static inline void derivative_strip_pressures__spacing_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t first, double slender, lanes slender_t);
 static inline void derivative_strip_pressures__own_influence_t(double* out_0, lanes* out_1, array_double_1d tables, double slender, lanes slender_t, int64_t i, double height, lanes height_t, double constant, lanes constant_t, int64_t first);
+static inline int64_t derivative_strip_pressures__fill_rows_t(array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, bool yawed);
 static inline void derivative_strip_pressures__local_displacement_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t first, int64_t own);

@@ -131,10 +131,12 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
 /* normal/strip_pressures.py */
 static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size);
 static inline double strip_pressures__nearness(double distance, double half_length);
-static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, double near, double apart, double square);
-static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, double near);
+static inline double strip_pressures__apartness(double apart, double square);
+static ALWAYS_INLINE double strip_pressures__middle_influence(array_double_1d tables, int64_t table, int64_t at, double x);
+static ALWAYS_INLINE double strip_pressures__influence_at(array_double_1d tables, int64_t table, int64_t at, double x, double along);
 static inline double strip_pressures__spacing_at(array_double_1d tables, int64_t table, int64_t first, double slender);
 static inline double strip_pressures__own_influence(array_double_1d tables, double slender, int64_t i, double height, double constant, int64_t first);
+static inline int64_t strip_pressures__fill_rows(array_double_1d work);
 static inline int64_t strip_pressures__see_pairs(array_double_1d work);
 static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed);
 static inline double strip_pressures__local_displacement(array_double_1d work, array_double_1d tables, int64_t first, int64_t own);
@@ -3057,35 +3059,32 @@ static inline double strip_pressures__nearness(double distance, double half_leng
     return double_min(sqrt(distance / (distance + half_length)) * (double)layout__INFLUENCE_CELLS, strip_pressures__LAST_CELL);
 }
 
-/* Phi at the place ``near`` and e^2 = ``apart`` / ``square``.
+/* The place e^2 / (1 + e^2) with e^2 = ``apart`` / ``square`` in the columns of the table. */
+static inline double strip_pressures__apartness(double apart, double square)
+{
+    return apart / (apart + square) * (double)layout__INFLUENCE_COLUMNS;
+}
+
+/* Phi at ``x`` in the cell whose numbers begin at ``at``: at e = 0, or in the column that ``at`` lies in. */
+static ALWAYS_INLINE double strip_pressures__middle_influence(array_double_1d tables, int64_t table, int64_t at, double x)
+{
+    return AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * (AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
+}
+
+/* Phi at ``x`` in the cell whose numbers begin at ``at`` in the first column, ``along`` in the columns.
  *
  * Parabolas along the first, smoothly joined: with straight lines there, derivatives would jump by 1e-5
  * between any two poses.
  */
-static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, double near, double apart, double square)
+static ALWAYS_INLINE double strip_pressures__influence_at(array_double_1d tables, int64_t table, int64_t at, double x, double along)
 {
-    int64_t cell, column, at, to;
-    double x, along, low, high;
-    cell = (int64_t)near;
-    x = near - (double)cell;
-    along = apart / (apart + square) * (double)layout__INFLUENCE_COLUMNS;
+    int64_t column, low_at;
+    double low, high;
     column = (int64_t)along;
-    at = layout__INFLUENCE_COLUMN * column + 3 * cell;
-    to = at + layout__INFLUENCE_COLUMN;
-    low = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * (AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
-    high = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + to) + x * (AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + 2)));
+    low_at = layout__INFLUENCE_COLUMN * column + at;
+    low = strip_pressures__middle_influence(tables, table, low_at, x);
+    high = strip_pressures__middle_influence(tables, table, low_at + layout__INFLUENCE_COLUMN, x);
     return low + (along - (double)column) * (high - low);
-}
-
-/* The same at e = 0. */
-static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, double near)
-{
-    int64_t cell, at;
-    double x;
-    cell = (int64_t)near;
-    x = near - (double)cell;
-    at = 3 * cell;
-    return AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * (AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
 }
 
 /* S of eq. (S12) at ln(width / half-length); the table begins at number ``first``. */
@@ -3112,29 +3111,61 @@ static inline double strip_pressures__own_influence(array_double_1d tables, doub
     return rest - height * (2.0 * (slender + AT(tables, waves + layout__WAVES_SPREAD + i)) + AT(tables, waves + layout__WAVES_SINGULAR + 16 * i + i));
 }
 
-/* How near all strips lie to each other, and how they face each other. */
-static inline int64_t strip_pressures__see_pairs(array_double_1d work)
+/* What loops over pairs of strips read, in rows. */
+static inline int64_t strip_pressures__fill_rows(array_double_1d work)
 {
-    int64_t i, strip, near, facing, j, other, i_end;
-    double distance, cosine;
+    int64_t i, strip, i_end;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
-        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
-        AT(work, near + i) = 0.0;
-        AT(work, facing + i) = 0.0;
-        for (j = 0; j < i; j += 1)
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i) = AT(work, strip + layout__STRIP_PLACE);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i) = AT(work, strip + layout__STRIP_COS);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i) = AT(work, strip + layout__STRIP_SIN);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + i) = AT(work, strip + layout__STRIP_HALF_LENGTH);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + i) = AT(work, strip + layout__STRIP_SQUARE);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + i) = AT(work, strip + layout__STRIP_WIDTH);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i) = AT(work, strip + layout__STRIP_MIDDLE);
+    }
+    return 0;
+}
+
+/* How near all strips lie to each other, and how they face each other.
+ *
+ * What a sweep needs of a pair more than once is kept.  Here and below, roots and quotients have loops of
+ * their own: there a compiler computes several at once.
+ */
+static inline int64_t strip_pressures__see_pairs(array_double_1d work)
+{
+    int64_t size, i, j, cells, within, cell, facing;
+    double place, cos, sin;
+    strip_pressures__fill_rows(work);
+    size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < size; i += 1)
+    {
+        place = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i);
+        for (j = 0; j < size; j += 1)
         {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            distance = fabs(AT(work, strip + layout__STRIP_PLACE) - AT(work, other + layout__STRIP_PLACE));
-            cosine = AT(work, strip + layout__STRIP_COS) * AT(work, other + layout__STRIP_COS) + AT(work, strip + layout__STRIP_SIN) * AT(work, other + layout__STRIP_SIN);
-            AT(work, near + j) = strip_pressures__nearness(distance, AT(work, other + layout__STRIP_HALF_LENGTH));
-            AT(work, facing + j) = cosine * AT(work, other + layout__STRIP_WIDTH);
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * j + i) = strip_pressures__nearness(distance, AT(work, strip + layout__STRIP_HALF_LENGTH));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * j + i) = cosine * AT(work, strip + layout__STRIP_WIDTH);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j) = strip_pressures__nearness(fabs(place - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + j)), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + j));
         }
+        /* a constant: a root has no derivative at zero */
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + i) = 0.0;
+        cells = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + 96 * i;
+        within = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_WITHIN + 96 * i;
+        for (j = 0; j < size; j += 1)
+        {
+            cell = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j);
+            AT(work, cells + j) = (double)(3 * cell);
+            AT(work, within + j) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j) - (double)cell;
+        }
+        cos = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i);
+        sin = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i);
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
+        for (j = 0; j < size; j += 1)
+        {
+            AT(work, facing + j) = (cos * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j) + sin * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j);
+        }
+        AT(work, facing + i) = 0.0;
     }
     return 0;
 }
@@ -3142,22 +3173,28 @@ static inline int64_t strip_pressures__see_pairs(array_double_1d work)
 /* sum_j F_ij y_j = right-hand side: once the displacement for a penetration of 1, once the gap. */
 static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed)
 {
-    int64_t waves, size, i, row, near, facing, j, k, first, own, singular, strip, k_end, own_end, j_end;
+    int64_t waves, table, size, i, row, cells, within, facing, j, k, first, own, singular, strip, k_end, own_end, j_end;
     double middle, away;
     waves = (int64_t)AT(tables, layout__TABLES_WAVES);
+    table = (int64_t)AT(tables, layout__TABLES_INFLUENCE);
     size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < size; i += 1)
     {
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
+        cells = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + 96 * i;
+        within = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_WITHIN + 96 * i;
         facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
         if (yawed)
         {
-            middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE);
+            middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i);
             for (j = 0; j < size; j += 1)
             {
-                away = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE);
-                AT(work, row + j) = AT(work, facing + j) * strip_pressures__influence_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), away * away, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE));
+                away = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j);
+                AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = strip_pressures__apartness(away * away, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
+            }
+            for (j = 0; j < size; j += 1)
+            {
+                AT(work, row + j) = AT(work, facing + j) * strip_pressures__influence_at(tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j));
             }
         }
         else
@@ -3165,7 +3202,7 @@ static inline int64_t strip_pressures__write_equations(array_double_1d work, arr
             /* all middles lie on one line */
             for (j = 0; j < size; j += 1)
             {
-                AT(work, row + j) = AT(work, facing + j) * strip_pressures__middle_influence(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j));
+                AT(work, row + j) = AT(work, facing + j) * strip_pressures__middle_influence(tables, table, (int64_t)AT(work, cells + j), AT(work, within + j));
             }
         }
         AT(work, row + size) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE);
@@ -3218,34 +3255,42 @@ static inline double strip_pressures__local_displacement(array_double_1d work, a
  */
 static inline void strip_pressures__tested_displacements(double* front_out, double* back_out, array_double_1d work, array_double_1d tables, int64_t i, double away, bool yawed)
 {
-    int64_t near, facing, j, other, j_end, j_end_2;
-    double front, back, middle, pushed, x;
-    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + 96 * i;
+    int64_t table, cells, within, facing, size, j;
+    double front, back, middle, x, pushed;
+    table = (int64_t)AT(tables, layout__TABLES_INFLUENCE);
+    cells = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + 96 * i;
+    within = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_WITHIN + 96 * i;
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
+    size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     front = 0.0;
     back = 0.0;
     if (yawed)
     {
-        middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE);
-        j_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
-        for (j = 0; j < j_end; j += 1)
+        middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i);
+        for (j = 0; j < size; j += 1)
         {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            pushed = AT(work, facing + j) * AT(work, other + layout__STRIP_Y);
-            x = middle - AT(work, other + layout__STRIP_MIDDLE) + away;
-            front += strip_pressures__influence_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), x * x, AT(work, other + layout__STRIP_SQUARE)) * pushed;
+            x = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j) + away;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = strip_pressures__apartness(x * x, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
             x -= 2.0 * away;
-            back += strip_pressures__influence_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), x * x, AT(work, other + layout__STRIP_SQUARE)) * pushed;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j) = strip_pressures__apartness(x * x, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
+        }
+        for (j = 0; j < size; j += 1)
+        {
+            pushed = AT(work, facing + j) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y);
+            front += strip_pressures__influence_at(tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) * pushed;
+            back += strip_pressures__influence_at(tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j)) * pushed;
         }
     }
     else
     {
-        j_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
-        for (j = 0; j < j_end_2; j += 1)
+        for (j = 0; j < size; j += 1)
         {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            pushed = AT(work, facing + j) * AT(work, other + layout__STRIP_Y);
-            front += strip_pressures__influence_at(tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), AT(work, near + j), away * away, AT(work, other + layout__STRIP_SQUARE)) * pushed;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = strip_pressures__apartness(away * away, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
+        }
+        for (j = 0; j < size; j += 1)
+        {
+            pushed = AT(work, facing + j) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y);
+            front += strip_pressures__influence_at(tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) * pushed;
         }
         back = front;
     }

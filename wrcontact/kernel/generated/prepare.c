@@ -33,6 +33,7 @@ static inline int64_t prepare_pieces__write_stop(array_double_1d tables, int64_t
 static inline double prepare_pieces__followed_end(array_double_1d zones, int64_t row, int64_t after);
 static inline int64_t prepare_pieces__write_zone(array_double_1d tables, int64_t at, array_double_1d zones, int64_t base, int64_t index, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int64_t base, array_double_1d zones, int64_t definition, double nowhere, array_double_1d work, int64_t scratch);
+static inline int64_t prepare_pieces__write_stops(array_double_1d tables, int64_t first, int64_t end);
 static inline int64_t prepare_pieces__to_metres(array_double_1d tables, int64_t first, int64_t end);
 
 /* prepare/scan.py */
@@ -864,14 +865,28 @@ static inline int64_t prepare_pieces__write_profile(array_double_1d tables, int6
         {
             piece += layout__PIECE_SIZE;
         }
-        AT(tables, profile + layout__PROFILE_BINS + i) = (double)(piece - base);
+        AT(tables, profile + layout__PROFILE_BINS + i) = whole__COUNTED + (double)(piece - base);
     }
     prepare_pieces__to_metres(tables, first, at);
     for (k = 0; k < layout__PIECE_SIZE; k += 1)
     {
         AT(tables, at + k) = nowhere;
     }
+    prepare_pieces__write_stops(tables, first, at);
     return at + layout__PIECE_SIZE;
+}
+
+/* Where pieces stop: the start of what follows each of them. */
+static inline int64_t prepare_pieces__write_stops(array_double_1d tables, int64_t first, int64_t end)
+{
+    int64_t following;
+    following = first + layout__PIECE_SIZE;
+    while (following <= end)
+    {
+        AT(tables, following - 1) = AT(tables, following);
+        following += layout__PIECE_SIZE;
+    }
+    return 0;
 }
 
 /* Pieces from millimetres to metres. */

@@ -611,8 +611,8 @@ static inline int64_t tables__find_piece(array_double_1d tables, int64_t profile
     u = (y - AT(tables, profile + layout__PROFILE_START)) * AT(tables, profile + layout__PROFILE_BINS_PER_METRE);
     last = AT(tables, profile + layout__PROFILE_BIN_COUNT) - 1.0;
     u = double_min(double_max(0.0, u), last);
-    piece = profile + (int64_t)AT(tables, profile + layout__PROFILE_BINS + (int64_t)u);
-    while (y >= AT(tables, piece + layout__PIECE_SIZE + layout__PIECE_START))
+    piece = profile + binary__counted(AT(tables, profile + layout__PROFILE_BINS + (int64_t)u));
+    while (y >= AT(tables, piece + layout__PIECE_STOP))
     {
         piece = piece + layout__PIECE_SIZE;
     }

@@ -22,8 +22,10 @@ class Piece:
     c3: float
     c4: float
     c5: float
+    stop: float  # where the next one begins; not a number in the last piece
 
 
+#: Numbers of a piece: 64 bytes, as much as a line of a processor's cache.
 PIECE_SIZE: Final[int] = size(Piece)
 
 
@@ -36,7 +38,7 @@ class Profile:
     bins_per_metre: float
     bin_count: float
     pieces: To(Piece)  # the first of them
-    bins: Float * OPEN  # how far from here the first piece begins that reaches into a bin
+    bins: Float * OPEN  # 2^52 and how far from here the first piece begins that reaches into a bin
 
 
 #: Numbers of a profile's table before its bins.

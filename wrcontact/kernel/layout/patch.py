@@ -328,6 +328,23 @@ Equations = EquationRow * STRIP_LIMIT
 
 
 @record
+class StripRows:
+    """What loops over pairs of strips read: numbers of all strips in rows, by the names that a strip has for
+    them, and rows for one strip beside all."""
+
+    place: PairRow
+    cos: PairRow
+    sin: PairRow
+    half_length: PairRow
+    square: PairRow
+    width: PairRow
+    middle: PairRow
+    near: PairRow  # how near all lie to one strip, in the cells of the table of influences,
+    ahead: PairRow  # and how far apart along x, in its columns: before that one's middle
+    behind: PairRow  # and behind it
+
+
+@record
 class StripProblem:
     penetration: float  # for which the surfaces are traced [m]
     traced_count: int
@@ -340,7 +357,9 @@ class StripProblem:
     next_count: int  # runs of the next sweep
     next_runs: StripRun * STRIP_RUN_LIMIT
     strips: Strips
-    near: PairNumbers  # 96 sqrt(t / (1 + t)) of strips i and j, t = distance / half-length of j
+    rows: StripRows
+    cells: PairNumbers  # for strips i and j, the first number of the cell of the table of influences that
+    within: PairNumbers  # holds t = distance / half-length of j, and where in it, 0 ... 1
     facing: PairNumbers  # cosine of the angle between i and j, by j's width [m]; 0 of itself
 
 

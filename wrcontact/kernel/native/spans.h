@@ -81,7 +81,7 @@ static inline double double_max(double a, double b) { return b > a ? b : a; }
 static inline int64_t int64_min(int64_t a, int64_t b) { return b < a ? b : a; }
 static inline int64_t int64_max(int64_t a, int64_t b) { return b > a ? b : a; }
 
-/* Exponents of floats, as the Python source has them (elementary/binary.py). */
+/* Bits of floats, as the Python source has them (elementary/binary.py). */
 static ALWAYS_INLINE int64_t binary__exponent(double x)
 {
     int64_t bits;
@@ -95,6 +95,13 @@ static ALWAYS_INLINE double binary__power_of_two(int64_t k)
     double power;
     memcpy(&power, &bits, sizeof power);
     return power;
+}
+
+static ALWAYS_INLINE int64_t binary__counted(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (int64_t)(uint32_t)bits;
 }
 
 /* Runs of numbers, as the Python source has them (elementary/runs.py). */

@@ -19,6 +19,7 @@ from ..layout import (
     InfluenceTable,
     StripProblem,
     Tables,
+    inlined,
 )
 
 #: Displacement and gap are compared in the middle of a strip and at this share of its half-length.
@@ -78,29 +79,29 @@ def nearness(distance: float, half_length: float):
     return min(sqrt(distance / (distance + half_length)) * float(INFLUENCE_CELLS), LAST_CELL)
 
 
-def influence_at(table: InfluenceTable, near: float, apart: float, square: float):
-    """Phi at the place ``near`` and e^2 = ``apart`` / ``square``.
+def apartness(apart: float, square: float):
+    """The place e^2 / (1 + e^2) with e^2 = ``apart`` / ``square`` in the columns of the table."""
+    return apart / (apart + square) * float(INFLUENCE_COLUMNS)
+
+
+@inlined
+def middle_influence(table: InfluenceTable, at: int, x: float):
+    """Phi at ``x`` in the cell whose numbers begin at ``at``: at e = 0, or in the column that ``at`` lies in."""
+    return table.numbers[at] + x * (table.numbers[at + 1] + x * table.numbers[at + 2])
+
+
+@inlined
+def influence_at(table: InfluenceTable, at: int, x: float, along: float):
+    """Phi at ``x`` in the cell whose numbers begin at ``at`` in the first column, ``along`` in the columns.
 
     Parabolas along the first, smoothly joined: with straight lines there, derivatives would jump by 1e-5
     between any two poses.
     """
-    cell = int(near)
-    x = near - float(cell)
-    along = apart / (apart + square) * float(INFLUENCE_COLUMNS)
     column = int(along)
-    at = INFLUENCE_COLUMN * column + 3 * cell
-    to = at + INFLUENCE_COLUMN
-    low = table.numbers[at] + x * (table.numbers[at + 1] + x * table.numbers[at + 2])
-    high = table.numbers[to] + x * (table.numbers[to + 1] + x * table.numbers[to + 2])
+    low_at = INFLUENCE_COLUMN * column + at
+    low = middle_influence(table, low_at, x)
+    high = middle_influence(table, low_at + INFLUENCE_COLUMN, x)
     return low + (along - float(column)) * (high - low)
-
-
-def middle_influence(table: InfluenceTable, near: float):
-    """The same at e = 0."""
-    cell = int(near)
-    x = near - float(cell)
-    at = 3 * cell
-    return table.numbers[at] + x * (table.numbers[at + 1] + x * table.numbers[at + 2])
 
 
 def spacing_at(table: InfluenceTable, first: int, slender: float):
@@ -120,43 +121,71 @@ def own_influence(tables: Tables, slender: float, i: int, height: float, constan
     return rest - height * (2.0 * (slender + waves.spread[i]) + waves.singular[i][i])
 
 
-def see_pairs(problem: StripProblem):
-    """How near all strips lie to each other, and how they face each other."""
-    strips = problem.strips
+def fill_rows(problem: StripProblem):
+    """What loops over pairs of strips read, in rows."""
+    rows = problem.rows
     for i in range(problem.count):
-        strip = strips[i]
-        near = problem.near[i]
+        strip = problem.strips[i]
+        rows.place[i] = strip.place
+        rows.cos[i] = strip.cos
+        rows.sin[i] = strip.sin
+        rows.half_length[i] = strip.half_length
+        rows.square[i] = strip.square
+        rows.width[i] = strip.width
+        rows.middle[i] = strip.middle
+
+
+def see_pairs(problem: StripProblem):
+    """How near all strips lie to each other, and how they face each other.
+
+    What a sweep needs of a pair more than once is kept.  Here and below, roots and quotients have loops of
+    their own: there a compiler computes several at once.
+    """
+    fill_rows(problem)
+    rows = problem.rows
+    size = problem.count
+    for i in range(size):
+        place = rows.place[i]
+        for j in range(size):
+            rows.near[j] = nearness(fabs(place - rows.place[j]), rows.half_length[j])
+        rows.near[i] = 0.0  # a constant: a root has no derivative at zero
+        cells = problem.cells[i]
+        within = problem.within[i]
+        for j in range(size):
+            cell = int(rows.near[j])
+            cells[j] = float(3 * cell)
+            within[j] = rows.near[j] - float(cell)
+        cos = rows.cos[i]
+        sin = rows.sin[i]
         facing = problem.facing[i]
-        near[i] = 0.0
+        for j in range(size):
+            facing[j] = (cos * rows.cos[j] + sin * rows.sin[j]) * rows.width[j]
         facing[i] = 0.0
-        for j in range(i):
-            other = strips[j]
-            distance = fabs(strip.place - other.place)
-            cosine = strip.cos * other.cos + strip.sin * other.sin
-            near[j] = nearness(distance, other.half_length)
-            facing[j] = cosine * other.width
-            problem.near[j][i] = nearness(distance, strip.half_length)
-            problem.facing[j][i] = cosine * strip.width
 
 
 def write_equations(tables: Tables, problem: StripProblem, equations: Equations, yawed: bool):
     """sum_j F_ij y_j = right-hand side: once the displacement for a penetration of 1, once the gap."""
     waves = tables.waves
+    table = tables.influence
     strips = problem.strips
+    rows = problem.rows
     size = problem.count
     for i in range(size):
         row = equations[i]
-        near = problem.near[i]
+        cells = problem.cells[i]
+        within = problem.within[i]
         facing = problem.facing[i]
         if yawed:
-            middle = strips[i].middle
+            middle = rows.middle[i]
             for j in range(size):
-                away = middle - strips[j].middle
-                row[j] = facing[j] * influence_at(tables.influence, near[j], away * away, strips[j].square)
+                away = middle - rows.middle[j]
+                rows.ahead[j] = apartness(away * away, rows.square[j])
+            for j in range(size):
+                row[j] = facing[j] * influence_at(table, int(cells[j]), within[j], rows.ahead[j])
         else:
             # all middles lie on one line
             for j in range(size):
-                row[j] = facing[j] * middle_influence(tables.influence, near[j])
+                row[j] = facing[j] * middle_influence(table, int(cells[j]), within[j])
         row[size] = strips[i].share
         row[size + 1] = strips[i].gap
     for k in range(problem.run_count):
@@ -191,25 +220,31 @@ def local_displacement(tables: Tables, problem: StripProblem, first: int, own: i
 def tested_displacements(tables: Tables, problem: StripProblem, i: int, away: float, yawed: bool):
     """What the other strips displace at a distance ``away`` along x before the middle of strip ``i``, and
     behind it [m], along its normal."""
-    strips = problem.strips
-    near = problem.near[i]
+    table = tables.influence
+    rows = problem.rows
+    cells = problem.cells[i]
+    within = problem.within[i]
     facing = problem.facing[i]
+    size = problem.count
     front = 0.0
     back = 0.0
     if yawed:
-        middle = strips[i].middle
-        for j in range(problem.count):
-            other = strips[j]
-            pushed = facing[j] * other.y
-            x = middle - other.middle + away
-            front += influence_at(tables.influence, near[j], x * x, other.square) * pushed
+        middle = rows.middle[i]
+        for j in range(size):
+            x = middle - rows.middle[j] + away
+            rows.ahead[j] = apartness(x * x, rows.square[j])
             x -= 2.0 * away
-            back += influence_at(tables.influence, near[j], x * x, other.square) * pushed
+            rows.behind[j] = apartness(x * x, rows.square[j])
+        for j in range(size):
+            pushed = facing[j] * problem.strips[j].y
+            front += influence_at(table, int(cells[j]), within[j], rows.ahead[j]) * pushed
+            back += influence_at(table, int(cells[j]), within[j], rows.behind[j]) * pushed
     else:
-        for j in range(problem.count):
-            other = strips[j]
-            pushed = facing[j] * other.y
-            front += influence_at(tables.influence, near[j], away * away, other.square) * pushed
+        for j in range(size):
+            rows.ahead[j] = apartness(away * away, rows.square[j])
+        for j in range(size):
+            pushed = facing[j] * problem.strips[j].y
+            front += influence_at(table, int(cells[j]), within[j], rows.ahead[j]) * pushed
         back = front
     return front, back
 

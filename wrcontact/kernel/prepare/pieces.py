@@ -13,7 +13,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..elementary.circle import atan
-from ..elementary.whole import rounded_up
+from ..elementary.whole import COUNTED, rounded_up
 from ..layout import PIECE_SIZE, Profile, offset
 from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_START, ZONE_STOP, zone_jet
 
@@ -364,11 +364,20 @@ def write_profile(
         left = start + BIN_WIDTH * float(i)
         while piece + PIECE_SIZE < at and tables[piece + PIECE_SIZE] <= left:
             piece += PIECE_SIZE
-        profile.bins[i] = float(piece - base)
+        profile.bins[i] = COUNTED + float(piece - base)
     to_metres(tables, first, at)
     for k in range(PIECE_SIZE):
         tables[at + k] = nowhere
+    write_stops(tables, first, at)
     return at + PIECE_SIZE
+
+
+def write_stops(tables: "float[:]", first: int, end: int):
+    """Where pieces stop: the start of what follows each of them."""
+    following = first + PIECE_SIZE
+    while following <= end:
+        tables[following - 1] = tables[following]
+        following += PIECE_SIZE
 
 
 def to_metres(tables: "float[:]", first: int, end: int):

@@ -5,6 +5,7 @@ An abscissa that is not a number, infinite or far outside is read from a piece a
 table is read.
 """
 
+from ..elementary.binary import counted
 from ..layout import PIECE_SIZE, CubicTable, Piece, Profile, inlined
 
 
@@ -43,8 +44,8 @@ def find_piece(profile: Profile, y: float) -> Piece:
     u = (y - profile.start) * profile.bins_per_metre
     last = profile.bin_count - 1.0
     u = min(max(0.0, u), last)
-    piece = Piece.at(profile, int(profile.bins[int(u)]))
-    while y >= Piece.at(piece, PIECE_SIZE).start:
+    piece = Piece.at(profile, counted(profile.bins[int(u)]))
+    while y >= piece.stop:
         piece = Piece.at(piece, PIECE_SIZE)
     return piece
 
