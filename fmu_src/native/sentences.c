@@ -81,7 +81,7 @@ static const char *distinct(double value, double limit, char *text, size_t size)
     for (int digits = 6; digits < 18 && isfinite(value); digits += 1)
     {
         snprintf(text, size, "%.*g", digits, value);
-        if (fabs(strtod(text, NULL)) != fabs(limit) || value == limit)
+        if (fabs(strtod(text, NULL)) != fabs(limit) || fabs(value) == fabs(limit))
             return pointed(text);
     }
     return sentence_shortest(value, text, size);

@@ -39,12 +39,14 @@ BLOCK = re.compile(
 WITH_FMUS = ("fmu.md", "fmu_hosts.md", "importers.md")
 BUILDS = "measured_wheel.md"
 SLOW = ("check.md", "usage.md")
+#: Pages whose examples need an extra.
+WITH_PANDAS = ("contact_geometry.md",)
 COMMAND = re.compile(r"^(?:    )?wrcontact ((?:build|check|demo|figures|plot|solve|sweep)\b.*)$", re.M)
 
 
 def marks(name):
     compiler = [needs_compiler] if name in (*WITH_FMUS, BUILDS) else []
-    return compiler + [pytest.mark.full] * (name in (*WITH_FMUS, BUILDS, *SLOW))
+    return compiler + [pytest.mark.full] * (name in (*WITH_FMUS, BUILDS, *SLOW, *WITH_PANDAS))
 
 
 EXAMPLES = [
@@ -93,6 +95,8 @@ def prepared(folder):
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_examples_run_and_print_what_the_page_shows(name, request, tmp_path, monkeypatch, run, capsys):
+    if name in WITH_PANDAS:
+        pytest.importorskip("pandas")
     if name in WITH_FMUS:
         for file in request.getfixturevalue("fmus").values():
             (tmp_path / file.name).write_bytes(file.read_bytes())

@@ -137,8 +137,8 @@ ERRORS = [
     ),
     Error(
         "swapped_loads",
-        "sign = float(2 * index - 1)",
-        "sign = float(1 - 2 * index)",
+        "1.0 + float(2 * index - 1) * inputs.load_transfer",
+        "1.0 + float(1 - 2 * index) * inputs.load_transfer",
         "load is transferred to the other side",
         "normal",
     ),

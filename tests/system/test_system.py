@@ -145,8 +145,8 @@ def test_usual_values_give_no_warning(system):
     [  # height and roll are zero
         ((0.1, 0, 0, 1e4, 0), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
         ((0.0, 0.3, 0, 1e4, 0), 2, ["yaw is 0.3 rad", "0.12 rad"]),
-        ((0.0, 0, 0, 0.0, 0), 1, ["normal_force is 0 N", "> 0 N"]),
-        ((0.0, 0, 0, 1e4, -1.0), 1, ["load_transfer is -1", "< 1"]),
+        ((0.0, 0, 0, 0.0, 0), 1, ["normal_force is 0 N", ">= 1e-10 N"]),
+        ((0.0, 0, 0, 1e4, -1.0), 1, ["load_transfer is -1,", ">= 1e-10 N"]),
         ((0.0, 0, 0, 1e4, 0), 3, ["iteration limit"]),
     ],
 )
