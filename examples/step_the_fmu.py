@@ -3,20 +3,14 @@
 import fmpy
 import matplotlib.pyplot as plt
 import numpy as np
-from fmpy.fmi2 import FMU2Slave
+from fmpy.simulation import instantiate_fmu
 
 from wrcontact.fmu import build_fmu
 
 folder = fmpy.extract(str(build_fmu("out")))
 description = fmpy.read_model_description(folder)
 reference = {variable.name: variable.valueReference for variable in description.modelVariables}
-slave = FMU2Slave(
-    guid=description.guid,
-    unzipDirectory=folder,
-    instanceName="wheelset",
-    modelIdentifier=description.coSimulation.modelIdentifier,
-)
-slave.instantiate()
+slave = instantiate_fmu(folder, description, "CoSimulation")
 slave.setupExperiment(startTime=0.0)
 slave.enterInitializationMode()
 slave.exitInitializationMode()
