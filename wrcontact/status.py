@@ -72,7 +72,9 @@ UNITS_BY_NAME = dict(zip(INPUT_NAMES, INPUT_UNITS))
 def distinct(value, limit):
     """``value`` as text with six digits, or with as many as it needs to differ from ``limit``."""
     texts = (f"{value:.{digits}g}" for digits in range(6, 18))
-    return next((text for text in texts if abs(float(text)) != abs(limit) or abs(value) == abs(limit)), repr(value))
+    return next(
+        (text for text in texts if abs(float(text)) != abs(limit) or abs(value) == abs(limit)), repr(value)
+    )
 
 
 class Sentence(NamedTuple):

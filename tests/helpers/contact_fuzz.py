@@ -28,6 +28,9 @@ JUMPED = 1e-7  # [m]
 #: measured, relative.
 VERTICAL = 1e-9
 
+#: A wheel of a smaller load [N] has none.
+LEAST_LOAD = 1e-10
+
 
 def amounts(quick, share, complete):
     """Seeds, scenes and poses of each: for every run, for CI, and for a long run."""
@@ -58,7 +61,8 @@ def heavy(poses):
 
 def forces(poses):
     """Prescribed on the left and on the right [N]."""
-    return [poses.normal_force * (1 + sign * poses.load_transfer) for _, sign in SIDES]
+    wanted = (poses.normal_force * (1 + sign * poses.load_transfer) for _, sign in SIDES)
+    return [np.where(force < LEAST_LOAD, 0.0, force) for force in wanted]
 
 
 def numbers(table, names=NAMES):

@@ -100,7 +100,7 @@ def check_statuses(found, scene, poses, table):
     )
     finite = np.isfinite(numbers).all(axis=1)
     found.add("finite just where valid", finite != (status <= Status.UNLOADED), poses)
-    bare = (poses.normal_force == 0.0) | (np.abs(poses.load_transfer) == 1.0)
+    bare = poses.normal_force * (1.0 - np.abs(poses.load_transfer)) < 1e-10
     found.add("unloaded just where a wheel has no load", (status <= 1) & ((status == 1) != bare), poses)
     worst = Status.OFF_PROFILE if scene.is_cut else Status.UNLOADED
     found.add("status", status - int(worst), poses)

@@ -19,6 +19,8 @@ from .stores import EMPTY, plain
 BATCH = 200
 #: Time in which a scheduler has to have a worker [s].
 PATIENCE = 30.0
+#: Trials to send the task to the workers.
+TRIALS = 5
 
 
 @dataclass(frozen=True)
@@ -90,8 +92,6 @@ def solve_on_cluster(task, client, advance):
     """Solve the blocks that are missing by the workers of a Dask ``client``, until none is: what a worker has
     not finished when it dies is done by another one."""
     left = task.missing()
-    if len(left):
-        _await_workers(client)
     while len(left):
         lost, told = _solve_once(task, client, left, advance)
         before, left = left, task.missing() if lost else ()
@@ -103,7 +103,7 @@ def _solve_once(task, client, corners, advance):
     """Give every block at ``corners`` to a worker once; the number of blocks that were lost, since all
     workers that had the task have died, and of the states that were told of."""
     distributed, lost, told = needed("distributed", "client", "cluster"), 0, 0
-    shipped = client.scatter(task, broadcast=True, hash=False)
+    shipped = _shipped(task, client)
     futures = client.map(_solve, corners.tolist(), task=shipped, pure=False, batch_size=BATCH)
     try:
         for future in distributed.as_completed(futures):
@@ -122,6 +122,17 @@ def _solve_once(task, client, corners, advance):
     finally:
         client.cancel([future for future in futures if future.status == "pending"])
     return lost, told
+
+
+def _shipped(task, client):
+    """The ``task`` with every worker; again where one dies meanwhile."""
+    for trial in range(TRIALS):
+        _await_workers(client)
+        try:
+            return client.scatter(task, broadcast=True, hash=False)
+        except (TimeoutError, KeyError):  # the scheduler looks for a worker that it has just lost
+            if trial == TRIALS - 1:
+                raise
 
 
 def _await_workers(client):
