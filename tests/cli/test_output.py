@@ -50,6 +50,7 @@ def test_named_outputs_in_a_file(run, tmp_path):
     assert code == 2 and "--outputs has 'rol'; permitted are" in err and not (tmp_path / "b.csv").exists()
 
 
+@pytest.mark.full  # README's command installs none of the tables' packages
 def test_a_netcdf_file_has_the_shift_as_a_coordinate(run, tmp_path):
     xarray = pytest.importorskip("xarray")
     words = ("--from-mm", 0, "--to-mm", 3, "--outputs", "roll")

@@ -131,6 +131,7 @@ def test_a_cell_without_a_value_is_empty(uic60):
     assert last.startswith("15,") and last.endswith(",,")
 
 
+@pytest.mark.full  # README's command installs none of the tables' packages
 def test_a_check_as_a_frame(uic60):
     pytest.importorskip("pandas")
     frame = uic60.to_pandas()

@@ -16,7 +16,7 @@ PERMITTED = {
 
 
 #: Packages that the README's command does not install.  .ci/run does, before the full tests.
-LATER = ("zarr", "xarray")
+LATER = ("zarr", "xarray", "pandas")
 
 
 def permitted(reason, keywords):

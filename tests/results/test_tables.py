@@ -342,6 +342,7 @@ def test_xarray(table):
     assert data["area"].attrs["units"] == "m2"
 
 
+@pytest.mark.full  # README's command installs none of the tables' packages
 def test_inputs_that_vary_are_coordinates():
     xarray = pytest.importorskip("xarray")
     table = SYSTEM.evaluate_many(lateral_shift=np.linspace(-4, 4, 9) * 1e-3, yaw=1e-3, outputs=["roll"])
@@ -355,6 +356,7 @@ def test_inputs_that_vary_are_coordinates():
     assert isinstance(near, xarray.Dataset)
 
 
+@pytest.mark.full  # README's command installs none of the tables' packages
 def test_a_table_of_names_has_no_other_inputs():
     """... in memory and in frames; by name it knows them all."""
     pytest.importorskip("pandas")

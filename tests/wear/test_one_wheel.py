@@ -172,6 +172,7 @@ def test_a_run_wears_one_wheel(side, part, tmp_path):
     assert f"{side} {part}, depth enlarged 10 times" in titles
 
 
+@pytest.mark.full  # README's command installs none of the tables' packages
 def test_the_data_set_has_its_side():
     pytest.importorskip("xarray")
     found = wrcontact.wear_run(simulate, one("left"), energy, 1e3, method="euler")

@@ -152,6 +152,7 @@ def test_sections_and_own_wears_are_the_same():
         assert run.shape("worn_area") == pytest.approx(runs[0].shape("worn_area"), rel=1e-12)
 
 
+@pytest.mark.full  # README's command installs none of the tables' packages
 def test_the_data_set_has_the_run():
     pytest.importorskip("xarray")
     run = wrcontact.wear_run(simulate, system(), wrcontact.Usfd(), 4e5, mirrored=True)
