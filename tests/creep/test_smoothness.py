@@ -83,10 +83,10 @@ def test_lines_of_spin(ratio):
 
 @pytest.mark.full
 def test_random_pairs():
-    """20000 pairs a millionth of saturation apart, on patches of all shapes and up to 20 times saturation."""
+    """6000 pairs a millionth of saturation apart, on patches of all shapes and up to 20 times saturation."""
     rng = np.random.default_rng(5)
     patches = all_shapes()
-    for _ in range(20000):
+    for _ in range(6000):
         patch = patches[rng.integers(len(patches))]
         start = rng.normal(size=3) * np.exp(rng.uniform(-2.0, 3.0))
         direction = rng.normal(size=3)

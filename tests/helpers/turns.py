@@ -21,31 +21,53 @@ MACHINES = (
     "wrcontact/kernel/binding/",
     "wrcontact/kernel/native/",
 )
-#: Files of tests, and steps of .ci/run, that run where a path that starts with one of these has changed, or else
-#: once a week. Each depends on itself, too.
+#: Steps of .ci/run, folders, files and single tests that run where a path that starts with one of these has changed,
+#: or else once a week.  Each depends on itself, too; of two rows that name a test the longer one counts.
 WEEKLY = {
-    "benchmarks": ("wrcontact/study/", "wrcontact/halfspace/", "wrcontact/progress/"),
+    "benchmarks": ("wrcontact/study/", "wrcontact/progress/"),
     "platforms": (  # not for each change of the kernel: its C is the same for all
         *MACHINES,
         "tests/helpers/platforms.py",
         "tests/release/",
         "tools/release",
     ),
-    "tests/docs/test_site.py": ("docs/", "mkdocs.yml", "tools/site_"),
+    "tests/benchmarks/": ("benchmarks/",),
+    "tests/creep/test_models.py::test_the_moment_of_polach_is_small": ("wrcontact/kernel/creep/polach",),
+    "tests/docs/test_gallery.py": ("docs/guides/gallery.md", "wrcontact/plots/"),
+    "tests/docs/test_site.py": ("docs/site.css", "mkdocs.yml", "tools/site_"),
+    "tests/docs/test_tables.py::test_errors_are_those_of_today[worst_steps]": ("benchmarks/worst.py",),
+    "tests/docs/test_tables.py::test_studies_are_those_of_today": ("benchmarks/", "wrcontact/study/"),
     "tests/docs/test_types.py": (
         "tools/make_types.py",
         "tools/types/",
         "wrcontact/interface/",
         "wrcontact/results/",
     ),
-    **dict.fromkeys(
-        ("tests/halfspace/test_extrapolation.py", "tests/halfspace/test_kalker.py"),
-        ("wrcontact/halfspace/", "wrcontact/kernel/binding/", "data/creep/", "tests/helpers/creep.py"),
-    ),
-    "tests/motion/test_engines.py": ("examples/engines/", "wrcontact/motion/"),
+    "tests/elementary/test_digests.py": ("tests/helpers/digests.py", "wrcontact/kernel/elementary/"),
+    "tests/faults/": ("tests/helpers/fmu_process.py", "wrcontact/fmu/", "wrcontact/storage/"),
+    "tests/fmu/native/test_building.py": MACHINES,
+    "tests/fmu/native/test_c_host.py": (*FMUS, "data/native_host.c"),
+    "tests/fmu/native/test_page_in_c.py": (*FMUS, "docs/guides/fmu_hosts.md"),
     "tests/fmu/test_importers.py": (*FMUS, "tests/helpers/importer_process.py"),
+    "tests/fmu/test_long_runs.py": FMUS,
     "tests/fmu/test_platforms.py": (*MACHINES, "tests/helpers/platforms.py"),
     "tests/fmu/test_wheels.py": (*MACHINES, "tests/helpers/platforms.py"),
+    "tests/halfspace/": ("data/creep/", "tests/helpers/creep.py", "wrcontact/halfspace/"),
+    "tests/loop/": ("examples/", "wrcontact/motion/"),
+    "tests/motion/test_engines.py": ("examples/engines/", "wrcontact/motion/"),
+    "tests/motion/test_vehicle.py": ("examples/vehicle", "wrcontact/motion/"),
+    "tests/structure/test_ci.py::test_a_run_of_ci_fails": (
+        ".ci/",
+        "tests/conftest.py",
+        "tests/helpers/skips.py",
+    ),
+    "tests/structure/test_ci.py::test_cases_take_turns": (
+        ".ci/",
+        "tests/conftest.py",
+        "tests/helpers/turns.py",
+    ),
+    "tests/study/": ("wrcontact/study/",),
+    "tests/sweeps/test_cluster.py": ("wrcontact/sweeps/",),
 }
 WEEK = 7
 #: Environment variable: a file with the paths that have changed, a line each.
@@ -76,12 +98,14 @@ def changed_today():
 
 
 def due(name, turn, changed):
-    """Whether a row of WEEKLY, or anything else, runs in this turn; ``changed`` is None if that is not known."""
-    if name not in WEEKLY or changed is None:
+    """Whether a step, or a test by its file or its node's name, runs in this turn; ``changed`` is None if that is not
+    known."""
+    rows = [row for row in WEEKLY if name.startswith(row)]
+    if not rows or changed is None:
         return True
-    return (turn + zlib.crc32(name.encode())) % WEEK == 0 or any(
-        path.startswith((name, *WEEKLY[name])) for path in changed
-    )
+    row = max(rows, key=len)
+    places = (row.partition("::")[0], *WEEKLY[row])
+    return (turn + zlib.crc32(row.encode())) % WEEK == 0 or any(path.startswith(places) for path in changed)
 
 
 def out_of_turn(items, turn, root, changed=None):
@@ -89,9 +113,8 @@ def out_of_turn(items, turn, root, changed=None):
     belong to another of n turns.  Every turn has a case of every such test, and n turns have all cases."""
     cases = defaultdict(list)
     for item in items:
-        if not due(
-            item.path.relative_to(root).as_posix() if root in item.path.parents else "", turn, changed
-        ):
+        place = item.path.relative_to(root).as_posix() if root in item.path.parents else ""
+        if not due(f"{place}::{item.name}", turn, changed):
             yield item
         elif item.get_closest_marker("turns"):
             cases[item.nodeid.partition("[")[0]].append(item)

@@ -199,7 +199,9 @@ def test_seconds_are_kept_from_run_to_run(steps, three, tmp_path):
 
 def test_what_is_weekly_exists():
     for name, paths in WEEKLY.items():
-        assert not name.startswith("tests/") or (ROOT / name).is_file(), name
+        place, _, test = name.partition("::")
+        assert not name.startswith("tests/") or (ROOT / place).exists(), name
+        assert not test or f"def {test.partition('[')[0]}" in (ROOT / place).read_text("utf-8"), name
         for path in paths:
             stem = ROOT / path
             assert stem.exists() or list(stem.parent.glob(f"{stem.name}*")), (name, path)
@@ -211,8 +213,12 @@ def test_what_is_weekly_runs_once_a_week_and_where_its_files_have_changed():
     for name, paths in WEEKLY.items():
         days = [turn for turn in range(360, 360 + WEEK) if due(name, turn, ["CHANGELOG.md"])]
         assert len(days) == 1
-        for changed in ([name], [f"{paths[0]}x"], ["a", paths[-1]], None):
+        for changed in ([name.partition("::")[0]], [f"{paths[0]}x"], ["a", paths[-1]], None):
             assert all(due(name, turn, changed) for turn in range(WEEK))
+    row = "tests/docs/test_tables.py::test_errors_are_those_of_today"
+    assert due(f"{row}[table_errors]", 1, []) and due(f"{row}[table_errors]", 2, [])
+    assert sum(due(f"{row}[worst_steps]", turn, []) for turn in range(WEEK)) == 1
+    assert sum(due("tests/loop/test_energy.py::test_x", turn, []) for turn in range(WEEK)) == 1
     assert due("tests/wear/test_run.py", 1, []) and due("anything", 2, [])
 
 
