@@ -153,7 +153,7 @@ def answer(function, row):
 @needs_compiler
 def test_random_programs_have_the_same_bits_in_c_as_in_python(tmp_path):
     draw = Draw(7)
-    names = [f"f{number}" for number in range(60)]
+    names = [f"f{number}" for number in range(30)]
     text = HEAD + "".join(draw.function(name) for name in names)
     scope = {}
     exec(compile(text, "random.py", "exec"), scope)
@@ -181,7 +181,7 @@ def test_random_programs_have_the_same_bits_in_c_as_in_python(tmp_path):
                 found = (wanted[0] if math.isnan(struct.unpack("<d", wanted[0])[0]) else b"", *found[1:])
             assert found == wanted, f"{name}{tuple(row)}: {functions[name][1]}"
             asked += 1
-    assert asked > 600
+    assert asked > 300
 
 
 @pytest.mark.parametrize(

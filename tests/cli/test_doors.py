@@ -119,6 +119,7 @@ def test_a_missing_file_is_called_missing(run, tmp_path):
 # --- remarks ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.full
 def test_a_remark_has_a_line_and_the_gravest_is_first(run, tmp_path):
     """A rail whose inclination is not what is said, and whose z is upwards, in the names of options."""
     y, z = inclined_rail(1 / 40)
@@ -255,6 +256,7 @@ def test_a_picture_over_the_shift_takes_a_shift(run, tmp_path):
     assert err == "wrcontact: plot radii does not use --lateral-shift-mm\n"
 
 
+@pytest.mark.full
 @pytest.mark.filterwarnings("error")
 def test_names_of_other_scripts_give_no_warnings(run, tmp_path):
     (tmp_path / "车轮.txt").write_text(columns(Y, Z))

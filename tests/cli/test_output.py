@@ -116,6 +116,7 @@ def test_a_missing_package_is_one_sentence(run, tmp_path, monkeypatch, ending, p
     assert err.count("\n") == 1
 
 
+@pytest.mark.full
 def test_memory_does_not_grow_with_the_rows(run, tmp_path, monkeypatch):
     """No more than 512 rows are there at a time."""
     sizes = []

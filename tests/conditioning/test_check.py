@@ -283,6 +283,7 @@ def test_what_is_no_system_is_refused():
         wrcontact.check("S1002")
 
 
+@pytest.mark.full
 def test_command(run, tmp_path, standard):
     picture, content, table = (tmp_path / f"pair.{ending}" for ending in ("png", "json", "csv"))
     code, out, err = run("check", "--rail", "60E1", "--output", picture, "--json", content, "--table", table)

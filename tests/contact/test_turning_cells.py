@@ -4,6 +4,7 @@ slope along the rail's normals, in steps of some 40 micrometres."""
 import warnings
 
 import numpy as np
+import pytest
 
 import wrcontact
 from data.noisy_profiles import noisy_points
@@ -101,6 +102,7 @@ def checked_cells(system, count, seed):
     return seen
 
 
+@pytest.mark.full
 def test_cells_of_standard_profiles_turn_as_often_as_their_samples_say():
     """S1002 on three rails: most cells are judged, with one deepest point or none."""
     for rail, inclination, seed in (("UIC60", 1 / 40, 5), ("54E1", 1 / 20, 6)):

@@ -60,7 +60,18 @@ def examine(line, stations, steepest):
     return slope
 
 
-@pytest.mark.parametrize("number", range(len(all_shapes())))
+@pytest.mark.parametrize(
+    "number",
+    [
+        0,
+        8,
+        *(
+            pytest.param(number, marks=pytest.mark.full)
+            for number in range(len(all_shapes()))
+            if number not in (0, 8)
+        ),
+    ],
+)
 def test_random_lines(number):
     """Through the middle of saturation, 8 lines with steps of 0.002."""
     rng = np.random.default_rng(100 + number)

@@ -181,6 +181,7 @@ def test_nothing_is_done_twice(fleet, files, folder, examined):
     assert examined == [] and again == fleet
 
 
+@pytest.mark.full
 def test_an_interrupted_run_continues(files, tmp_path, examined, monkeypatch, fleet, folder):
     count = fleet_run.examine
 
@@ -260,6 +261,7 @@ def test_names_with_underscores_share_no_file(tmp_path):
     assert not {slug(name) for name in ("w__1", "_w", "w_", "a  b")} & {"w__1", "_w", "w_", "a__b"}
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     "damage",
     [
@@ -426,6 +428,7 @@ def test_dask_is_asked_for_in_a_sentence(monkeypatch):
 # --- the command and the workers ------------------------------------------------------------------
 
 
+@pytest.mark.full
 def test_command(run, files, tmp_path):
     out = tmp_path / "out"
     code, told, err = run(

@@ -91,6 +91,7 @@ def test_a_folder_may_have_any_name(host, unpacked, area, tmp_path):
     assert float(line) == pytest.approx(area, rel=1e-7)
 
 
+@pytest.mark.full
 @needs_libpython
 def test_a_location_may_have_any_form(host, unpacked, area, tmp_path):
     """Also one that does not say where: the resources are then beside the library."""

@@ -197,6 +197,7 @@ def does_not_follow(mode, methods, moved, name):
     return FREE[mode].get(moved, lambda output: False)(name)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("case", METHODS)
 def test_declared_dependencies_hold(case):
     """At a pose with nothing special: no output changes with an input that it is not declared to

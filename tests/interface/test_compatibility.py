@@ -61,6 +61,7 @@ def test_a_system_of_an_earlier_version_is_read():
     assert system.parameters == parameters
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("version", [2, 3])
 def test_states_of_fmus_of_another_version_have_another_token(monkeypatch, version):
     """A state with another token is refused (tests/fmu/native/test_misuse.py)."""

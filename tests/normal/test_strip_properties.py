@@ -143,6 +143,7 @@ def test_the_depth_is_that_of_the_load_with_every_separation(separation, yaw):
         )
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     "pose, side", [((0.39926e-3, 0.0, 3010.27), "right"), ((-0.65543e-3, -1.31087e-3, 9696.16), "left")]
 )

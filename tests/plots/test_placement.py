@@ -38,6 +38,7 @@ def check_picture(report):
 # --- check.png --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.full
 def test_a_long_title_stays_in_its_figure(check_picture):
     check_picture.draw_without_rendering()
     box = check_picture._suptitle.get_window_extent()
@@ -157,6 +158,7 @@ def test_an_unknown_side_is_refused():
         plots.contact_figure(SYSTEM, SYSTEM.evaluate(), side="up")
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     "draw",
     [

@@ -117,6 +117,7 @@ def three(steps, tmp_path_factory):
     return run
 
 
+@pytest.mark.full
 def test_a_step_that_fails_does_not_end_ci(three):
     assert [done.code for done in three.done] == [3, 1, 0]
     assert all(0 < done.seconds < 300 and done.cpu >= 0 for done in three.done)

@@ -41,6 +41,7 @@ def files(folder):
     return sorted(path for path in (ROOT / folder).rglob("*.py") if "generated" not in path.parts)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("folder", MAY_IMPORT)
 def test_folders_read_what_stands_before_them(folder):
     found = set()

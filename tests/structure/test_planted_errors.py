@@ -15,6 +15,7 @@ from tests.helpers.random_errors import drawn_lines, random_errors
 from tools.transpile_kernel import translate
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: error.name)
 def test_an_error_can_be_planted_in_today_s_sources(error):
     text = source_of(error).read_text(encoding="utf-8")
@@ -35,6 +36,7 @@ def test_turns_of_a_share_come_to_every_error_that_a_file_sees():
     assert set().union(*turns) == quick and all(len(turn) == 6 for turn in turns)
 
 
+@pytest.mark.full
 def test_random_errors_can_be_planted():
     for error in random_errors(20, seed=3):
         text = source_of(error).read_text(encoding="utf-8")

@@ -249,7 +249,7 @@ def check_scenes(scenes, count, number, first=0, loads=1):
     assert not lines, "\n".join(lines)
 
 
-@pytest.mark.parametrize("poses", [40, pytest.param(125, marks=pytest.mark.full)])
+@pytest.mark.parametrize("poses", [16, pytest.param(125, marks=pytest.mark.full)])
 def test_a_thousand_poses(poses):
     check_scenes(8, poses, 61, loads=4)
 

@@ -85,6 +85,7 @@ def test_the_middle_of_a_step_is_half_worn():
     np.testing.assert_allclose(new - middle, 0.5 * (new - worn), rtol=0, atol=0.02 * np.max(new - worn))
 
 
+@pytest.mark.full
 def test_an_interrupted_run_goes_on(tmp_path):
     calls = []
 

@@ -128,6 +128,7 @@ def digit(text):
     return text[:at] + str((int(text[at]) + 1) % 10) + text[at + 1 :]
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     "name, damage",
     [

@@ -191,6 +191,7 @@ UNLIKE = {
 }
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     "case", ["profiles", *(pytest.param(case, marks=pytest.mark.full) for case in ("inclinations", "radii"))]
 )
