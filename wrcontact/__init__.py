@@ -15,9 +15,9 @@ from .state import WheelsetState
 from .status import Status, explain
 from .stepper import Stepper
 from .system import ContactSystem
+from .version import __version__ as __version__
 from .wheel import WheelContact, WheelState
 
-__version__ = "1.0.0"
 #: What is imported when it is first used, and where from: an FMU does not have it.
 _ELSEWHERE = {
     "interpolate": ".sweeps.interpolation",

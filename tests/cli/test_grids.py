@@ -120,11 +120,13 @@ def test_a_table_in_a_store(run, tmp_path):
 @pytest.mark.full
 def test_a_scheduler_that_does_not_answer(run, tmp_path, monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr("wrcontact.cli.grids.PATIENCE", 1.0)
+    monkeypatch.setattr("wrcontact.workers.PATIENCE", 1.0)
     for address in ("tcp://localhost:1", "somewhere"):
         code, out, err = run("sweep", *AXES, "--store", tmp_path / "a.zarr", "--scheduler", address)
         assert (code, out) == (2, "")
-        assert err.startswith(f"wrcontact: --scheduler is {address!r}, where none answers;")
+        assert err.startswith(
+            f"wrcontact: --scheduler is {address!r}, where no dask scheduler answers within 1.0 s ("
+        )
 
 
 #: The command line gets a signal when the first block is there.

@@ -45,11 +45,11 @@ def test_version():
     """In one place, and none of a release while there are changes since: FMUs carry it."""
     texts = {
         name: (ROOT / name).read_text(encoding="utf-8")
-        for name in ("pyproject.toml", "CITATION.cff", "wrcontact/__init__.py", "tools/release.py")
+        for name in ("pyproject.toml", "CITATION.cff", "wrcontact/version.py", "tools/release.py")
     }
     holders = [name for name, text in texts.items() if wrcontact.__version__ in text]
-    assert holders == ["wrcontact/__init__.py"]
-    assert 'version = {attr = "wrcontact.__version__"}' in texts["pyproject.toml"]
+    assert holders == ["wrcontact/version.py"]
+    assert 'version = {attr = "wrcontact.version.__version__"}' in texts["pyproject.toml"]
     parts = re.findall(r"^## (.*)$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert (parts[0] == "Unreleased") == (wrcontact.__version__ not in parts)
 

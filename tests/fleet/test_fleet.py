@@ -26,6 +26,7 @@ from wrcontact.fleet.files import named_sources, slug
 from wrcontact.fleet.page import COLUMNS
 from wrcontact.fleet.pair import examine
 from wrcontact.profiles import standard_profile
+from wrcontact.workers import results
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
@@ -510,7 +511,7 @@ def test_a_scheduler_gives_the_same_rows(fleet, files):
 @pytest.mark.full
 def test_a_scheduler_that_does_not_answer_is_told(monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr(workers, "PATIENCE", 0.5)
+    monkeypatch.setattr("wrcontact.workers.PATIENCE", 0.5)
     with pytest.raises(ValueError, match="scheduler is 'tcp://127.0.0.1:9', where no dask scheduler answers"):
         wrcontact.check_fleet("S1002", "60E1", scheduler="tcp://127.0.0.1:9")
 
@@ -525,7 +526,7 @@ def test_few_tasks_are_under_way_at_a_time():
             seen.append(len(under_way))
             return super().submit(function, *arguments)
 
-    for key, result in workers.results(Executor(), 9, lambda k: k * k, {k: (k,) for k in range(1000)}):
+    for key, result in results(Executor(), 9, lambda k: k * k, {k: (k,) for k in range(1000)}):
         under_way.discard((key,))
         assert result == key * key
     assert len(seen) == 1000 and max(seen) == 9

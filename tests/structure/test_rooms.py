@@ -19,6 +19,7 @@ from wrcontact.kernel.binding.files import ROOMS
 PACKAGE = ROOT / "wrcontact"
 #: Rooms from upstream to downstream.
 ORDER = (
+    "version",
     "storage",
     "progress",
     "conventions",
@@ -32,6 +33,7 @@ ORDER = (
     "state",
     "motion",
     "stepper",
+    "workers",
     "halfspace",
     "creep",
     "system",
@@ -47,7 +49,7 @@ ORDER = (
     "cli",
 )
 #: What a user holds; nothing else stands loose at the top of the package.
-TOP = {"system", "wheel", "stepper", "state", "status", "conventions"}
+TOP = {"system", "wheel", "stepper", "state", "status", "conventions", "version", "workers"}
 CODE = ("wrcontact", "fmu_src", "build_hooks", "tools", "benchmarks", "docs", "examples")
 
 #: Statements are counted, not lines, which are the formatter's; of C, which has none, the lines.

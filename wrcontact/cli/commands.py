@@ -8,7 +8,6 @@ from typing import Annotated
 
 import typer
 
-from .. import ContactSystem, __version__
 from ..interface.friction import FRICTION
 from ..kernel.binding.files import PLATFORMS
 from ..methods import CHOICES
@@ -17,6 +16,8 @@ from ..profiles.files import SMOOTHING
 from ..profiles.remarks import ProfileWarning, remarks_in_lines
 from ..progress import in_lines, working
 from ..status import Status
+from ..system import ContactSystem
+from ..version import __version__
 from .catalogue import profiles
 from .door import Door, Refused, check_file, check_folder, sentences
 from .grids import grid_options, refuse_beside_axes, sweeps_grids, write_grid

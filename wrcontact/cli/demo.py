@@ -119,19 +119,16 @@ def apart(function, *arguments):
     process (PythonFMU issue 228).  In a separate process this happens after the result has been returned, and
     does no harm.
     """
-    from concurrent.futures import ProcessPoolExecutor
-    from concurrent.futures.process import BrokenProcessPool
-    from multiprocessing import get_context
+    from ..workers import process_pool  # slow to import
 
-    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as helper:
-        with undisturbed():
-            answer = helper.submit(function, *arguments)
-        try:
+    ended = "the process that runs the FMU ended before it returned its results"
+    try:
+        with process_pool(1, ended) as helper:
+            with undisturbed():
+                answer = helper.submit(function, *arguments)
             return answer.result()
-        except BrokenProcessPool:
-            raise Refused(
-                "the process that runs the FMU ended before it returned its results", code=1
-            ) from None
+    except RuntimeError as broken:
+        raise Refused(str(broken), code=1) from None
 
 
 @contextmanager
@@ -247,8 +244,8 @@ def deviation(found, wanted, unit):
 
 def draw(path, answers, stored):
     """Draw the run into the file ``path``."""
-    from .. import ContactSystem
     from ..plots import demo_figure, save
+    from ..system import ContactSystem
 
     save(demo_figure(ContactSystem(), answers, stored), path)
 

@@ -1,6 +1,6 @@
 """The options of ``wrcontact sweep`` for a table over several inputs, kept in a Zarr store."""
 
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import wraps
 from inspect import Parameter, signature
@@ -10,11 +10,11 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from .. import sweep
 from ..results.columns import DEPTH_SIZES
-from ..results.convert import needed
 from ..status import Status
 from ..sweeps.grid import checked_axes
+from ..sweeps.run import sweep
+from ..workers import dask_client
 from .door import Refused, sentences
 from .groups import GRID
 from .typed import typed
@@ -24,8 +24,6 @@ FORM = (
 )
 #: Values of one axis at most.
 MOST = 10_000_000
-#: Time in which a scheduler has to answer [s].
-PATIENCE = 10.0
 WORDS = {
     "axis": (
         list[str],
@@ -147,7 +145,7 @@ def refuse_beside_axes(options):
 
 def write_grid(grid, system, load):
     """Compute what is missing of a table with the inputs ``load`` fixed, and print how many states it has."""
-    with _stopped(grid.store), sentences(grid_options), _client(grid.scheduler) as client:
+    with _stopped(grid.store), sentences(grid_options), dask_client(grid.scheduler) as client:
         try:
             table = sweep(
                 system, grid.axes, grid.outputs, grid.store, client=client, workers=grid.workers, **load
@@ -180,17 +178,3 @@ def _stopped(store):
 
 def _going_on(store):
     return f"the finished blocks are in {store}, and the same command goes on from there"
-
-
-def _client(address):
-    """The client of a Dask scheduler, None without one, as a context."""
-    if address is None:
-        return nullcontext()
-    distributed = needed("distributed", "--scheduler", "cluster")
-    try:
-        return distributed.Client(address, timeout=PATIENCE)
-    except (OSError, ValueError):
-        raise Refused(
-            f"--scheduler is {address!r}, where none answers; permitted is the address that dask "
-            "scheduler prints, such as tcp://host:8786"
-        ) from None

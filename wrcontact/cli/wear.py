@@ -11,14 +11,15 @@ import typer
 from rich import box
 from rich.table import Table
 
-from .. import ContactSystem, WheelContact
 from ..methods.numbers import check_choice
 from ..methods.words import did_you_mean
 from ..progress import working
 from ..results.words import fixed
+from ..system import ContactSystem
 from ..wear import Wear, wheel_shape
 from ..wear.accumulate import PARTS, PARTS_OF_ONE
 from ..wear.laws import LAWS
+from ..wheel import WheelContact
 from .door import Refused, check_file, sentences
 from .options import number
 from .report import console

@@ -2,17 +2,18 @@
 
 from dataclasses import replace
 
-from .. import __version__
 from ..interface.calls import check_count
 from ..methods.numbers import check_choice
 from ..profiles import Profile
 from ..progress import working
 from ..system import ContactSystem
+from ..version import __version__
+from ..workers import results
 from .files import mark, named_sources, path_of, read
 from .folder import Folder
 from .pair import PICTURES, examine
 from .table import Fleet, empty_row
-from .workers import Here, results, workers
+from .workers import Here, workers
 
 KINDS = ("wheel", "rail")
 

@@ -7,8 +7,8 @@ import zipfile
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
-from .. import ContactSystem
 from ..profiles.catalogue import standard_name
+from ..system import ContactSystem
 from .online import PACKAGE
 from .rest import at_rest
 from .settings import checked, keywords_of

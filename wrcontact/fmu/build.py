@@ -10,12 +10,12 @@ from pathlib import Path
 
 import pythonfmu
 
-from .. import __version__
 from ..interface.variables import VARIABLES
 from ..kernel.binding.compiler import LOADER_NAME, LOADER_PLATFORM, CompilerProblem, compile_loader
 from ..kernel.binding.files import PLATFORMS, host_platform
 from ..profiles.files import prepared_text
 from ..storage.atomic import write_atomically
+from ..version import __version__
 from .archive import SOURCES, archive, chosen_starts, fingerprint, licence, problems_of
 from .description import MODEL, model_description
 from .documentation import about_python, documentation_page

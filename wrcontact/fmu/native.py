@@ -8,7 +8,6 @@ from pathlib import Path
 
 import fmpy
 
-from .. import __version__
 from ..interface.variables import PLACE, REFERENCE, VARIABLES
 from ..kernel.binding.compiler import FMU_UNITS, KEPT, compile_platform
 from ..kernel.binding.files import PLATFORMS, host_platform
@@ -16,6 +15,7 @@ from ..profiles.catalogue import standard_profile
 from ..profiles.standards import names
 from ..progress import tracked
 from ..storage.atomic import write_atomically
+from ..version import __version__
 from . import description, description3, native_model
 from .archive import SOURCES, archive, chosen_starts, fingerprint, licence, problems_of
 from .documentation import about_native, documentation_page

@@ -4,11 +4,7 @@ step takes some tenths of a second, and some seconds with creep forces by the co
 processes may share many poses."""
 
 import math
-import multiprocessing
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from functools import partial
-from multiprocessing.spawn import get_preparation_data
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -21,6 +17,7 @@ from ..kernel.wheelset.rubbing import move_patches, move_wheelset
 from ..progress import tracked
 from ..status import Status
 from ..stepper import Stepper
+from ..workers import process_pool
 from .contact import TOLERANCE
 from .free_rolling import rub_wheels
 from .outputs import fill_side
@@ -260,26 +257,17 @@ def shared_parts(tables, solver, rows, places, processes):
         where the processes cannot start or end early.
     """
     parts = [slice(start, min(start + CHUNK, len(rows))) for start in range(0, len(rows), CHUNK)]
-    # a process that runs the script again as it starts is refused here, before it has a pool to leave behind
-    get_preparation_data("")
+    broken = (
+        f"processes is {processes}; permitted is more than 1 in a script that makes this call below "
+        "\"if __name__ == '__main__':\"; a process has ended early"
+    )
     with TemporaryDirectory() as folder:
-        # a process that ends as it starts leaves its arguments unread, and long ones then wait for ever
         path = Path(folder, "tables.npy")
         np.save(path, tables)
-        pool = ProcessPoolExecutor(
-            min(processes, len(parts)), multiprocessing.get_context("spawn"), _begin, (path, solver, places)
-        )
-        try:
+        count = min(processes, len(parts))
+        with process_pool(count, broken, _begin, (path, solver, places)) as pool:
             for part, (found, status) in zip(parts, pool.map(_evaluated, [rows[part] for part in parts])):
                 yield part, found, status
-        except BrokenProcessPool:
-            raise RuntimeError(
-                f"processes is {processes}; permitted is more than 1 in a script that makes "
-                "this call below \"if __name__ == '__main__':\"; a process has ended "
-                "early"
-            ) from None
-        finally:
-            pool.shutdown(cancel_futures=True)
 
 
 def _begin(path, solver, places):

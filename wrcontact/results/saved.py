@@ -3,13 +3,12 @@
 from functools import cache
 
 from ..kernel import layout
+from ..version import __version__
 
 
 @cache
 def version_mark():
     """The version, and what tells its records from those of another one."""
-    from .. import __version__  # an FMU has none, and pickles nothing
-
     return __version__, layout.digest()
 
 

@@ -10,7 +10,6 @@ from hashlib import sha256
 
 import numpy as np
 
-from .. import __version__
 from ..interface.calls import given_inputs, warn_of_inputs
 from ..interface.parameters import LEFT, PARAMETERS
 from ..methods.numbers import unit_behind
@@ -20,6 +19,7 @@ from ..profiles.files import prepared_profile, prepared_text
 from ..profiles.profile import Profile
 from ..results.columns import output_names, selected
 from ..system import ContactSystem
+from ..version import __version__
 from .grid import checked_axes, checked_inputs, row_of, words_of
 
 #: Keywords of profiles, which are attributes of a system, too.

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import __version__
 from ..methods import Halfspace
 from ..progress import silently
 from ..results.convert import needed
+from ..version import __version__
 from .grid import block_at
 from .question import Question
 from .stores import EMPTY, plain

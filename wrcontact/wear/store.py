@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from .. import __version__
 from ..profiles.files import prepared_text, read_profile
 from ..profiles.options import ProfileFile
 from ..profiles.profile import Profile
 from ..storage.atomic import write_atomically
+from ..version import __version__
 from .laws import law_mark
 from .rows import whole_of
 from .shape import WheelShape
