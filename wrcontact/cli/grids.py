@@ -45,7 +45,12 @@ WORDS = {
     "scheduler": (str, "ADDRESS", "Dask scheduler whose workers compute, tcp://host:8786"),
 }
 #: How sentences of a sweep begin, and those of the command.
-OPTIONS = {"axes has": "--axis has", "the axis ": "--axis ", "outputs has": "--outputs has"}
+OPTIONS = {
+    "axes has": "--axis has",
+    "the axis ": "--axis ",
+    "outputs has": "--outputs has",
+    "scheduler is": "--scheduler is",
+}
 
 
 @dataclass(frozen=True)
