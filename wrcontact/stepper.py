@@ -18,9 +18,9 @@ from .kernel import layout
 from .kernel.binding.library import PythonKernel, default_kernel
 from .kernel.patch.outline import row_size
 from .methods.numbers import check_choice
-from .motion.names import differentiated_inputs, differentiated_outputs, is_computed, listed, place_of
 from .motion.reaction import rail_reaction
 from .results.columns import output_names
+from .results.names import differentiated_inputs, differentiated_outputs, is_computed, listed, place_of
 from .results.saved import check_mark, version_mark
 
 #: What of an evaluation can be wanted: sides and depth of the outputs, with the kernel's numbers.

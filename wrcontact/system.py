@@ -41,7 +41,6 @@ from .kernel.binding.setup import prepare_sides, profile_tables
 from .kernel.prepare.tables import equal_sides
 from .methods import Halfspace, HalfspaceRolling
 from .methods.own import functions_in
-from .motion.names import listed
 from .motion.reaction import rail_reaction
 from .motion.standing import stand_at
 from .profiles.catalogue import find_profiles
@@ -49,6 +48,7 @@ from .profiles.corners import remark_corners
 from .profiles.plausible import remark_profiles
 from .results.columns import selected
 from .results.inputs import Rows
+from .results.names import listed
 from .state import Equilibrium, WheelsetState
 from .status import Status
 from .stepper import DEPTHS, Stepper, thread_count, threaded_parts

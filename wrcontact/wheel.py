@@ -13,8 +13,8 @@ from .interface.calls import describe_wheel_inputs
 from .interface.one_wheel import checked_wheel, unknown_wheel_input, unknown_wheel_output, wheel_inputs
 from .kernel import layout
 from .methods.numbers import check_choice
-from .motion.names import listed
 from .results.columns import DEPTH_SIZES, SIDES
+from .results.names import listed
 from .state import Side
 from .system import ContactSystem
 

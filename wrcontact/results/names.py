@@ -5,7 +5,7 @@ from functools import cache, lru_cache
 from ..interface.inputs import INPUTS
 from ..interface.variables import INTEGER
 from ..methods.words import did_you_mean
-from ..results.columns import ALWAYS, DEPTH_SIZES, output_places, selected, variable_of
+from .columns import ALWAYS, DEPTH_SIZES, output_places, selected, variable_of
 
 INPUT_ROWS = {row.name: (place, row) for place, row in enumerate(INPUTS)}
 
