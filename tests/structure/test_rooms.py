@@ -34,6 +34,7 @@ ORDER = (
     "stepper",
     "halfspace",
     "creep",
+    "linear",
     "system",
     "wheel",
     "sweeps",

@@ -1,0 +1,38 @@
+"""Errors in what an engineer is asked for: (name, old, new, meaning, the file that sees it, module) for planted.py."""
+
+LINEAR = "linear/test_linear.py"
+
+ASKED = [
+    (
+        "linear_gyroscope",
+        "ROTATION[2, 3], ROTATION[3, 2] = 1.0, -1.0",
+        "ROTATION[2, 3], ROTATION[3, 2] = -1.0, 1.0",
+        "the axle's angular momentum points to the other side",
+        LINEAR,
+        "wrcontact/linear/point.py",
+    ),
+    (
+        "linear_left_projection",
+        "left[:, b] = -np.linalg.solve(inner.T, stiffness[np.ix_(a, b)].T).T",
+        "left[:, b] = -np.linalg.solve(inner, stiffness[np.ix_(b, a)]).T",
+        "creep forces are condensed as conservative ones",
+        LINEAR,
+        "wrcontact/linear/record.py",
+    ),
+    (
+        "linear_phase",
+        "weights = (with_cosine, with_sine) if fast else (with_sine, with_cosine)",
+        "weights = (with_sine, with_cosine) if fast else (with_cosine, with_sine)",
+        "the derivatives of a swing have the weights of the other phase",
+        LINEAR,
+        "wrcontact/linear/point.py",
+    ),
+    (
+        "linear_load_transfer",
+        'arm = 0.5 * system.parameters["running_circle_distance"]',
+        'arm = -0.5 * system.parameters["running_circle_distance"]',
+        "the load moves to the other wheel",
+        LINEAR,
+        "wrcontact/linear/point.py",
+    ),
+]
