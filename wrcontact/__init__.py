@@ -20,6 +20,21 @@ from .wheel import WheelContact, WheelState
 __version__ = "1.0.0"
 #: What is imported when it is first used, and where from: an FMU does not have it.
 _ELSEWHERE = {
+    **dict.fromkeys(
+        (
+            "FlangeClimb",
+            "GuidingReport",
+            "climb_distances",
+            "flange_climb",
+            "guiding_report",
+            "nadal_limit",
+            "steepest_angle",
+            "track_shift_limit",
+            "weinstock_limit",
+            "wheel_lift",
+        ),
+        ".results.climbing",
+    ),
     "interpolate": ".sweeps.interpolation",
     "kalker_coefficients": ".creep.linear",
     "sweep": ".sweeps.run",

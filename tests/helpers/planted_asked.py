@@ -1,6 +1,6 @@
 """Errors in what an engineer is asked for: (name, old, new, meaning, the file that sees it, module) for planted.py."""
 
-LINEAR = "linear/test_linear.py"
+LINEAR, CLIMBING = "linear/test_linear.py", "results/test_climbing.py"
 
 ASKED = [
     (
@@ -34,5 +34,29 @@ ASKED = [
         "the load moves to the other wheel",
         LINEAR,
         "wrcontact/linear/point.py",
+    ),
+    (
+        "climb_other_friction",
+        'limits["right"] + frictions["left"], limits["left"] + frictions["right"]',
+        'limits["right"] + frictions["right"], limits["left"] + frictions["left"]',
+        "Weinstock's limit has the friction of the flange twice",
+        CLIMBING,
+        "wrcontact/results/climbing.py",
+    ),
+    (
+        "climb_lift_side",
+        'arm = (0.5 if side == "right" else -0.5)',
+        'arm = (-0.5 if side == "right" else 0.5)',
+        "the wheel that does not climb is lifted",
+        CLIMBING,
+        "wrcontact/results/climbing.py",
+    ),
+    (
+        "climb_sum_of_y",
+        'low_pass(y["right"] - y["left"], step)',
+        'low_pass(y["right"] + y["left"], step)',
+        "forces of both wheels outwards shift the track",
+        CLIMBING,
+        "wrcontact/results/climbing.py",
     ),
 ]
