@@ -10,6 +10,7 @@ from . import fleet as fleet
 from . import halfspace as halfspace
 from . import plots as plots
 from . import study as study
+from . import track as track
 from . import wear as wear
 from .conditioning import Conditioning
 from .fleet import Fleet

@@ -1,6 +1,7 @@
 """Errors in what an engineer is asked for: (name, old, new, meaning, the file that sees it, module) for planted.py."""
 
 LINEAR, CLIMBING = "linear/test_linear.py", "results/test_climbing.py"
+TRACK = "track/test_track.py"
 
 ASKED = [
     (
@@ -58,5 +59,29 @@ ASKED = [
         "forces of both wheels outwards shift the track",
         CLIMBING,
         "wrcontact/results/climbing.py",
+    ),
+    (
+        "track_amplitude",
+        "np.sqrt(2.0 * getattr(kind, quantity)(waves[inside])",
+        "np.sqrt(4.0 * getattr(kind, quantity)(waves[inside])",
+        "a one-sided spectrum is taken for a two-sided one",
+        TRACK,
+        "wrcontact/track/irregularities.py",
+    ),
+    (
+        "track_gauge",
+        "self.lateral - 0.5 * self.gauge,\n            self.lateral + 0.5 * self.gauge,",
+        "self.lateral + 0.5 * self.gauge,\n            self.lateral - 0.5 * self.gauge,",
+        "a wider gauge moves the rails inwards",
+        TRACK,
+        "wrcontact/track/irregularities.py",
+    ),
+    (
+        "track_waves_per_metre",
+        "f ** np.array(powers)[piece] / (2.0 * np.pi)",
+        "f ** np.array(powers)[piece]",
+        "a density over waves per metre is taken for one over the wave number",
+        TRACK,
+        "wrcontact/track/spectra.py",
     ),
 ]

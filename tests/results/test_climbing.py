@@ -69,6 +69,7 @@ def test_tables_states_and_runs_agree_and_mirror():
     for other in (wrcontact.flange_climb(run), [wrcontact.flange_climb(table[k]) for k in range(3)]):
         other = other if isinstance(other, tuple) else tuple(np.transpose(other))
         np.testing.assert_allclose(tuple(whole), tuple(other), rtol=1e-12)
+    assert whole.sum_limit[2] == pytest.approx(whole.right_limit[2] + 0.3, rel=1e-12)
     swapped = wrcontact.flange_climb(mirrored)
     np.testing.assert_allclose(swapped.left_margin, whole.right_margin, rtol=1e-6, atol=1e-6)
     np.testing.assert_allclose(swapped.sum_margin, whole.sum_margin, rtol=1e-6, atol=1e-6)

@@ -37,6 +37,7 @@ ORDER = (
     "linear",
     "system",
     "wheel",
+    "track",
     "sweeps",
     "simulation",
     "conditioning",
