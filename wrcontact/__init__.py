@@ -20,6 +20,21 @@ from .wheel import WheelContact, WheelState
 
 #: What is imported when it is first used, and where from: an FMU does not have it.
 _ELSEWHERE = {
+    **dict.fromkeys(
+        (
+            "FlangeClimb",
+            "GuidingReport",
+            "climb_distances",
+            "flange_climb",
+            "guiding_report",
+            "nadal_limit",
+            "steepest_angle",
+            "track_shift_limit",
+            "weinstock_limit",
+            "wheel_lift",
+        ),
+        ".results.climbing",
+    ),
     "interpolate": ".sweeps.interpolation",
     "kalker_coefficients": ".creep.linear",
     "sweep": ".sweeps.run",
@@ -62,7 +77,7 @@ __all__ = [
 ]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
-_LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study", "wear"})
+_LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study", "track", "wear"})
 
 
 def __getattr__(name):

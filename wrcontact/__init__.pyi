@@ -10,6 +10,7 @@ from . import fleet as fleet
 from . import halfspace as halfspace
 from . import plots as plots
 from . import study as study
+from . import track as track
 from . import wear as wear
 from .conditioning import Conditioning
 from .fleet import Fleet
@@ -64,6 +65,16 @@ from .methods.tangential import Fastsim as Fastsim
 from .methods.tangential import Fastrip as Fastrip
 from .methods.tangential import Polach as Polach
 from .methods.tangential import HalfspaceRolling as HalfspaceRolling
+from .results.climbing import FlangeClimb as FlangeClimb
+from .results.climbing import GuidingReport as GuidingReport
+from .results.climbing import climb_distances as climb_distances
+from .results.climbing import flange_climb as flange_climb
+from .results.climbing import guiding_report as guiding_report
+from .results.climbing import nadal_limit as nadal_limit
+from .results.climbing import steepest_angle as steepest_angle
+from .results.climbing import track_shift_limit as track_shift_limit
+from .results.climbing import weinstock_limit as weinstock_limit
+from .results.climbing import wheel_lift as wheel_lift
 from .sweeps.interpolation import interpolate as interpolate
 from .creep.linear import kalker_coefficients as kalker_coefficients
 from .sweeps.run import sweep as sweep

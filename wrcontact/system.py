@@ -302,6 +302,49 @@ class ContactSystem:
             )
         return stand_at(self, roll, inputs)
 
+    def linearize(self, *, amplitude=0.0, yaw_amplitude=0.0, frequency=0.0, phases=64, **inputs):
+        """The wheelset near a steady motion as matrices: a :class:`~wrcontact.linear.Linearization`.
+
+        Its coordinates are lateral shift, vertical shift, roll and yaw; ``condensed()`` has the two of the
+        classical wheelset, lateral shift and yaw.  The matrices are exact derivatives of the forces of compliant
+        contact, which other contact modes are given for this.  Both rails carry twice the ``normal_force``, and its
+        share ``load_transfer`` as a roll moment over the running circles; from these follow height and roll.
+
+        With an ``amplitude`` the matrices are quasi-linear, for limit cycles: those of the two coordinates over the
+        motion
+
+            lateral shift = lateral_shift + amplitude sin(p),  yaw = yaw + yaw_amplitude cos(p),  p = frequency t
+
+        each derivative weighted by twice the square of the cosine of its own coordinate's phase.  For a force
+        that depends on one coordinate this is its describing function, the first harmonic over the amplitude
+        (docs/theory/linear.md).
+
+        Parameters
+        ----------
+        inputs : those of :meth:`evaluate` by keyword: lateral_shift, yaw, speed, normal_force, friction, rails.
+        amplitude, yaw_amplitude : of the motion [m], [rad].
+        frequency : of the motion [rad/s]; with 0 the geometry swings and the creepages do not.
+        phases : number of places of the motion.
+
+        Raises
+        ------
+        ValueError
+            if an argument is not permitted.
+        RuntimeError
+            if there is no such steady motion, or the kernel is not compiled, or a model works outside it.
+        """
+        from .linear.point import linearize  # not part of an FMU
+
+        compliant = self if self._balancing() else self._twin("compliant")
+        return linearize(
+            compliant,
+            amplitude=amplitude,
+            yaw_amplitude=yaw_amplitude,
+            frequency=frequency,
+            phases=phases,
+            **inputs,
+        )
+
     def rail_reaction(self, state, side):
         """As :meth:`Stepper.rail_reaction` of the ``state`` of one pose."""
         return rail_reaction(self._tables, state.inputs, state.values, side)
@@ -382,9 +425,13 @@ class ContactSystem:
     def _elastic_twin(self):
         """The same wheelset in elastic contact, on rigid rails."""
         if self._elastic is None:
-            kind, parameters, profiles = self.__reduce__()[1]
-            self._elastic = _rebuilt(kind, {**parameters, **RIGID_RAILS, "contact_mode": "elastic"}, profiles)
+            self._elastic = self._twin("elastic", **RIGID_RAILS)
         return self._elastic
+
+    def _twin(self, contact_mode, **changed):
+        """The same wheelset in another ``contact_mode``."""
+        kind, parameters, profiles = self.__reduce__()[1]
+        return _rebuilt(kind, {**parameters, **changed, "contact_mode": contact_mode}, profiles)
 
     def _parts(self, stepper, rows, places, processes, threads=1):
         """The parts of :meth:`Stepper.parts`; several processes share the half-space's rows, several threads

@@ -18,6 +18,7 @@ from .methods import (
     LateralCurvature,
     TangentialModel,
 )
+from .linear.record import Linearization
 from .profiles import Profile, ProfileFile
 from .state import _Array, Equilibrium, WheelsetState
 from .stepper import Stepper
@@ -156,6 +157,15 @@ class ContactSystem:
         **inputs: float,
     ) -> NDArray[Any]: ...
     def stand_at(self, roll: float, **inputs: float) -> Equilibrium: ...
+    def linearize(
+        self,
+        *,
+        amplitude: float = 0.0,
+        yaw_amplitude: float = 0.0,
+        frequency: float = 0.0,
+        phases: int = 64,
+        **inputs: float,
+    ) -> Linearization: ...
     def rail_reaction(self, state: WheelsetState, side: Literal["left", "right"]) -> tuple[_Array, _Array]: ...
     def evaluate_many(
         self,

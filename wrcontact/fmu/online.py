@@ -25,6 +25,7 @@ OFFLINE = frozenset(
         "fleet",
         "fmu",
         "halfspace",
+        "linear",
         "progress",
         "sweeps",
         "results/convert",

@@ -21,6 +21,7 @@ from .demo import demo_figure
 from .hero import hero_figure
 from .history import history, read_run
 from .lines import contact_lines
+from .locus import root_locus_figure
 from .over_shift import contact_angle, radius_difference, roll_angle
 from .patch import outline_figure
 from .pose import contact_figure, pose_figure
@@ -52,6 +53,7 @@ __all__ = [
     "radius_difference",
     "read_run",
     "roll_angle",
+    "root_locus_figure",
     "save",
     "shakedown_figure",
     "sweep",

@@ -8,12 +8,30 @@ import numpy as np
 
 from ..interface.variables import UNITS, VARIABLES
 from ..methods.words import did_you_mean
+from ..results.climbing import flange_climb, wheel_lift
 from ..results.words import unit_name
 from .style import INK, SIDE_COLOUR, given_axis, styled
 
 UNITS_BY_NAME = {variable.name: variable.unit for variable in VARIABLES if variable.unit}
 #: What runs and FMUs of wheelsets have beside the variables of the contact.
-UNITS_OF_RUNS = {"time": "s", "distance": "m", "vertical_velocity": "m/s"}
+UNITS_OF_RUNS = {
+    "time": "s",
+    "distance": "m",
+    "vertical_velocity": "m/s",
+    "left.wheel_lift": "m",
+    "right.wheel_lift": "m",
+}
+#: What follows from the columns of a run, by name and side; the limits are those at the steepest contact.
+DERIVED = {
+    f"{side}.{name}": find
+    for side in SIDE_COLOUR
+    for name, find in (
+        ("climb_limit", lambda run, side: getattr(flange_climb(run), f"{side}_limit")),
+        ("climb_margin", lambda run, side: getattr(flange_climb(run), f"{side}_margin")),
+        ("wheel_lift", wheel_lift),
+    )
+}
+DERIVED["climb_sum_margin"] = lambda run, side: flange_climb(run).sum_margin
 COLOURS = (INK, "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 STROKES = ("-", (0, (5, 1.5)), (0, (2, 1.2)), (0, (6, 1.5, 1, 1.5)))
 
@@ -27,7 +45,9 @@ def history(run, names, axis=None, *, over="time"):
     run : arrays (n,) in SI by FMU name: a dict, the result of fmpy, a DataFrame, a table of states of
         ``evaluate_many``, or the path of a CSV file with a line of names.
     names : one FMU name, or several of the same unit; "normal_force" stands for that of both wheels where
-        there is no other.
+        there is no other.  "climb_limit" is Nadal's limit of Y/Q at the steepest contact, "climb_margin" the
+        margin to it, "climb_sum_margin" that to Weinstock's, "wheel_lift" the height of the running circle
+        (:func:`~wrcontact.flange_climb`, :func:`~wrcontact.wheel_lift`).
     axis : axis of matplotlib; None for one in a new figure.
     over : name of what runs along the axis, or an array (n,) of times [s].
 
@@ -68,7 +88,8 @@ def history(run, names, axis=None, *, over="time"):
 def _of_sides(run, name):
     """The name, or those of both wheels where the run has only these."""
     sides = [f"{side}.{name}" for side in SIDE_COLOUR]
-    return sides if name not in names_of(run) and all(each in names_of(run) for each in sides) else [name]
+    known = {*names_of(run), *DERIVED}
+    return sides if name not in known and known.issuperset(sides) else [name]
 
 
 def _along(run, over):
@@ -123,6 +144,8 @@ def column(run, name):
     ValueError
         where the run has no such column, in a sentence.
     """
+    if name not in names_of(run) and name in DERIVED:
+        return np.asarray(DERIVED[name](run, name.split(".")[0]), dtype=float)
     if name not in names_of(run):
         raise ValueError(
             f"there is no {name!r}{did_you_mean(name, names_of(run)) or '; permitted is a name of the run'}"
