@@ -81,6 +81,73 @@ def test_springs_carry_what_the_wheel_presses_as_over_rails_moved_by_hand(model,
     assert settled >= (15 if model == "hertz" else 20)
 
 
+#: Wheels of 50 mN ... 500 N: model, friction, stiffnesses across and down; shift, yaw, height, roll of the rail.
+LIGHT = [
+    (
+        "analyn_strip",
+        "strips",
+        0.0,
+        587553746.8375279,
+        0.0008566961662380187,
+        0.0072676379741689065,
+        0.0001387101527550058,
+        0.0,
+    ),
+    (
+        "analyn",
+        "polach",
+        128753143.46989626,
+        54677287.67643608,
+        0.0015283776271139918,
+        -0.010928034253213625,
+        8.938738678275581e-05,
+        0.0,
+    ),
+    (
+        "analyn_strip",
+        "strips",
+        0.0,
+        42971340.92565048,
+        0.001395282744060566,
+        0.0010592219937904613,
+        9.481079096307308e-05,
+        0.0,
+    ),
+    (
+        "hertz",
+        "none",
+        32834836.45168784,
+        23537811.280861203,
+        0.00014995101187049997,
+        -0.0011748659943896288,
+        0.00019597675012374296,
+        -0.0007585505116544643,
+    ),
+]
+
+
+@pytest.mark.parametrize("case", LIGHT)
+def test_springs_carry_a_light_wheel_as_exactly_as_a_heavy_one(case):
+    """Broyden's last move of 1e-13 m leaves more than 1e-8 of such a load; then the rail settles further."""
+    model, friction, lateral, vertical, shift, yaw, height, roll = case
+    stiffness = {"rail_lateral_stiffness": lateral, "rail_vertical_stiffness": vertical}
+    wheel = one_wheel(model, tangential_model=friction, **stiffness)
+    side = wheel.evaluate(
+        lateral_shift=shift,
+        yaw=yaw,
+        vertical_shift_input=height,
+        rail_roll=roll,
+        speed=20.0,
+        lateral_velocity=0.01,
+    )
+    assert side.status == Status.VALID
+    residual = np.array([lateral, vertical]) * deflection(side) + [
+        side.force.y * (lateral > 0.0),
+        side.force.z,
+    ]
+    assert np.abs(residual).sum() < 1e-8 * (abs(side.force.y) + abs(side.force.z))
+
+
 @pytest.mark.full
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.turns(3)
