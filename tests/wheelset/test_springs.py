@@ -276,6 +276,30 @@ def test_both_sides_of_a_wheelset_are_single_wheels_and_its_mirror_image():
     assert deflection(image.right) == pytest.approx(deflection(both.left) * [-1, 1], rel=SAME)
 
 
+def test_deflections_before_the_step_are_mirrored_too():
+    """The left rail has come from its own side."""
+    system = wrcontact.ContactSystem(contact_mode="compliant", **SPRINGS, **DAMPERS)
+    pose = {"lateral_shift": 4e-3, "yaw": 3e-3, "roll_input": -1e-4, "lateral": (2e-4, -1e-4)}
+    found = []
+    for sign in (1, -1):
+        left, right = (sign * value for value in pose["lateral"][::sign])
+        down, other = (9e-4, 11e-4)[::sign]
+        found.append(
+            system.evaluate(
+                **{name: sign * pose[name] for name in ("lateral_shift", "yaw", "roll_input")},
+                vertical_shift_input=1.4e-3,
+                rail_time_step=1e-3,
+                left_rail_deflection_lateral_before=left,
+                right_rail_deflection_lateral_before=right,
+                left_rail_deflection_vertical_before=down,
+                right_rail_deflection_vertical_before=other,
+            )
+        )
+    one, image = found
+    assert deflection(image.left) == pytest.approx(deflection(one.right) * [-1, 1], rel=SAME)
+    assert deflection(image.right) == pytest.approx(deflection(one.left) * [-1, 1], rel=SAME)
+
+
 def test_a_displaced_foot_moves_the_rail_and_a_rolled_one_too():
     """The displacement of the foot is that of the wheelset the other way; a roll changes the contact, and
     springs act along the track."""
