@@ -279,23 +279,22 @@ def test_both_sides_of_a_wheelset_are_single_wheels_and_its_mirror_image():
 def test_deflections_before_the_step_are_mirrored_too():
     """The left rail has come from its own side."""
     system = wrcontact.ContactSystem(contact_mode="compliant", **SPRINGS, **DAMPERS)
-    pose = {"lateral_shift": 4e-3, "yaw": 3e-3, "roll_input": -1e-4, "lateral": (2e-4, -1e-4)}
-    found = []
-    for sign in (1, -1):
-        left, right = (sign * value for value in pose["lateral"][::sign])
-        down, other = (9e-4, 11e-4)[::sign]
-        found.append(
-            system.evaluate(
-                **{name: sign * pose[name] for name in ("lateral_shift", "yaw", "roll_input")},
-                vertical_shift_input=1.4e-3,
-                rail_time_step=1e-3,
-                left_rail_deflection_lateral_before=left,
-                right_rail_deflection_lateral_before=right,
-                left_rail_deflection_vertical_before=down,
-                right_rail_deflection_vertical_before=other,
-            )
+
+    def at(sign, left, right):
+        return system.evaluate(
+            lateral_shift=sign * 4e-3,
+            yaw=sign * 3e-3,
+            roll_input=sign * -1e-4,
+            vertical_shift_input=1.4e-3,
+            rail_time_step=1e-3,
+            left_rail_deflection_lateral_before=left[0],
+            left_rail_deflection_vertical_before=left[1],
+            right_rail_deflection_lateral_before=right[0],
+            right_rail_deflection_vertical_before=right[1],
         )
-    one, image = found
+
+    one = at(1, (2e-4, 9e-4), (-1e-4, 11e-4))
+    image = at(-1, (1e-4, 11e-4), (-2e-4, 9e-4))
     assert deflection(image.left) == pytest.approx(deflection(one.right) * [-1, 1], rel=SAME)
     assert deflection(image.right) == pytest.approx(deflection(one.left) * [-1, 1], rel=SAME)
 
