@@ -6,6 +6,7 @@ constant friction as a limit, mirror images, and that a fine step of the input i
 
 import csv
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,8 @@ import pytest
 import wrcontact
 from tests.helpers.cases import system
 from tests.helpers.paths import DATA
+from wrcontact.halfspace.rolling import PressureField
+from wrcontact.halfspace.rolling.contact import falling_share
 from wrcontact.kernel import layout
 from wrcontact.kernel.creep.falling import decay, restore_slips, weigh_slips
 
@@ -103,6 +106,21 @@ def test_only_what_slips_loses_friction():
     assert (marches.slips[3], marches.noted[3]) == pytest.approx((0.1, 0.01))
     restore_slips(marches, falling)
     assert (marches.slips[3], marches.noted[3]) == (0.25, 0.0625)
+
+
+@pytest.mark.parametrize("cells", [20, 80])
+def test_friction_of_a_cell_remembers_a_micrometre_of_slip(cells):
+    """Behind what sticks it goes from that of rest to that of the slip as exp(-way of slip / 1 um), with cells of
+    any size: here 5 mm of an even slip of 4e-4, behind 5 mm of stick ahead."""
+    x = (np.arange(cells) + 0.5) / cells * 1e-2
+    field = PressureField.of_cells(x, np.array([0.0, 1e-3]), np.ones((2, cells)))
+    slips = np.broadcast_to(x < 5e-3, (2, cells))
+    state = SimpleNamespace(slips=slips, slip=np.full((2, 2, cells), 4e-4 / math.sqrt(2.0)))
+    least = 0.3 + 0.7 * math.exp(-500.0 * 4e-4)
+    way = 4e-4 * (5e-3 - x + 0.5e-2 / cells)
+    expected = np.where(slips[0], least + (1.0 - least) * np.exp(-way / 1e-6), 1.0)
+    found = falling_share(state, field, 0.3, 500.0)
+    np.testing.assert_allclose(found, [expected, expected], rtol=1e-12)
 
 
 @pytest.mark.parametrize("model", (*MODELS, pytest.param("halfspace", marks=pytest.mark.full)))

@@ -114,6 +114,15 @@ def test_a_location_may_have_any_form(host, unpacked, area, tmp_path):
 
 
 @needs_libpython
+def test_a_location_counts_where_the_resources_are_not_beside_the_library(host, unpacked, area, tmp_path):
+    """Beside it they would be found anyhow."""
+    shutil.copytree(unpacked / "binaries", tmp_path / "alone" / "binaries")
+    place = Path(shutil.copytree(unpacked / "resources", tmp_path / "Räder 轮轨"))
+    (line,) = host(tmp_path / "alone", place.as_uri())
+    assert float(line) == pytest.approx(area, rel=1e-7)
+
+
+@needs_libpython
 def test_a_library_alone_says_what_is_missing(host, unpacked, tmp_path):
     shutil.copytree(unpacked / "binaries", tmp_path / "binaries")
     lines = host(tmp_path, "file:///no/such/folder", "NULL")

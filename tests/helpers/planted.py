@@ -3,6 +3,7 @@
 from collections import namedtuple
 
 from tests.helpers.paths import ROOT
+from tests.helpers.planted_answers import ANSWERS
 from tests.helpers.planted_asked import ASKED
 from tests.helpers.planted_files import FILED
 from tests.helpers.planted_laws import LAWS
@@ -522,7 +523,7 @@ ERRORS = [
         "search",
         "prepare_scan",
     ),
-    *(Error(*law) for law in (*FILED, *LAWS, *ROLLING_LAWS, *STRIP_LAWS, *WORN, *ASKED)),
+    *(Error(*law) for law in (*ANSWERS, *ASKED, *FILED, *LAWS, *ROLLING_LAWS, *STRIP_LAWS, *WORN)),
 ]
 
 

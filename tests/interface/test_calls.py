@@ -12,6 +12,7 @@ import pytest
 import wrcontact
 from tests.helpers.profile_points import columns, noisy
 from wrcontact import ContactSystem
+from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.parameters import checked_parameters
 
 SYSTEM = ContactSystem(normal_model="hertz")
@@ -63,6 +64,32 @@ def test_an_unknown_parameter_is_told_from_known_ones(name, end):
 def test_inputs_by_place_are_the_main_ones_each_once(places, name, words):
     with pytest.raises(TypeError, match=words):
         SYSTEM.evaluate(*places, **{name: 0.0})
+
+
+def test_inputs_by_place_are_those_by_name():
+    names = ("lateral_shift", "yaw", "normal_force", "load_transfer")
+    values = (1e-3, 2e-3, 5e4, 0.1)
+    system = wrcontact.ContactSystem()
+    by_place, by_name = system.evaluate(*values), system.evaluate(**dict(zip(names, values)))
+    assert [by_place.inputs[name] for name in names] == list(values)
+    np.testing.assert_array_equal(by_place.values, by_name.values)
+    many = system.evaluate_many(*(np.array([value]) for value in values))
+    np.testing.assert_array_equal(many.values[0], by_name.values)
+
+
+def test_an_input_that_is_not_given_is_not_that_of_the_call_before():
+    options = {"tangential_model": "polach", "contact_mode": "compliant"}
+    system = wrcontact.ContactSystem(**options)
+    given = {
+        row.keyword: row.start + 0.1 * (row.start or 1e-3)
+        for row in INPUTS
+        if not row.switch and row.keyword != "normal_force"
+    }
+    before = system.evaluate(**given)
+    again, new = system.evaluate(), wrcontact.ContactSystem(**options).evaluate()
+    assert before.status <= 1 and not np.array_equal(before.values, again.values)
+    np.testing.assert_array_equal(again.values, new.values)
+    assert again.inputs.to_dict() == new.inputs.to_dict()
 
 
 def test_a_number_names_no_outputs():

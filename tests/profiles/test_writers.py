@@ -1,5 +1,6 @@
 """Profiles as files for other programs, and read back."""
 
+import math
 import warnings
 
 import numpy as np
@@ -52,6 +53,32 @@ def test_simpack_says_its_kind_and_units(tmp_path):
     standard_profile("60E1").save(tmp_path / "a.prr")
     text = (tmp_path / "a.prr").read_text()
     assert "type = 0" in text and "units.len.f = 1000.0" in text and text.count("point.") == 2
+
+
+def numbers(path, skipped):
+    """Rows (n, 2) of a written file behind so many lines."""
+    return np.loadtxt(path, skiprows=skipped)
+
+
+def test_miniprof_counts_from_the_back_of_the_flange_and_upwards(tmp_path):
+    """Readers find out by themselves what other programs take as agreed."""
+    standard_profile("S1002").save(tmp_path / "a.whl")
+    standard_profile("60E1").save(tmp_path / "a.ban")
+    for name in ("a.whl", "a.ban"):
+        assert (tmp_path / name).read_text().split("\n")[1:3] == ["ColumnDef=X,Y", ""]
+    wheel, rail = numbers(tmp_path / "a.whl", 3), numbers(tmp_path / "a.ban", 3)
+    assert wheel[0, 0] == 0.0 and np.interp(70.0, *wheel.T) == pytest.approx(0.0, abs=1e-6)
+    assert np.interp(70.0 - 55.0, *wheel.T) == pytest.approx(-28.0, abs=1e-3)  # the tip of the flange
+    assert np.interp([0.0, 10.0], *rail.T) == pytest.approx(
+        [0.0, -(300.0 - math.sqrt(300.0**2 - 10.0**2))], abs=1e-5
+    )
+
+
+def test_gensys_has_the_flange_at_larger_y(tmp_path):
+    standard_profile("S1002").save(tmp_path / "a.wheel")
+    wheel = numbers(tmp_path / "a.wheel", 1)
+    assert np.all(np.diff(wheel[:, 0]) > 0.0)
+    assert np.interp(55.0, *wheel.T) == pytest.approx(28.0, abs=1e-3)
 
 
 def test_endings_are_refused_in_a_sentence(tmp_path):

@@ -93,6 +93,22 @@ def test_points_a_micrometre_apart_hide_little():
     assert np.abs(misses(pair, table, shift, 0.0 * shift)).max() < 5e-9
 
 
+def test_ripples_of_twenty_nanometres_hide_no_contact():
+    """A cone rests on one of several crests, 0.15 mm apart. A cell as wide as that was left out if it could
+    hide no more than 0.1 um."""
+    y = np.unique(np.round(np.append(np.arange(-35.9, 35.9, 0.25), np.arange(-9.0, -6.0, 0.01)), 9))
+    ripple = 2e-5 * np.cos(2.0 * np.pi * y / 0.15) * (np.abs(y + 7.5) < 1.4)
+    z = standard_profile("60E1").height(y * 1e-3) * 1e3 + ripple
+    rail = wrcontact.Profile.from_points(y, z, name="ripple", kind="rail")
+    system = wrcontact.ContactSystem("cone20", rail)
+    pair = SampledPair(system.wheel.zones, system.rail.zones)
+    shift = np.linspace(-3e-3, 3e-3, 12)
+    table = system.evaluate_many(shift, roll_guess=COLD, outputs="geometry")
+    assert not table.status.any()
+    assert np.ptp(table.right.contact.y_rail) > 0.14e-3  # another crest
+    assert np.abs(misses(pair, table, shift, 0.0 * shift)).max() < SAMPLED
+
+
 def test_a_hollow_corner_hides_no_contact():
     """The bounds of bends do not see a jump of slope: roll 0.2515 mrad, contact at -11.60 mm."""
     zones = (Polynomial(-60.0, -15.0, (0.375, -0.1), -15.0), Polynomial(-15.0, 60.0, (0.375, -0.025), -15.0))

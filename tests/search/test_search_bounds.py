@@ -37,6 +37,14 @@ def sampled_placements(count, seed, largest_roll):
         yield pair, work.inputs, place, y, gaps, mismatches, below
 
 
+def test_a_place_beside_the_rail_has_the_cell_that_is_nearest():
+    tables = layout.Tables.at(tables_of(wrcontact.ContactSystem()))
+    scan = tables.pairs[1].scan
+    last = scan.rail_count - 1
+    places = {-3.0: 0, 0.0: 0, 0.9: 0, 1.0: 1, last - 0.1: last - 1, last + 0.5: last, last + 7.0: last}
+    assert {u: bounds.rail_index(scan, u) for u in places} == places
+
+
 @pytest.mark.parametrize("count", [8, pytest.param(20, marks=pytest.mark.full)])
 def test_no_cell_of_the_search_holds_more_than_its_bound_says(count):
     """The certificate of the global minimum, against dense sampling of the gap at random

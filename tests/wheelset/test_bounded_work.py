@@ -158,7 +158,8 @@ def test_no_load_presses_a_wheel_deeper_than_two_millimetres(mode, model):
     """Up to 40 MN, with a penetration that grows until the step is refused; a rigid wheel of 100 MN was 13 mm
     deep in its rail."""
     system = ContactSystem(contact_mode=mode, normal_model=model)
-    table = system.evaluate_many(1e-3, normal_force=np.geomspace(1e5, 4e7, 30))
+    loads = np.geomspace(1e5, 4e7, 30)
+    table = system.evaluate_many(1e-3, normal_force=loads)
     valid = table.status == Status.VALID
     first = np.argmin(valid)
     assert 10 < first < 29 and not valid[first:].any()
@@ -167,6 +168,11 @@ def test_no_load_presses_a_wheel_deeper_than_two_millimetres(mode, model):
     assert np.all(np.diff(depths) > 0.0) and 1.5e-3 < depths[-1] <= 2e-3
     if mode == "rigid":
         assert system.evaluate(1e-3, penetration=2.1e-3).status == Status.VALID
+        # the one wheel that is too deep may be the left one
+        for side, transfer in (("left", -0.9), ("right", 0.9)):
+            heavier = system.evaluate_many(1e-3, normal_force=loads, load_transfer=transfer)
+            deepest = np.nanmax(getattr(heavier, side).penetration)
+            assert 1.5e-3 < deepest <= 2e-3 and heavier.status[-1] == Status.OFF_PROFILE
 
 
 @pytest.mark.parametrize("load", ["normal", "vertical"])

@@ -81,6 +81,73 @@ def test_springs_carry_what_the_wheel_presses_as_over_rails_moved_by_hand(model,
     assert settled >= (15 if model == "hertz" else 20)
 
 
+#: Wheels of 50 mN ... 500 N: model, friction, stiffnesses across and down; shift, yaw, height, roll of the rail.
+LIGHT = [
+    (
+        "analyn_strip",
+        "strips",
+        0.0,
+        587553746.8375279,
+        0.0008566961662380187,
+        0.0072676379741689065,
+        0.0001387101527550058,
+        0.0,
+    ),
+    (
+        "analyn",
+        "polach",
+        128753143.46989626,
+        54677287.67643608,
+        0.0015283776271139918,
+        -0.010928034253213625,
+        8.938738678275581e-05,
+        0.0,
+    ),
+    (
+        "analyn_strip",
+        "strips",
+        0.0,
+        42971340.92565048,
+        0.001395282744060566,
+        0.0010592219937904613,
+        9.481079096307308e-05,
+        0.0,
+    ),
+    (
+        "hertz",
+        "none",
+        32834836.45168784,
+        23537811.280861203,
+        0.00014995101187049997,
+        -0.0011748659943896288,
+        0.00019597675012374296,
+        -0.0007585505116544643,
+    ),
+]
+
+
+@pytest.mark.parametrize("case", LIGHT)
+def test_springs_carry_a_light_wheel_as_exactly_as_a_heavy_one(case):
+    """Broyden's last move of 1e-13 m leaves more than 1e-8 of such a load; then the rail settles further."""
+    model, friction, lateral, vertical, shift, yaw, height, roll = case
+    stiffness = {"rail_lateral_stiffness": lateral, "rail_vertical_stiffness": vertical}
+    wheel = one_wheel(model, tangential_model=friction, **stiffness)
+    side = wheel.evaluate(
+        lateral_shift=shift,
+        yaw=yaw,
+        vertical_shift_input=height,
+        rail_roll=roll,
+        speed=20.0,
+        lateral_velocity=0.01,
+    )
+    assert side.status == Status.VALID
+    residual = np.array([lateral, vertical]) * deflection(side) + [
+        side.force.y * (lateral > 0.0),
+        side.force.z,
+    ]
+    assert np.abs(residual).sum() < 1e-8 * (abs(side.force.y) + abs(side.force.z))
+
+
 @pytest.mark.full
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.turns(3)
@@ -209,6 +276,29 @@ def test_both_sides_of_a_wheelset_are_single_wheels_and_its_mirror_image():
     assert deflection(image.right) == pytest.approx(deflection(both.left) * [-1, 1], rel=SAME)
 
 
+def test_deflections_before_the_step_are_mirrored_too():
+    """The left rail has come from its own side."""
+    system = wrcontact.ContactSystem(contact_mode="compliant", **SPRINGS, **DAMPERS)
+
+    def at(sign, left, right):
+        return system.evaluate(
+            lateral_shift=sign * 4e-3,
+            yaw=sign * 3e-3,
+            roll_input=sign * -1e-4,
+            vertical_shift_input=1.4e-3,
+            rail_time_step=1e-3,
+            left_rail_deflection_lateral_before=left[0],
+            left_rail_deflection_vertical_before=left[1],
+            right_rail_deflection_lateral_before=right[0],
+            right_rail_deflection_vertical_before=right[1],
+        )
+
+    one = at(1, (2e-4, 9e-4), (-1e-4, 11e-4))
+    image = at(-1, (1e-4, 11e-4), (-2e-4, 9e-4))
+    assert deflection(image.left) == pytest.approx(deflection(one.right) * [-1, 1], rel=SAME)
+    assert deflection(image.right) == pytest.approx(deflection(one.left) * [-1, 1], rel=SAME)
+
+
 def test_a_displaced_foot_moves_the_rail_and_a_rolled_one_too():
     """The displacement of the foot is that of the wheelset the other way; a roll changes the contact, and
     springs act along the track."""
@@ -326,7 +416,8 @@ def test_a_pressed_rail_creeps_down_as_its_differential_equation_says():
 
 
 def test_the_rail_moves_with_its_deflection():
-    """Creepages and contact damping are those over a rigid rail with the rates of the deflection."""
+    """Creepages and contact damping are those over a rigid rail with the rates of the deflection, which rolls
+    about its own highest point."""
     model = {"tangential_model": "polach", "contact_damping": 0.5}
     soft, rigid = one_wheel(**SPRINGS, **DAMPERS, **model), one_wheel(**model)
     pose = {
@@ -335,6 +426,7 @@ def test_the_rail_moves_with_its_deflection():
         "speed": 20.0,
         "wheel_rate": 20.0 / 0.46,
         "lateral_velocity": 0.02,
+        "rail_roll_velocity": 0.2,
     }
     before, step = np.array([1.1e-4, 1.18e-3]), 2e-3
     side = soft.evaluate(
