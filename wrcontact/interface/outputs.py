@@ -259,6 +259,14 @@ SIDE = (
         20.0,
         "rotation about the axle that creepages hold for: the one that is given, or that follows",
     ),
+    Output(
+        "model_error",
+        "1",
+        0.01,
+        "estimate of the relative error of max_pressure, of the normal_model auto, and of analyn with "
+        "error_outputs; else zero",
+        0.0,
+    ),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run(
         "station",

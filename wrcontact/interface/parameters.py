@@ -84,7 +84,7 @@ RIGID_RAILS = {side + name: 0.0 for side in ("", LEFT) for name in RAIL_SPRINGS}
 #: Methods beside which rails may stand on springs.
 WITH_SPRINGS = {
     "contact_mode": ("compliant",),
-    "normal_model": ("hertz", "analyn", "analyn_strip"),
+    "normal_model": ("hertz", "analyn", "analyn_strip", "auto"),
     "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach"),
 }
 SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination", *RAIL_SPRINGS)
@@ -165,6 +165,14 @@ OTHERS = {
         1e10,
         "Pa",
         "Yield stress in cyclic shear of wheel or rail, read with fatigue_outputs; give that of your steel",
+    ),
+    "error_outputs": Number(
+        False,
+        0,
+        1,
+        "1",
+        "Whether the normal_model analyn estimates its error, model_error; auto always does, others have none",
+        switch=True,
     ),
     "stations": Number(
         STATION_COUNT,

@@ -150,6 +150,19 @@ class Strip(NormalModel):
 
 
 @frozen
+class Auto(Strip):
+    """ANALYN where the estimate of its error is below 4 %, :class:`Strip` where it is above 5 %, and a mean
+    of both between (docs/theory/analyn.md).
+
+    Its numbers are those of :class:`Strip`; ``nodes`` count for both.
+    """
+
+    name = "auto"
+    kernel_number = 3
+    words = "ANALYN, and strips where the estimate of its error is above 4 %"
+
+
+@frozen
 class Hertz(NormalModel):
     """One Hertz ellipse from the curvatures at the contact point.
 

@@ -55,6 +55,19 @@ def sink_wheel(pair: Pair, frame: Frame, overlap: Overlap, side: SideSearch, pen
 
 
 @seldom
+def raise_wheel(frame: Frame, sunk: bool):
+    """Let the open frame be as it was opened, or pressed, before regions were laid for it: of a wheel that
+    was ``sunk`` that of a wheel that just touches."""
+    frame.blur = 0.0
+    if sunk:
+        frame.raised = 0.0
+        frame.pressed = False
+        frame.sunk = False
+        frame.height = frame.shift
+        frame.depth = 0.0
+
+
+@seldom
 def sink_deeper(frame: Frame, frames: KeptFrames, regions: Regions, count: int, penetration: float):
     """Press a sunk wheel with ``count`` regions until its contact point is ``penetration`` [m] deep.
 

@@ -244,6 +244,7 @@ class Tables:
     tangential: int  # one of TANGENTIAL_...
     wear: bool  # whether outputs of wear follow the others
     fatigue: bool  # whether those of fatigue are computed
+    error: bool  # whether ANALYN estimates its error
     shear_modulus: float  # G of wheel and rail [Pa]
     rolling: To(RollingTable)  # what the models of creep forces read; 0 where none is chosen
     parameters: Parameters  # all of the setup's

@@ -133,6 +133,7 @@ class SideSearch:
     stack: Cell * STACK_LIMIT
     point: ContactPoint
     penetration: float  # approach of the two bodies along the normal [m]
+    model_error: float  # estimate of the normal model's error in the peak pressure [-]; 0 without one
     patch_count: int
     patches: Patches  # by rising station
     totals: PatchTotals  # of all of them

@@ -34,9 +34,14 @@ def analyn_contact(pair: Pair, contact: Contact, side: SideSearch, force: float,
     whether the force is satisfied."""
     penetration, count, satisfied = solve_analyn(pair, contact, side, force, prescribed)
     if satisfied and contact.filling:
-        locate_along_track(pair, contact.frame, contact.regions, count)
-        fill_from_nodes(contact, side, count)
+        fill_from_analyn(pair, contact, side, count)
     return penetration, count, satisfied
+
+
+def fill_from_analyn(pair: Pair, contact: Contact, side: SideSearch, count: int):
+    """Fill the patches of a side from ``count`` regions that carry their loads."""
+    locate_along_track(pair, contact.frame, contact.regions, count)
+    fill_from_nodes(contact, side, count)
 
 
 def solve_analyn(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):

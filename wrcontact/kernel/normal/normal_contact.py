@@ -6,9 +6,20 @@ A further model is a file with a function like :func:`~.analyn_contact.analyn_co
 
 from typing import Final
 
-from ..layout import MODEL_ANALYN, MODEL_ANALYN_STRIP, MODEL_HERTZ, Contact, Pair, SideSearch, Tables
+from ..layout import (
+    MODEL_ANALYN,
+    MODEL_ANALYN_STRIP,
+    MODEL_AUTO,
+    MODEL_HERTZ,
+    Contact,
+    Pair,
+    SideSearch,
+    Tables,
+)
 from .analyn_contact import analyn_contact
+from .auto_contact import auto_contact
 from .hertz_contact import hertz_contact
+from .model_error import analyn_error
 from .strip_contact import coarse_contact, strip_contact
 
 #: For strips, of tread and flange: 1.29 and 1.45.
@@ -26,6 +37,10 @@ def solve_normal(pair: Pair, contact: Contact, side: SideSearch, force: float, p
         penetration, count, satisfied = hertz_contact(pair, contact, side, force, prescribed)
     elif model == MODEL_ANALYN:
         penetration, count, satisfied = analyn_contact(pair, contact, side, force, prescribed)
+        if pair.tables.error and satisfied and contact.filling:
+            side.model_error = analyn_error(pair.tables, contact.regions, contact.nodes, count)
+    elif model == MODEL_AUTO:
+        penetration, count, satisfied = auto_contact(pair, contact, side, force, prescribed)
     elif contact.coarse:
         penetration, count, satisfied = coarse_contact(pair, contact, force)
     else:
@@ -35,7 +50,7 @@ def solve_normal(pair: Pair, contact: Contact, side: SideSearch, force: float, p
 
 def has_coarse_form(tables: Tables) -> bool:
     """Whether the model has a form for the first trials of an equilibrium, a per cent off."""
-    return tables.normal_model == MODEL_ANALYN_STRIP
+    return tables.normal_model == MODEL_ANALYN_STRIP or tables.normal_model == MODEL_AUTO
 
 
 def residual_rate(tables: Tables):

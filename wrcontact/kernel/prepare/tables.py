@@ -22,6 +22,7 @@ from ..layout import (
     DEPTH_ALL,
     LATERAL_LIMIT,
     MODEL_ANALYN_STRIP,
+    MODEL_AUTO,
     POINT_LIMIT,
     REACH_CELLS,
     REACH_COLUMNS,
@@ -242,6 +243,7 @@ def write_methods(setup: Setup, tables: Tables):
     tables.tangential = setup.parameters.tangential_model
     tables.wear = setup.parameters.wear_outputs != 0.0
     tables.fatigue = setup.parameters.fatigue_outputs != 0.0
+    tables.error = setup.parameters.error_outputs != 0.0
     tables.normal_model = setup.parameters.normal_model
     tables.separation = setup.parameters.separation
     tables.longitudinal = setup.parameters.longitudinal_curvature
@@ -327,7 +329,8 @@ def write_common(setup: Setup, tables: Tables, fixed: "float[:]"):
     if at != FULL:
         tables.influence = at
         at = append_fixed(tables.raw, at, fixed, FIXED_INFLUENCE)
-    if at != FULL and setup.parameters.normal_model == MODEL_ANALYN_STRIP:
+    model = setup.parameters.normal_model
+    if at != FULL and (model == MODEL_ANALYN_STRIP or model == MODEL_AUTO):
         tables.waves = at
         at = append_waves(tables, at, int(setup.resolution.strips))
     if at != FULL and setup.parameters.tangential_model != TANGENTIAL_NONE:

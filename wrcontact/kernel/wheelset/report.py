@@ -93,6 +93,7 @@ def report_side(tables: Tables, work: Work, index: int):
         rolling = is_rolling(tables, work.inputs)
         report_load(side, out, mirror, rolling)
         out.wheel_rate_found = found_rate(tables, work, index)
+        out.model_error = side.model_error
         report_deflection(tables, side, out, mirror)
         report_patches(side, out, mirror, rolling)
         if tables.fatigue:

@@ -104,6 +104,7 @@ def is_end(profile: Profile, y: float) -> bool:
 def clear_side(side: SideSearch):
     """A side without load."""
     side.penetration = 0.0
+    side.model_error = 0.0
     clear_patches(side)
 
 
