@@ -77,6 +77,7 @@ static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array
 static OUT_OF_LINE void pressed_regions__touching_shift(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap);
 static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration);
+static OUT_OF_LINE int64_t pressed_regions__raise_wheel(array_double_1d work, bool sunk);
 static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration);
 static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
 static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
@@ -1826,6 +1827,23 @@ static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, a
     pressed_regions__press_frame(work, height, penetration, 0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)true;
     return count;
+}
+
+/* Let the open frame be as it was opened, or pressed, before regions were laid for it: of a wheel that
+ * was ``sunk`` that of a wheel that just touches.
+ */
+static OUT_OF_LINE int64_t pressed_regions__raise_wheel(array_double_1d work, bool sunk)
+{
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
+    if (sunk)
+    {
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = 0.0;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = (double)false;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)false;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = 0.0;
+    }
+    return 0;
 }
 
 /* Press a sunk wheel with ``count`` regions until its contact point is ``penetration`` [m] deep.

@@ -346,13 +346,20 @@ static inline void derivative_analyn_contact__analyn_contact_t(double* penetrati
     derivative_analyn_contact__solve_analyn_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
     {
-        derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
-        derivative_node_patches__fill_from_nodes_t(work, work_t, side, count);
+        derivative_analyn_contact__fill_from_analyn_t(tables, work, work_t, pair, side, count);
     }
     *penetration_out = penetration;
     EACH_LANE each(*penetration_t_out) = each(penetration_t);
     *count_out = count;
     *satisfied_out = satisfied;
+}
+
+/* Derivative of ``fill_from_analyn``. */
+static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count)
+{
+    derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
+    derivative_node_patches__fill_from_nodes_t(work, work_t, side, count);
+    return 0;
 }
 
 /* Derivative of ``solve_analyn``. */
@@ -493,6 +500,189 @@ static inline void derivative_analyn_contact__solve_fine_t(double* penetration_o
     *penetration_out = penetration;
     EACH_LANE each(*penetration_t_out) = each(penetration_t);
     *satisfied_out = satisfied;
+}
+
+
+/* ---- From derivative_auto_contact.py; change that one.
+ *
+ * Derivatives of auto_contact.py.
+ */
+
+/* Derivative of ``auto_contact``. */
+static inline void derivative_auto_contact__auto_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
+{
+    bool sunk, satisfied, solved;
+    double penetration, error, v1, v2, share, v3, load, found, v4, v5, v6, v7, v8, v9;
+    lanes penetration_t, error_t, v1_t, v2_t, share_t, v3_t, load_t, found_t, rates;
+    int64_t count, strip_count;
+    sunk = !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0);
+    derivative_analyn_contact__solve_analyn_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
+    error_t = all_lanes(0.0);
+    error = auto_contact__FULL;
+    if (satisfied)
+    {
+        derivative_model_error__analyn_error_t(&v1, &v1_t, work, work_t, tables, count);
+        EACH_LANE each(error_t) = each(v1_t);
+        error = v1;
+    }
+    derivative_auto_contact__strips_share_t(&v2, &v2_t, error, error_t);
+    EACH_LANE each(share_t) = each(v2_t);
+    share = v2;
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(error_t);
+    AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = error;
+    if (share > 0.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0))
+    {
+        derivative_auto_contact__total_load_t(&v3, &v3_t, work, work_t, count);
+        EACH_LANE each(load_t) = each(v3_t);
+        load = v3;
+        derivative_pressed_regions__raise_wheel_t(work, work_t, sunk);
+        derivative_strip_contact__strip_contact_t(&found, &found_t, &strip_count, &solved, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
+        if (solved)
+        {
+            v4 = 1.0 - model_error__STRIPS_MISS;
+            v5 = 1.0 - share * v4;
+            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(error_t) * v5 + error * -(each(share_t) * v4);
+            AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = error * v5;
+            if (satisfied && share < 1.0)
+            {
+                v6 = found - penetration;
+                EACH_LANE each(found_t) = each(penetration_t) + (each(share_t) * v6 + share * (each(found_t) - each(penetration_t)));
+                found = penetration + share * v6;
+                if (isfinite(prescribed) && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
+                {
+                    v7 = 1.0 - share;
+                    v8 = v7 * load;
+                    v9 = v8 / AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+                    EACH_LANE each(rates) = each(share_t) + (-each(share_t) * load + v7 * each(load_t) - v9 * each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+                    derivative_auto_contact__scale_patches_t(work, work_t, side, share + v9, rates, strip_count);
+                }
+            }
+            *penetration_out = found;
+            EACH_LANE each(*penetration_t_out) = each(found_t);
+            *count_out = strip_count;
+            *satisfied_out = true;
+            return;
+        }
+        derivative_pressed_regions__raise_wheel_t(work, work_t, sunk);
+        derivative_analyn_contact__analyn_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
+    }
+    else if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
+    {
+        derivative_analyn_contact__fill_from_analyn_t(tables, work, work_t, pair, side, count);
+    }
+    *penetration_out = penetration;
+    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    *count_out = count;
+    *satisfied_out = satisfied;
+}
+
+/* Derivative of ``strips_share``. */
+static inline void derivative_auto_contact__strips_share_t(double* out_0, lanes* out_1, double error, lanes error_t)
+{
+    double v1, v2, v3, v4, u, v5, v6;
+    lanes v3_t, v4_t, u_t;
+    v1 = error - auto_contact__FIRST;
+    v2 = auto_contact__FULL - auto_contact__FIRST;
+    v3 = v1 / v2;
+    EACH_LANE each(v3_t) = each(error_t) / v2;
+    if (0.0 > v3)
+    {
+        v3 = 0.0;
+        v3_t = all_lanes(0.0);
+    }
+    v4 = v3;
+    EACH_LANE each(v4_t) = each(v3_t);
+    if (1.0 < v4)
+    {
+        v4 = 1.0;
+        v4_t = all_lanes(0.0);
+    }
+    EACH_LANE each(u_t) = each(v4_t);
+    u = v4;
+    v5 = u * u;
+    v6 = 3.0 - 2.0 * u;
+    *out_0 = v5 * v6;
+    EACH_LANE each(*out_1) = (each(u_t) * u + u * each(u_t)) * v6 + v5 * -(2.0 * each(u_t));
+}
+
+/* Derivative of ``total_load``. */
+static inline void derivative_auto_contact__total_load_t(double* load_out, lanes* load_t_out, array_double_1d work, array_lanes_1d work_t, int64_t count)
+{
+    lanes load_t;
+    double load;
+    int64_t index;
+    load_t = all_lanes(0.0);
+    load = 0.0;
+    for (index = 0; index < count; index += 1)
+    {
+        EACH_LANE each(load_t) = each(load_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_LOAD));
+        load = load + AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_LOAD);
+    }
+    *load_out = load;
+    EACH_LANE each(*load_t_out) = each(load_t);
+}
+
+/* Derivative of ``scale_patches``. */
+static inline int64_t derivative_auto_contact__scale_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, double factor, lanes factor_t, int64_t count)
+{
+    int64_t index, region, number, number_end;
+    for (index = 0; index < count; index += 1)
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CARRIED)) = each(RATE_AT(work_t, region + layout__REGION_CARRIED)) * factor + AT(work, region + layout__REGION_CARRIED) * each(factor_t);
+        AT(work, region + layout__REGION_CARRIED) = AT(work, region + layout__REGION_CARRIED) * factor;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_MOMENT)) = each(RATE_AT(work_t, region + layout__REGION_MOMENT)) * factor + AT(work, region + layout__REGION_MOMENT) * each(factor_t);
+        AT(work, region + layout__REGION_MOMENT) = AT(work, region + layout__REGION_MOMENT) * factor;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) = each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) * factor + AT(work, region + layout__REGION_STIFFNESS) * each(factor_t);
+        AT(work, region + layout__REGION_STIFFNESS) = AT(work, region + layout__REGION_STIFFNESS) * factor;
+    }
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        derivative_auto_contact__scale_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, factor, factor_t);
+    }
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) * each(factor_t);
+    AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) * factor;
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD) * each(factor_t);
+    AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD) = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD) * factor;
+    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
+    AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT) = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * factor;
+    return 0;
+}
+
+/* Derivative of ``scale_patch``. */
+static inline int64_t derivative_auto_contact__scale_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
+{
+    int64_t totals, index, k, strip, k_end;
+    double v1, v2;
+    totals = patch + layout__PATCH_TOTALS;
+    EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, totals + layout__PATCH_TOTALS_LOAD) * each(factor_t);
+    AT(work, totals + layout__PATCH_TOTALS_LOAD) = AT(work, totals + layout__PATCH_TOTALS_LOAD) * factor;
+    EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, totals + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
+    AT(work, totals + layout__PATCH_TOTALS_MOMENT) = AT(work, totals + layout__PATCH_TOTALS_MOMENT) * factor;
+    EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) * factor + AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * each(factor_t);
+    AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * factor;
+    v1 = factor * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) * v1 + AT(work, patch + layout__PATCH_PRESSURE_SQUARE) * (each(factor_t) * factor + factor * each(factor_t));
+    AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = AT(work, patch + layout__PATCH_PRESSURE_SQUARE) * v1;
+    for (index = 0; index < layout__REGION_LIMIT; index += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_LOADS + index)) = each(RATE_AT(work_t, patch + layout__PATCH_LOADS + index)) * factor + AT(work, patch + layout__PATCH_LOADS + index) * each(factor_t);
+        AT(work, patch + layout__PATCH_LOADS + index) = AT(work, patch + layout__PATCH_LOADS + index) * factor;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + index)) = each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + index)) * factor + AT(work, patch + layout__PATCH_MOMENTS + index) * each(factor_t);
+        AT(work, patch + layout__PATCH_MOMENTS + index) = AT(work, patch + layout__PATCH_MOMENTS + index) * factor;
+    }
+    k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
+    for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) * factor + AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) * each(factor_t);
+        AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) = AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) * factor;
+        v2 = factor * factor;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) * v2 + AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) * (each(factor_t) * factor + factor * each(factor_t));
+        AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) = AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) * v2;
+    }
+    return 0;
 }
 
 
@@ -1333,6 +1523,92 @@ static inline void derivative_hertz_contact__narrow_ellipse_t(double* B_out, lan
 }
 
 
+/* ---- From derivative_model_error.py; change that one.
+ *
+ * Derivatives of model_error.py.
+ */
+
+/* Derivative of ``analyn_error``. */
+static inline void derivative_model_error__analyn_error_t(double* error_out, lanes* error_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count)
+{
+    int64_t window, index, region;
+    lanes load_t, changes_t, own_t, change_t, error_t;
+    double load, changes, own, change, error, v1, v2;
+    window = nodes__window_nodes(tables);
+    load_t = all_lanes(0.0);
+    load = 0.0;
+    changes_t = all_lanes(0.0);
+    changes = 0.0;
+    for (index = 0; index < count; index += 1)
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > 0.0)
+        {
+            derivative_model_error__curvature_change_t(&own, &own_t, &change, &change_t, work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, window);
+            EACH_LANE each(load_t) = each(load_t) + (each(own_t) * AT(work, region + layout__REGION_SPACING) + own * each(RATE_AT(work_t, region + layout__REGION_SPACING)));
+            load = load + own * AT(work, region + layout__REGION_SPACING);
+            EACH_LANE each(changes_t) = each(changes_t) + (each(change_t) * AT(work, region + layout__REGION_SPACING) + change * each(RATE_AT(work_t, region + layout__REGION_SPACING)));
+            changes = changes + change * AT(work, region + layout__REGION_SPACING);
+        }
+    }
+    error_t = all_lanes(0.0);
+    error = 0.0;
+    if (load > 0.0)
+    {
+        v1 = model_error__RATE * changes;
+        v2 = v1 / load;
+        EACH_LANE each(error_t) = (model_error__RATE * each(changes_t) - v2 * each(load_t)) / load;
+        error = model_error__LEAST + v2;
+    }
+    *error_out = error;
+    EACH_LANE each(*error_t_out) = each(error_t);
+}
+
+/* Derivative of ``curvature_change``. */
+static inline void derivative_model_error__curvature_change_t(double* load_out, lanes* load_t_out, double* changes_out, lanes* changes_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes, int64_t window)
+{
+    lanes load_t, changes_t, d_t, low_t, high_t, twice_t, own_t;
+    double load, changes, d, low, high, twice, own, v3, v4, v5, v6, v7;
+    int64_t k, k1, k2, k_end;
+    load_t = all_lanes(0.0);
+    load = 0.0;
+    changes_t = all_lanes(0.0);
+    changes = 0.0;
+    k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
+    for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
+    {
+        EACH_LANE each(d_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + k));
+        d = AT(work, region + layout__REGION_LOCAL_PENETRATION) - AT(work, nodes + layout__NODES_RISE + 128 + k);
+        if (d > 0.0)
+        {
+            k1 = nodes + layout__NODES_B + 128 + int64_max(k - window, (int64_t)AT(work, region + layout__REGION_FIRST));
+            EACH_LANE each(low_t) = each(RATE_AT(work_t, k1));
+            low = AT(work, k1);
+            k2 = nodes + layout__NODES_B + 128 + int64_min(k + window, (int64_t)AT(work, region + layout__REGION_LAST));
+            EACH_LANE each(high_t) = each(RATE_AT(work_t, k2));
+            high = AT(work, k2);
+            EACH_LANE each(twice_t) = 2.0 * each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + k));
+            twice = 2.0 * AT(work, nodes + layout__NODES_B + 128 + k);
+            EACH_LANE each(own_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) * d + AT(work, nodes + layout__NODES_LINE + 128 + k) * each(d_t);
+            own = AT(work, nodes + layout__NODES_LINE + 128 + k) * d;
+            EACH_LANE each(load_t) = each(load_t) + each(own_t);
+            load = load + own;
+            v3 = low - twice + high;
+            v4 = fabs(v3);
+            v5 = own * v4;
+            v6 = low + twice + high;
+            v7 = v5 / v6;
+            EACH_LANE each(changes_t) = each(changes_t) + (each(own_t) * v4 + own * derivative_rates__size_rate(v3, each(low_t) - each(twice_t) + each(high_t)) - v7 * (each(low_t) + each(twice_t) + each(high_t))) / v6;
+            changes = changes + v7;
+        }
+    }
+    *load_out = load;
+    EACH_LANE each(*load_t_out) = each(load_t);
+    *changes_out = changes;
+    EACH_LANE each(*changes_t_out) = each(changes_t);
+}
+
+
 /* ---- From derivative_node_patches.py; change that one.
  *
  * Derivatives of node_patches.py.
@@ -2104,8 +2380,8 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
 static inline void derivative_normal_contact__solve_normal_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     int64_t model, count;
-    double penetration;
-    lanes penetration_t;
+    double penetration, v1;
+    lanes penetration_t, v1_t;
     bool satisfied;
     model = (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL);
     if (model == layout__MODEL_HERTZ)
@@ -2115,6 +2391,16 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
     else if (model == layout__MODEL_ANALYN)
     {
         derivative_analyn_contact__analyn_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
+        if (AT(tables, layout__TABLES_ERROR) == 1.0 && satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
+        {
+            derivative_model_error__analyn_error_t(&v1, &v1_t, work, work_t, tables, count);
+            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(v1_t);
+            AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = v1;
+        }
+    }
+    else if (model == layout__MODEL_AUTO)
+    {
+        derivative_auto_contact__auto_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0)
     {

@@ -648,6 +648,8 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
         derivative_report__found_rate_t(&v1, &v1_t, tables, work, work_t, index);
         EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND)) = each(v1_t);
         AT(work, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND) = v1;
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_MODEL_ERROR)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR));
+        AT(work, out + layout__SIDE_OUTPUTS_MODEL_ERROR) = AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR);
         derivative_report__report_deflection_t(work, work_t, tables, side, out, mirror, all_lanes(0.0));
         derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
         if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
@@ -1874,6 +1876,8 @@ static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_
 {
     RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION) = all_lanes(0.0);
     AT(work, side + layout__SIDE_SEARCH_PENETRATION) = 0.0;
+    RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR) = all_lanes(0.0);
+    AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = 0.0;
     derivative_filling__clear_patches_t(work, work_t, side);
     return 0;
 }

@@ -16,6 +16,7 @@ static inline void derivative_analyn__penetrations_rule_t(double* penetration_ou
 
 /* derivative_analyn_contact.py */
 static inline void derivative_analyn_contact__analyn_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
+static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count);
 static inline void derivative_analyn_contact__solve_analyn_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration);
 static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t);
@@ -26,6 +27,13 @@ static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tab
 static inline int64_t derivative_at_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
 static inline void derivative_at_height__pressing_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
+
+/* derivative_auto_contact.py */
+static inline void derivative_auto_contact__auto_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
+static inline void derivative_auto_contact__strips_share_t(double* out_0, lanes* out_1, double error, lanes error_t);
+static inline void derivative_auto_contact__total_load_t(double* load_out, lanes* load_t_out, array_double_1d work, array_lanes_1d work_t, int64_t count);
+static inline int64_t derivative_auto_contact__scale_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, double factor, lanes factor_t, int64_t count);
+static inline int64_t derivative_auto_contact__scale_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
 
 /* derivative_circle.py */
 static inline void derivative_circle__sine_cosine_rule_t(double* sine_out, lanes* out_1, double* cosine_out, lanes* out_3, double x, lanes x_t);
@@ -255,6 +263,10 @@ static inline void derivative_march__slip_traction_t(double* out_0, lanes* out_1
 static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t);
 static inline void derivative_march__sqrt_of_t(double* root_out, lanes* root_t_out, double value, lanes value_t);
 
+/* derivative_model_error.py */
+static inline void derivative_model_error__analyn_error_t(double* error_out, lanes* error_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count);
+static inline void derivative_model_error__curvature_change_t(double* load_out, lanes* load_t_out, double* changes_out, lanes* changes_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes, int64_t window);
+
 /* derivative_motion.py */
 static inline void derivative_motion__rolling_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double given, lanes given_t, double radius, lanes radius_t);
 static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right, int64_t inputs);
@@ -353,6 +365,7 @@ static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array
 static inline void derivative_pressed_regions__touching_shift_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point);
 static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t);
 static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t);
+static inline int64_t derivative_pressed_regions__raise_wheel_t(array_double_1d work, array_lanes_1d work_t, bool sunk);
 static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point);
 static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point);
 static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);

@@ -15,10 +15,18 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
 
 /* normal/analyn_contact.py */
 static inline void analyn_contact__analyn_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline int64_t analyn_contact__fill_from_analyn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t count);
 static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration);
 static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration);
 static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration);
+
+/* normal/auto_contact.py */
+static inline void auto_contact__auto_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline double auto_contact__strips_share(double error);
+static inline double auto_contact__total_load(array_double_1d work, int64_t count);
+static inline int64_t auto_contact__scale_patches(array_double_1d work, int64_t side, double factor, int64_t count);
+static inline int64_t auto_contact__scale_patch(array_double_1d work, int64_t patch, double factor);
 
 /* normal/coefficients.py */
 static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double ratio);
@@ -46,6 +54,10 @@ static inline void hertz_contact__press_ellipse(double* out_0, double* out_1, do
 static inline void hertz_contact__profile_ends(double* low_out, double* high_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region);
 static OUT_OF_LINE double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double low, double high);
 static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest);
+
+/* normal/model_error.py */
+static inline double model_error__analyn_error(array_double_1d work, array_double_1d tables, int64_t count);
+static inline void model_error__curvature_change(double* load_out, double* changes_out, array_double_1d work, int64_t region, int64_t nodes, int64_t window);
 
 /* normal/node_patches.py */
 static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t side, int64_t count);
@@ -549,12 +561,19 @@ static inline void analyn_contact__analyn_contact(double* penetration_out, int64
     analyn_contact__solve_analyn(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
     if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
     {
-        frame__locate_along_track(tables, work, pair, count);
-        node_patches__fill_from_nodes(work, side, count);
+        analyn_contact__fill_from_analyn(tables, work, pair, side, count);
     }
     *penetration_out = penetration;
     *count_out = count;
     *satisfied_out = satisfied;
+}
+
+/* Fill the patches of a side from ``count`` regions that carry their loads. */
+static inline int64_t analyn_contact__fill_from_analyn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t count)
+{
+    frame__locate_along_track(tables, work, pair, count);
+    node_patches__fill_from_nodes(work, side, count);
+    return 0;
 }
 
 /* Penetration [m] and number of regions under ``force`` [N], or at ``prescribed`` penetration [m] if that
@@ -686,6 +705,141 @@ static inline void analyn_contact__solve_fine(double* penetration_out, bool* sat
     }
     *penetration_out = penetration;
     *satisfied_out = satisfied;
+}
+
+
+/* ---- From normal/auto_contact.py; change that one.
+ *
+ * ANALYN where it is within its field, strips elsewhere, by the estimate of ANALYN's error (model_error).
+ *
+ * Strips have the share
+ *
+ *     w = u^2 (3 - 2 u),   u = (error - FIRST) / (FULL - FIRST),   within 0 ... 1                  (E3)
+ *
+ * At w = 0 the answer is ANALYN's, at w = 1 the strips', both to the last bit.  Between them both are solved: the
+ * penetration under a force, or the load at a penetration, is (1 - w) of ANALYN's and w of the strips', so that
+ * heights and loads follow the pose without a step.  As soon as strips have a share the patches are theirs,
+ * multiplied so that they carry the load: areas and pressures step at FIRST from one model's to the other's.
+ *
+ * The answer depends on the pose alone: there is no memory that would keep a model on.  Where strips find
+ * nothing, ANALYN's answer stays.
+ */
+
+/* Fill the patches of a side by ANALYN or strips if they are wanted; penetration [m], number of regions,
+ * and whether the force is satisfied.  First trials of an equilibrium are ANALYN's.
+ */
+static inline void auto_contact__auto_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+{
+    bool sunk, satisfied, solved;
+    double penetration, error, share, load, found;
+    int64_t count, strip_count;
+    sunk = !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0);
+    analyn_contact__solve_analyn(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
+    error = auto_contact__FULL;
+    if (satisfied)
+    {
+        error = model_error__analyn_error(work, tables, count);
+    }
+    share = auto_contact__strips_share(error);
+    AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = error;
+    if (share > 0.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0))
+    {
+        load = auto_contact__total_load(work, count);
+        pressed_regions__raise_wheel(work, sunk);
+        strip_contact__strip_contact(&found, &strip_count, &solved, tables, work, pair, side, force, prescribed);
+        if (solved)
+        {
+            AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = error * (1.0 - share * (1.0 - model_error__STRIPS_MISS));
+            if (satisfied && share < 1.0)
+            {
+                found = penetration + share * (found - penetration);
+                if (isfinite(prescribed) && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
+                {
+                    auto_contact__scale_patches(work, side, share + (1.0 - share) * load / AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD), strip_count);
+                }
+            }
+            *penetration_out = found;
+            *count_out = strip_count;
+            *satisfied_out = true;
+            return;
+        }
+        pressed_regions__raise_wheel(work, sunk);
+        analyn_contact__analyn_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
+    }
+    else if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
+    {
+        analyn_contact__fill_from_analyn(tables, work, pair, side, count);
+    }
+    *penetration_out = penetration;
+    *count_out = count;
+    *satisfied_out = satisfied;
+}
+
+/* The share of the strips at this estimate of ANALYN's error; eq. (E3). */
+static inline double auto_contact__strips_share(double error)
+{
+    double u;
+    u = double_min(double_max((error - auto_contact__FIRST) / (auto_contact__FULL - auto_contact__FIRST), 0.0), 1.0);
+    return u * u * (3.0 - 2.0 * u);
+}
+
+/* What ``count`` regions of ANALYN carry together [N]. */
+static inline double auto_contact__total_load(array_double_1d work, int64_t count)
+{
+    double load;
+    int64_t index;
+    load = 0.0;
+    for (index = 0; index < count; index += 1)
+    {
+        load += AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_LOAD);
+    }
+    return load;
+}
+
+/* Multiply the loads and pressures of a side's patches, which lie in ``count`` regions, by ``factor``. */
+static inline int64_t auto_contact__scale_patches(array_double_1d work, int64_t side, double factor, int64_t count)
+{
+    int64_t index, region, number, number_end;
+    for (index = 0; index < count; index += 1)
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        AT(work, region + layout__REGION_CARRIED) *= factor;
+        AT(work, region + layout__REGION_MOMENT) *= factor;
+        AT(work, region + layout__REGION_STIFFNESS) *= factor;
+    }
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        auto_contact__scale_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, factor);
+    }
+    AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) *= factor;
+    AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD) *= factor;
+    AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT) *= factor;
+    return 0;
+}
+
+/* Multiply load and pressures of a patch, which lies on ``strips``, by ``factor``. */
+static inline int64_t auto_contact__scale_patch(array_double_1d work, int64_t patch, double factor)
+{
+    int64_t totals, index, k, strip, k_end;
+    totals = patch + layout__PATCH_TOTALS;
+    AT(work, totals + layout__PATCH_TOTALS_LOAD) *= factor;
+    AT(work, totals + layout__PATCH_TOTALS_MOMENT) *= factor;
+    AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) *= factor;
+    AT(work, patch + layout__PATCH_PRESSURE_SQUARE) *= factor * factor;
+    for (index = 0; index < layout__REGION_LIMIT; index += 1)
+    {
+        AT(work, patch + layout__PATCH_LOADS + index) *= factor;
+        AT(work, patch + layout__PATCH_MOMENTS + index) *= factor;
+    }
+    k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
+    for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
+        AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) *= factor;
+        AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) *= factor * factor;
+    }
+    return 0;
 }
 
 
@@ -1152,6 +1306,78 @@ static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, ar
         B = double_min(B * share * share, hertz_contact__SHARPEST * A);
     }
     return B;
+}
+
+
+/* ---- From normal/model_error.py; change that one.
+ *
+ * An estimate of ANALYN's error in the peak pressure, from the nodes that it has anyway.
+ *
+ * ANALYN is exact where A and B are constant; its strips know nothing of each other.  What it misses comes with
+ * lateral curvatures that change within the patch.  With the windowed curvature B_k at node k, and w nodes the
+ * window of it, the change that a straight line through both sides does not explain is
+ *
+ *     c_k = |B_(k-w) - 2 B_k + B_(k+w)| / (B_(k-w) + 2 B_k + B_(k+w)),    0 <= c_k <= 1           (E1)
+ *
+ * and with its mean over the load, q the line loads of all regions,
+ *
+ *     error = LEAST + RATE sum q_k c_k / sum q_k                                                  (E2)
+ *
+ * Chosen against the half-space on two thirds of 1800 wheels at random poses, new, worn and measured profiles
+ * (docs/theory/analyn.md says how far it holds on the last third).
+ */
+
+/* Estimate of ANALYN's error in the peak pressure [-], once its regions carry their load; eq. (E2). */
+static inline double model_error__analyn_error(array_double_1d work, array_double_1d tables, int64_t count)
+{
+    int64_t window, index, region;
+    double load, changes, own, change, error;
+    window = nodes__window_nodes(tables);
+    load = 0.0;
+    changes = 0.0;
+    for (index = 0; index < count; index += 1)
+    {
+        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+        if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > 0.0)
+        {
+            model_error__curvature_change(&own, &change, work, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, window);
+            load += own * AT(work, region + layout__REGION_SPACING);
+            changes += change * AT(work, region + layout__REGION_SPACING);
+        }
+    }
+    error = 0.0;
+    if (load > 0.0)
+    {
+        error = model_error__LEAST + model_error__RATE * changes / load;
+    }
+    return error;
+}
+
+/* Sums of q and of q c over the nodes of a region [N/m]; eq. (E1).  Beyond the first and the last node B
+ * is that of the end.
+ */
+static inline void model_error__curvature_change(double* load_out, double* changes_out, array_double_1d work, int64_t region, int64_t nodes, int64_t window)
+{
+    double load, changes, d, low, high, twice, own;
+    int64_t k, k_end;
+    load = 0.0;
+    changes = 0.0;
+    k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
+    for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
+    {
+        d = AT(work, region + layout__REGION_LOCAL_PENETRATION) - AT(work, nodes + layout__NODES_RISE + 128 + k);
+        if (d > 0.0)
+        {
+            low = AT(work, nodes + layout__NODES_B + 128 + int64_max(k - window, (int64_t)AT(work, region + layout__REGION_FIRST)));
+            high = AT(work, nodes + layout__NODES_B + 128 + int64_min(k + window, (int64_t)AT(work, region + layout__REGION_LAST)));
+            twice = 2.0 * AT(work, nodes + layout__NODES_B + 128 + k);
+            own = AT(work, nodes + layout__NODES_LINE + 128 + k) * d;
+            load += own;
+            changes += own * fabs(low - twice + high) / (low + twice + high);
+        }
+    }
+    *load_out = load;
+    *changes_out = changes;
 }
 
 
@@ -1830,6 +2056,14 @@ static inline void normal_contact__solve_normal(double* penetration_out, int64_t
     else if (model == layout__MODEL_ANALYN)
     {
         analyn_contact__analyn_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
+        if (AT(tables, layout__TABLES_ERROR) == 1.0 && satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
+        {
+            AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = model_error__analyn_error(work, tables, count);
+        }
+    }
+    else if (model == layout__MODEL_AUTO)
+    {
+        auto_contact__auto_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
     }
     else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0)
     {
@@ -1847,7 +2081,7 @@ static inline void normal_contact__solve_normal(double* penetration_out, int64_t
 /* Whether the model has a form for the first trials of an equilibrium, a per cent off. */
 static inline bool normal_contact__has_coarse_form(array_double_1d tables)
 {
-    return (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_ANALYN_STRIP;
+    return (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_ANALYN_STRIP || (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_AUTO;
 }
 
 /* About how fast the penetration under a force falls behind the depth, where a wheel is pressed deeper.

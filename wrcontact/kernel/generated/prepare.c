@@ -1662,6 +1662,7 @@ static inline int64_t prepare_tables__write_methods(array_double_1d setup, array
     AT(tables, layout__TABLES_TANGENTIAL) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL);
     AT(tables, layout__TABLES_WEAR) = (double)(AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_WEAR_OUTPUTS) != 0.0);
     AT(tables, layout__TABLES_FATIGUE) = (double)(AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_FATIGUE_OUTPUTS) != 0.0);
+    AT(tables, layout__TABLES_ERROR) = (double)(AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_ERROR_OUTPUTS) != 0.0);
     AT(tables, layout__TABLES_NORMAL_MODEL) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL);
     AT(tables, layout__TABLES_SEPARATION) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_SEPARATION);
     AT(tables, layout__TABLES_LONGITUDINAL) = (double)AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LONGITUDINAL_CURVATURE);
@@ -1764,6 +1765,7 @@ static inline int64_t prepare_tables__write_rail(array_double_1d setup, array_do
 static inline int64_t prepare_tables__write_common(array_double_1d setup, array_double_1d tables, array_double_1d fixed)
 {
     int64_t at;
+    double model;
     AT(tables, layout__TABLES_HERTZ) = (double)layout__SETTING_COUNT;
     at = prepare_tables__append_fixed(tables, layout__SETTING_COUNT, fixed, prepare_tables__FIXED_HERTZ);
     if (at != prepare_pieces__FULL)
@@ -1771,7 +1773,8 @@ static inline int64_t prepare_tables__write_common(array_double_1d setup, array_
         AT(tables, layout__TABLES_INFLUENCE) = (double)at;
         at = prepare_tables__append_fixed(tables, at, fixed, prepare_tables__FIXED_INFLUENCE);
     }
-    if (at != prepare_pieces__FULL && AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL) == layout__MODEL_ANALYN_STRIP)
+    model = AT(setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL);
+    if (at != prepare_pieces__FULL && (model == layout__MODEL_ANALYN_STRIP || model == layout__MODEL_AUTO))
     {
         AT(tables, layout__TABLES_WAVES) = (double)at;
         at = prepare_tables__append_waves(tables, at, (int64_t)AT(setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIPS));

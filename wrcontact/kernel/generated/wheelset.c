@@ -2335,6 +2335,7 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
         rolling = requested__is_rolling(work, tables, layout__WORK_INPUTS);
         report__report_load(work, side, out, mirror, rolling);
         AT(work, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND) = report__found_rate(tables, work, index);
+        AT(work, out + layout__SIDE_OUTPUTS_MODEL_ERROR) = AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR);
         report__report_deflection(work, tables, side, out, mirror);
         report__report_patches(work, side, out, mirror, rolling);
         if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
@@ -4392,6 +4393,7 @@ static inline bool side__is_end(array_double_1d tables, int64_t profile, double 
 static inline int64_t side__clear_side(array_double_1d work, int64_t side)
 {
     AT(work, side + layout__SIDE_SEARCH_PENETRATION) = 0.0;
+    AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = 0.0;
     filling__clear_patches(work, side);
     return 0;
 }
