@@ -1,7 +1,7 @@
 """Errors in what an engineer is asked for: (name, old, new, meaning, the file that sees it, module) for planted.py."""
 
 LINEAR, CLIMBING = "linear/test_linear.py", "results/test_climbing.py"
-TRACK = "track/test_track.py"
+TRACK, EXPORT = "track/test_track.py", "export/test_export.py"
 
 ASKED = [
     (
@@ -83,5 +83,21 @@ ASKED = [
         "a density over waves per metre is taken for one over the wave number",
         TRACK,
         "wrcontact/track/spectra.py",
+    ),
+    (
+        "export_pitch",
+        "vpitch=-wheel.wheel_rate_found if rolls",
+        "vpitch=wheel.wheel_rate_found if rolls",
+        "CONTACT's wheels roll backwards",
+        EXPORT,
+        "wrcontact/export/contact.py",
+    ),
+    (
+        "export_upright",
+        'inclination=given["rail_inclination"],\n        gauge=',
+        "inclination=0.0,\n        gauge=",
+        "CONTACT's rails stand upright",
+        EXPORT,
+        "wrcontact/export/contact.py",
     ),
 ]

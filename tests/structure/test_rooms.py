@@ -38,6 +38,7 @@ ORDER = (
     "system",
     "wheel",
     "track",
+    "export",
     "sweeps",
     "simulation",
     "conditioning",
