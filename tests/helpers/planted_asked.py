@@ -2,6 +2,7 @@
 
 LINEAR, CLIMBING = "linear/test_linear.py", "results/test_climbing.py"
 TRACK, EXPORT = "track/test_track.py", "export/test_export.py"
+FILLETS = "profiles/test_fillets.py"
 
 ASKED = [
     (
@@ -99,5 +100,21 @@ ASKED = [
         "CONTACT's rails stand upright",
         EXPORT,
         "wrcontact/export/contact.py",
+    ),
+    (
+        "fillet_side",
+        "side = 1 if ends[1] < ends[0] else -1",
+        "side = -1 if ends[1] < ends[0] else 1",
+        "the arc of a corner lies outside of it",
+        FILLETS,
+        "wrcontact/profiles/fillets.py",
+    ),
+    (
+        "fillet_moved",
+        "height - centre[1]) - radius)",
+        "height - centre[1]) - 2.0 * radius)",
+        "rounding tells another distance than it moves",
+        FILLETS,
+        "wrcontact/profiles/fillets.py",
     ),
 ]
