@@ -145,6 +145,18 @@ def test_the_option_of_files_and_names(tmp_path):
         ProfileFile("S1002", corner_radius=2.0)
 
 
+def test_an_fmu_packs_the_rounded_profile():
+    """Under a name of its own: the standard name would be read as the standard profile."""
+    from wrcontact.fmu.archive import chosen_starts
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        starts, profiles = chosen_starts(wheel_profile=ProfileFile("EN15302-H", corner_radius=2e-3))
+    assert starts["wheel_profile"] == "EN15302-H-corners-2mm.json"
+    wanted, _ = rounded(standard_profile("EN15302-H"), 2e-3)
+    assert profiles[starts["wheel_profile"]].zones == wanted.zones
+
+
 def test_the_option_of_the_command_line(run):
     code, out, err = run(
         "solve", "--wheel", "EN15302-H", "--wheel-corner-radius-mm", 2, "--lateral-shift-mm", 1
