@@ -77,7 +77,7 @@ __all__ = [
 ]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
-_LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study", "track", "wear"})
+_LATER = frozenset({"conditioning", "export", "fleet", "halfspace", "plots", "study", "track", "wear"})
 
 
 def __getattr__(name):

@@ -6,6 +6,7 @@ from os import PathLike
 from typing import Any, Literal
 
 from . import conditioning as conditioning
+from . import export as export
 from . import fleet as fleet
 from . import halfspace as halfspace
 from . import plots as plots

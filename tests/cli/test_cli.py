@@ -17,7 +17,7 @@ from wrcontact.kernel import layout
 from wrcontact.methods import CHOICES
 from wrcontact.results.convert import columns_of
 
-COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "profiles", "figures")
+COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "profiles", "export", "figures")
 
 
 # --- solve ----------------------------------------------------------------------------------------

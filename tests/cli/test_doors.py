@@ -13,7 +13,7 @@ from wrcontact.cli.options import POSE, SYSTEM, name_of, option_of
 from wrcontact.cli.typed import of_file, typed
 from wrcontact.methods import CHOICES
 
-COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "profiles", "figures")
+COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "profiles", "export", "figures")
 MOST_LINES = 90  # of a help text: two screens
 
 

@@ -1,7 +1,8 @@
 """Errors in what an engineer is asked for: (name, old, new, meaning, the file that sees it, module) for planted.py."""
 
 LINEAR, CLIMBING = "linear/test_linear.py", "results/test_climbing.py"
-TRACK = "track/test_track.py"
+TRACK, EXPORT = "track/test_track.py", "export/test_export.py"
+FILLETS = "profiles/test_fillets.py"
 
 ASKED = [
     (
@@ -83,5 +84,37 @@ ASKED = [
         "a density over waves per metre is taken for one over the wave number",
         TRACK,
         "wrcontact/track/spectra.py",
+    ),
+    (
+        "export_pitch",
+        "vpitch=-wheel.wheel_rate_found if rolls",
+        "vpitch=wheel.wheel_rate_found if rolls",
+        "CONTACT's wheels roll backwards",
+        EXPORT,
+        "wrcontact/export/contact.py",
+    ),
+    (
+        "export_upright",
+        'inclination=given["rail_inclination"],\n        gauge=',
+        "inclination=0.0,\n        gauge=",
+        "CONTACT's rails stand upright",
+        EXPORT,
+        "wrcontact/export/contact.py",
+    ),
+    (
+        "fillet_side",
+        "side = 1 if ends[1] < ends[0] else -1",
+        "side = -1 if ends[1] < ends[0] else 1",
+        "the arc of a corner lies outside of it",
+        FILLETS,
+        "wrcontact/profiles/fillets.py",
+    ),
+    (
+        "fillet_moved",
+        "height - centre[1]) - radius)",
+        "height - centre[1]) - 2.0 * radius)",
+        "rounding tells another distance than it moves",
+        FILLETS,
+        "wrcontact/profiles/fillets.py",
     ),
 ]

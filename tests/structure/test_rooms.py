@@ -40,6 +40,7 @@ ORDER = (
     "system",
     "wheel",
     "track",
+    "export",
     "sweeps",
     "simulation",
     "conditioning",

@@ -1,4 +1,4 @@
-"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check``, ``wear``, ``profiles`` and ``figures``."""
+"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check``, ``wear``, ``profiles``, ``export`` and ``figures``."""
 
 import os
 import sys
@@ -12,7 +12,6 @@ from ..interface.friction import FRICTION
 from ..kernel.binding.files import PLATFORMS
 from ..methods import CHOICES
 from ..methods.words import did_you_mean
-from ..profiles.files import SMOOTHING
 from ..profiles.remarks import ProfileWarning, remarks_in_lines
 from ..progress import in_lines, working
 from ..status import Status
@@ -20,12 +19,12 @@ from ..system import ContactSystem
 from ..version import __version__
 from .catalogue import profiles
 from .door import Door, Refused, check_file, check_folder, sentences
+from .export import export
 from .grids import grid_options, refuse_beside_axes, sweeps_grids, write_grid
-from .groups import FILES
 from .help import Command, with_all
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
 from .pictures import PICTURES, draws
-from .profile_files import reads_files, with_left_side
+from .profile_files import Smoothing, reads_files, with_left_side
 from .report import (
     Remark,
     has_model,
@@ -69,28 +68,6 @@ def _both(batch):
             "folder, a pattern, a file or a name"
         )
     return batch
-
-
-def micrometres(text):
-    """A smoothing in um; typer's BadParameter outside its range."""
-    value, limit = number(text), SMOOTHING.high * 1e6
-    if not SMOOTHING.low <= value <= limit:
-        raise typer.BadParameter(f"{text!r} is out of range; permitted is {SMOOTHING.low:g} ... {limit:g} um")
-    return value
-
-
-Smoothing = Annotated[
-    float | None,
-    typer.Option(
-        "--smoothing-um",
-        parser=micrometres,
-        metavar="NUMBER",
-        hidden=True,
-        rich_help_panel=FILES,
-        help="Smoothing of profile files: root mean square distance between the curve and the points, in um; 0 "
-        "goes through every point (default: the estimated noise of the points)",
-    ),
-]
 
 
 def _print_version(wanted):
@@ -437,6 +414,9 @@ def check(
 
 main.command(cls=Command, rich_help_panel=CONTACT)(with_all(reads_files(takes(geometry=GEOMETRY)(wear))))
 main.command(cls=Command, rich_help_panel=CONTACT)(profiles)
+main.command(cls=Command, rich_help_panel=CONTACT)(
+    with_all(reads_files(takes(pose=POSE, system=SYSTEM)(export)))
+)
 
 
 @main.command(cls=Command, rich_help_panel=STUDY)

@@ -6,10 +6,12 @@ from typing import Annotated
 
 import typer
 
+from ..profiles.files import SMOOTHING
 from ..profiles.options import ENDINGS, ProfileFile, parsed
 from ..profiles.options import WORDS as FILE_WORDS
 from .door import Refused, sentences
 from .groups import FILES
+from .options import number
 
 KINDS = ("wheel", "rail")
 
@@ -109,3 +111,25 @@ def _parser(name):
             raise typer.BadParameter(str(wrong)) from None
 
     return parse
+
+
+def micrometres(text):
+    """A smoothing in um; typer's BadParameter outside its range."""
+    value, limit = number(text), SMOOTHING.high * 1e6
+    if not SMOOTHING.low <= value <= limit:
+        raise typer.BadParameter(f"{text!r} is out of range; permitted is {SMOOTHING.low:g} ... {limit:g} um")
+    return value
+
+
+Smoothing = Annotated[
+    float | None,
+    typer.Option(
+        "--smoothing-um",
+        parser=micrometres,
+        metavar="NUMBER",
+        hidden=True,
+        rich_help_panel=FILES,
+        help="Smoothing of profile files: root mean square distance between the curve and the points, in um; 0 "
+        "goes through every point (default: the estimated noise of the points)",
+    ),
+]

@@ -7,7 +7,9 @@ import zipfile
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
+from ..conventions import MILLIMETRE
 from ..profiles.catalogue import standard_name
+from ..profiles.options import ProfileFile
 from ..system import ContactSystem
 from .online import PACKAGE
 from .rest import at_rest
@@ -38,7 +40,7 @@ def chosen_starts(smoothing=None, settings=None, side="", **chosen):
         **keywords_of(settings),
         smoothing=smoothing,
     )
-    starts = {parameter: str(name) for parameter, name in given.items()}
+    starts = {parameter: _called(name) for parameter, name in given.items()}
     starts |= {
         parameter: standard_name(name)
         for parameter, name in starts.items()
@@ -60,6 +62,19 @@ def chosen_starts(smoothing=None, settings=None, side="", **chosen):
     return {**settings, **resting, **starts, **files}, {
         file: profiles[parameter] for parameter, file in files.items()
     }
+
+
+def _called(source):
+    """What a profile is called in the FMU: its path or name; one with its corners rounded is no longer the standard
+    profile, and has a name of its own."""
+    if (
+        isinstance(source, ProfileFile)
+        and source.corner_radius is not None
+        and not Path(source.path).is_file()
+    ):
+        radius = source.corner_radius / MILLIMETRE
+        return f"{str(source).replace('/', '-')}-corners-{radius:g}mm.json"
+    return str(source)
 
 
 def _split(chosen):

@@ -65,6 +65,8 @@ def find_profile(source, kind, smoothing=None, argument=None, track=None):
         return standard_profile(source)
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return read_profile(ProfileFile(source), kind, smoothing, Profile, track)
+    if isinstance(source, ProfileFile) and source.given == ["corner_radius"]:
+        return find_profile(os.fspath(source.path), kind, argument=argument).rounded(source.corner_radius)
     missing = ", and there is no such file" if _looks_like_a_path(source) else ""
     others = ", the path of a profile file, or a Profile"
     return named_profile(source, kind, argument or kind, others, missing, SWAPPED)

@@ -59,7 +59,7 @@ def read_profile(file, kind, smoothing, make, track=None):
         text = _text(path)
         _check_options(file, kind, prepared=text.lstrip().startswith("{"))
         if text.lstrip().startswith("{"):
-            return prepared_profile(text, kind, make)
+            return _with_corners(prepared_profile(text, kind, make), file)
         name, extension = os.path.splitext(os.path.basename(path))
         points = read_points(text, extension.lower(), kind, file.select)
         remarks = [*points.remarks]
@@ -69,7 +69,12 @@ def read_profile(file, kind, smoothing, make, track=None):
     except Refusal as problem:
         raise ValueError(f"{kind} profile {path} {problem}") from None
     remark(kind, os.path.basename(path), remarks)
-    return profile
+    return _with_corners(profile, file)
+
+
+def _with_corners(profile, file):
+    """The ``profile`` with its corners as the options of the ``file`` ask for."""
+    return profile if file.corner_radius is None else profile.rounded(file.corner_radius)
 
 
 def smoothing_in_mm(smoothing):
@@ -81,8 +86,9 @@ def smoothing_in_mm(smoothing):
 
 def _check_options(file, kind, *, prepared):
     """Refuse options that this file does not use."""
-    if prepared and file.given:
-        name = file.given[0]
+    others = [name for name in file.given if name != "corner_radius"]
+    if prepared and others:
+        name = others[0]
         raise Refusal(
             f"is a prepared profile, which is not changed; {name} is {getattr(file, name)!r}; "
             "permitted is that for files of points"

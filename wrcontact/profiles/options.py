@@ -19,6 +19,7 @@ WORDS = {
     "0.025; it is turned upright before --rail-inclination applies; 0 is upright",
     "select": "Which profile of a file with several: its number, from 1, or its name",
     "y_range": "Use only the points between two values of y in the file, such as -70,5, in mm",
+    "corner_radius": "Round the corners of the profile by arcs of this radius, in mm; also of a named profile",
 }
 #: Options on the command line: the end of each name.
 ENDINGS = {
@@ -29,10 +30,13 @@ ENDINGS = {
     "file_inclination": "file-inclination",
     "select": "select",
     "y_range": "y-range-mm",
+    "corner_radius": "corner-radius-mm",
 }
 ROTATE = Number(0.0, -math.pi, math.pi, "rad", "Rotation of the points about x, from y to z")
 SHIFT = Number(0.0, -1.0, 1.0, "m", "Shift of the points")
+CORNER = Number(None, 1e-6, 0.1, "m", "Radius of the arcs that round the corners of a profile")
 FORMS = {
+    "corner_radius": "a number",
     "rotate": "a number",
     "shift": "two numbers Y,Z",
     "y_range": "two rising numbers FROM,TO",
@@ -64,6 +68,9 @@ class ProfileFile:
     select : which profile of a file with several: its number, from 1, or its name.
     y_range : (from, to), the y of the points in the file that are used, before all else [m]: one profile out
         of two that a file has side by side.  None uses all.
+    corner_radius : radius of the arcs that round the corners of the profile at last [m], as
+        :meth:`Profile.rounded`; with it alone ``path`` may also be the name of a standard profile, or a prepared file.
+        None leaves them.
 
     Raises
     ------
@@ -79,6 +86,7 @@ class ProfileFile:
     file_inclination: float | None = None
     select: int | str | None = None
     y_range: tuple[float, float] | None = None
+    corner_radius: float | None = None
 
     def __post_init__(self):
         for name in ("mirror_y", "mirror_z"):
@@ -94,6 +102,7 @@ class ProfileFile:
             "shift",
             tuple(SHIFT.checked(f"shift in {axis}", part) for axis, part in zip("yz", self.shift)),
         )
+        keep(self, "corner_radius", CORNER.checked("corner_radius", self.corner_radius))
         if self.y_range is not None:
             keep(self, "y_range", _checked_range(self.y_range))
         number = isinstance(self.select, Integral) and not isinstance(self.select, bool)
@@ -153,6 +162,13 @@ def parsed(name, text):
             value, limit, unit = float(text), math.degrees(ROTATE.high), "deg"
             if abs(value) <= limit:
                 return math.radians(value)
+        elif name == "corner_radius":
+            value = float(text)
+            if CORNER.low <= value * MM <= CORNER.high:
+                return value * MM
+            raise ValueError(
+                f"{text!r} is out of range; permitted is {CORNER.low / MM:g} ... {CORNER.high / MM:g} mm"
+            )
         elif name in ("shift", "y_range"):
             values, limit, unit = [float(part) for part in text.split(",")], SHIFT.high / MM, "mm"
             if len(values) != 2 or name == "y_range" and not values[0] < values[1]:

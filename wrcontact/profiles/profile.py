@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from os import PathLike
 from typing import Any
@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..conventions import MILLIMETRE as MM
+from ..methods.numbers import is_plain
 from ..storage.atomic import write_atomically
 from .definition import definition
 from .files import read_profile, zones_through
@@ -135,8 +136,8 @@ class Profile:
         kind : "wheel" or "rail".
         smoothing : root mean square distance [m] between the smoothing spline and the points, 0 ... 0.5e-3; 0
             goes through every point; None is the estimated noise of the points.
-        options : mirror_y, mirror_z, rotate [rad], shift (y, z) [m], file_inclination, select, y_range [m]: what the file
-            does not say itself, as in :class:`~wrcontact.ProfileFile`.
+        options : mirror_y, mirror_z, rotate [rad], shift (y, z) [m], file_inclination, select, y_range [m],
+            corner_radius [m]: what the file does not say itself, as in :class:`~wrcontact.ProfileFile`.
 
         Raises
         ------
@@ -178,6 +179,27 @@ class Profile:
             if the points are too few, not finite, not rising in y, or do not have the size of a profile.
         """
         return cls(name, kind, zones_through(y, z, name, kind))
+
+    def rounded(self, radius: float) -> Profile:
+        """The profile with each of its corners rounded by an arc of a ``radius`` [m] that is tangential to both
+        sides.
+
+        How far the profile moves at most is told by a :class:`~wrcontact.ProfileWarning`: about
+        radius (1 / cos(turn / 2) - 1).  A corner that is left is rounded when a system is made of the profile,
+        to about 1 mm or over 0.1 mm.
+
+        Raises
+        ------
+        ValueError
+            if the radius is not above 0, or an arc does not fit between the neighbours of its corner.
+        """
+        from .fillets import fillet_remarks, rounded_zones  # not needed before a corner is rounded
+
+        if not is_plain(radius) or not 0.0 < radius <= 1.0:
+            raise ValueError(f"radius is {radius!r}; permitted are numbers above 0 and up to 1, in m")
+        zones, moved = rounded_zones(self, radius / MM)
+        remark(self.kind, self.name, fillet_remarks(moved, radius / MM))
+        return replace(self, zones=zones)
 
     def definition(self):
         """The zones as one array (n,), which the kernel's preparation reads."""

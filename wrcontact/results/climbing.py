@@ -1,9 +1,9 @@
 """Flange climb and track shift: limits, margins to them, and the report of a run.
 
 >>> import math, wrcontact
->>> round(wrcontact.nadal_limit(math.radians(70.0), 0.36), 2)
+>>> round(float(wrcontact.nadal_limit(math.radians(70.0), 0.36)), 2)
 1.2
->>> round(wrcontact.track_shift_limit(157e3) / 1e3, 1)     # [kN]
+>>> round(float(wrcontact.track_shift_limit(157e3)) / 1e3, 1)     # [kN]
 62.3
 """
 
