@@ -7,7 +7,7 @@ import wrcontact
 from data.noisy_profiles import noisy_points
 from tests.helpers.inside import tables_of
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import bounds, rising_cell, roll
+from wrcontact.kernel.search import bounds, own_bounds, rising_cell, roll
 from wrcontact.kernel.search import bounds as raster
 from wrcontact.kernel.surface import gap, locus
 from wrcontact.profiles.compiled import evaluate_table
@@ -87,6 +87,31 @@ def test_a_cell_that_is_certified_to_rise_does(count):
                 joined += np.ptp(bends) > 5.0  # the curvature jumps in the cell
             rising += np.all(steps > 0.0)
     assert certified > 0.85 * rising > 12 * count and joined > count
+
+
+@pytest.mark.parametrize("width, wider", [(1e-6, 1.03), (1e-5, 1.25)])
+def test_bounds_of_small_parts_are_hardly_wider_than_what_they_bound(width, wider):
+    """Second derivatives and slopes of the wheel, sampled; S1002's led-over steps and joints among them."""
+    system = wrcontact.ContactSystem()
+    tables = layout.Tables.at(tables_of(system))
+    table, wheel = system.profile_tables()[0], tables.pairs[1].wheel
+    joints = np.array([joint.y for joint in system.wheel.joints])
+    random = np.random.default_rng(3).uniform(-0.05, 0.04, 200)
+    bent = 0
+    for low in [*random, *(joints - 0.5 * width), *(joints + 1e-4), *(joints - 1e-4)]:
+        least, most, steepest = own_bounds.bends_between(wheel, low, low + width)
+        y = np.linspace(low, low + width, 41)[:-1]
+        _, slope, bend = evaluate_table(table, y)
+        assert least <= bend.min() + 1e-9 and most >= bend.max() - 1e-9, low
+        assert (
+            np.abs(slope).max()
+            <= steepest + 1e-12
+            < np.abs(slope).max() + 2.0 * width * np.abs(bend).max() + 1e-9
+        )
+        if np.ptp(bend) > 1e-6:
+            bent += 1
+            assert most - least < wider * 40 / 39 * np.ptp(bend) + 1e-9, low
+    assert bent > 100
 
 
 def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():

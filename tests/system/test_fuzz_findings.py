@@ -78,6 +78,112 @@ def test_poses_that_were_wrong_once(why):
     assert min(state.left.penetration, state.right.penetration) > 0
 
 
+#: Strips of which some pull.  Once all of them together pulled, with status 0; the direction of a force was not
+#: that of its strips, so that a vertical load was missed, by a quarter where ANALYN had no answer.
+ONCE_PULLING = {
+    "all strips of a flange root that hardly touches": (
+        dict(
+            rail_inclination=0.0,
+            gauge=1.4365844353041164,
+            nominal_radius=0.383966012552166,
+            contact_mode="compliant",
+            longitudinal_curvature="basic",
+            lateral_curvature="smooth",
+        ),
+        dict(
+            lateral_shift=0.007000490498649822,
+            yaw=-2.3459433332746724e-09,
+            normal_force=0.4375431956075317,
+            load_transfer=0.5248083326590911,
+            vertical_shift_input=-0.0006852608690164824,
+            roll_input=-0.0011764795821560862,
+        ),
+        {Status.NOT_CONVERGED},
+    ),
+    "all strips, where vertical parts add up to a load": (
+        dict(
+            nominal_radius=0.4403085046870089,
+            rail_inclination=0.0,
+            gauge=1.4453486547610337,
+            load="vertical",
+            separation="equidistant_chord",
+            lateral_curvature="smooth",
+        ),
+        dict(
+            lateral_shift=-0.011292716480331777,
+            normal_force=0.010162831829718352,
+            load_transfer=0.6232557819396405,
+        ),
+        {Status.NOT_CONVERGED},
+    ),
+    "all strips of an elastic wheel": (
+        dict(
+            rail="60E1",
+            rail_inclination=1 / 30,
+            gauge=1.4467405630101,
+            gauge_depth=0.010887458448659777,
+            contact_mode="elastic",
+            load="vertical",
+            separation="vertical",
+            longitudinal_curvature="basic",
+            lateral_curvature="rough",
+        ),
+        dict(
+            lateral_shift=0.011264879256661406,
+            yaw=6.60828733377615e-08,
+            normal_force=0.37753014788963335,
+            load_transfer=-0.3166687714226468,
+        ),
+        {Status.VALID, Status.NOT_CONVERGED},
+    ),
+    "a whole region of four": (
+        dict(
+            rail_inclination=0.05,
+            gauge=1.4278066730570755,
+            nominal_radius=0.5032672304528599,
+            contact_mode="elastic",
+            load="vertical",
+            separation="equidistant",
+            longitudinal_curvature="basic",
+            lateral_curvature="rough",
+        ),
+        dict(
+            lateral_shift=0.002361847819849205,
+            yaw=0.03497360976124769,
+            normal_force=181095.75540086976,
+            load_transfer=0.6329157553680766,
+        ),
+        {Status.VALID},
+    ),
+    "a strip at the wrong depth": (
+        dict(
+            rail="60E1",
+            rail_inclination=0.0,
+            gauge=1.431584492630568,
+            load="vertical",
+            separation="vertical",
+            longitudinal_curvature="basic",
+            lateral_curvature="rough",
+        ),
+        dict(lateral_shift=-0.003508157806724604, yaw=-0.05676001449426614, normal_force=937157.8250046275),
+        {Status.NOT_CONVERGED},
+    ),
+}
+
+
+@pytest.mark.parametrize("which", ONCE_PULLING, ids=lambda which: which.replace(" ", "_"))
+def test_strips_that_pull_are_no_answer_or_leave_the_load_as_it_is(which):
+    parameters, pose, statuses = ONCE_PULLING[which]
+    state = wrcontact.ContactSystem(normal_model="analyn_strip", **parameters).evaluate(**pose)
+    assert state.status in statuses
+    if state.status == Status.VALID:
+        assert min(state.left.normal_force, state.right.normal_force) > 0.0
+    if parameters.get("load") == "vertical" and state.status == Status.VALID:
+        for side, sign in ((state.left, -1), (state.right, 1)):
+            wanted = pose["normal_force"] * (1 + sign * pose.get("load_transfer", 0.0))
+            assert -side.force.z == pytest.approx(wanted, rel=1e-9)
+
+
 def test_an_overlap_that_is_largest_at_a_profile_s_end_is_off_the_profile():
     """Once status 3."""
     wheel = Cut("S1002", start=-12.622386733876674).profile()

@@ -71,8 +71,10 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
         penetration, count = sink_strips(pair, contact, side, force, estimate, False)
         if count > 0 and penetration < SUNK_LESS * contact.frame.depth:
             estimate, count, known = solve_analyn(pair, contact, side, force, prescribed)
-            if known:
-                penetration, count = sink_strips(pair, contact, side, force, estimate, False)
+            if not known:
+                # the regions are now ANALYN's, and the strips stand at a wrong depth
+                return contact.frame.depth, count, False
+            penetration, count = sink_strips(pair, contact, side, force, estimate, False)
     if count == 0:
         return contact.frame.depth, 0, False
     if not penetration > 0.0:
@@ -114,20 +116,25 @@ def agrees_with_levels(tables: Tables, problem: StripProblem) -> bool:
     """Whether the load of the strips is about that of ANALYN's levels, which the sweeps leave as they are, and
     their largest pressure not far above theirs.
 
-    Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.
+    Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.  Strips that all
+    together pull are wrong, however little they carry.
     """
     load, pressure = level_contact(problem)
     parted = PARTED
     if tables.separation == SEPARATION_VERTICAL:
         parted = PARTED_VERTICAL
+    normal = 0.0
     carried = 0.0
     largest = 0.0
     for i in range(problem.count):
         strip = problem.strips[i]
+        normal += strip.half_length * strip.width * strip.y
         carried += strip.half_length * strip.width * strip.counted * strip.y
         largest = max(largest, strip.y)
     carried *= 0.5 * pi * pi * tables.contact_modulus
     largest *= pi * tables.contact_modulus
+    if not normal > 0.0:
+        return False
     if carried < LIGHTEST and load < LIGHTEST:
         return True
     return carried > load / parted and carried < load * parted and largest < pressure * parted

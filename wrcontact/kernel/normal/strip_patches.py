@@ -192,11 +192,13 @@ def load_region(tables: Tables, frame: Frame, region: Region, problem: StripProb
     region.carried = scale * load
     region.moment = scale * moment
     region.slant = 0.0
-    if load > 0.0:
+    if load != 0.0:
+        # also of a region that pulls: load times direction is the sum over its strips
         region.cos = cosines / load
         region.sin = sines / load
         if tables.load == LOAD_VERTICAL:
             region.share = upright_share(frame.place, region.cos, region.sin)
+    if load > 0.0:
         slant_region(region, problem, index, moment / load, x / load)
 
 
