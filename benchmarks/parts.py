@@ -14,7 +14,7 @@ from wrcontact.progress import tracked
 from wrcontact.study import figures
 from wrcontact.study.figure import Study
 
-from . import creep, curvature, errors, random_poses, record, rows, studies, sweeps, times, worst
+from . import creep, curvature, errors, random_poses, record, rows, studies, sweeps, times, worn_pairs, worst
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
 COUNTED = 500  # poses of a count
@@ -147,6 +147,7 @@ PARTS = {
     "skip_errors": Part(ERRORS, lambda effort: times.skip_answers()),
     "tolerances": Part(ERRORS, lambda effort: random_poses.numerics(min(effort.count, TOLERANCES))),
     "random_poses": Part(ERRORS, random_errors),
+    "worn_pairs": Part(ERRORS, worn_pairs.worn_pairs),
     "zones": Part(ERRORS, lambda effort: random_poses.by_zone()),
     "counts": Part(ERRORS, lambda effort: times.count_table(min(effort.count, COUNTED))),
     "worst_steps": Part(ERRORS, lambda effort: worst.worst_steps(100 if effort is rows.QUICK else STEPS)),

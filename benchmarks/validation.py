@@ -1,9 +1,11 @@
-"""The table of docs/evidence/validation.md: a line for each comparison with a reference."""
+"""The tables of docs/evidence/validation.md: a line for each comparison with a reference, and all models on new
+and on worn pairs."""
 
 from .creep import NEW_PATCHES
 from .errors import NEAR
 from .rows import DEFAULT_ROW, STRIP_ROW
 from .tables import figure, grid, precise, three
+from .worn_pairs import CREEP, KINDS, NORMAL, UNDER
 
 PARTS = ("model_errors", "random_poses", "conformal", "tangential_errors", "manchester", "en15302")
 #: Words of the normal models.
@@ -124,3 +126,60 @@ def conicities(found):
         "",
         f"{inside} of {amplitudes} inside its limits",
     ]
+
+
+#: Words of the models of normal contact in the table of worn pairs.
+NORMAL_WORDS = {"hertz": HERTZ, "analyn": ANALYN, "auto": "auto", "analyn_strip": STRIPS}
+
+
+def worn_table(parts):
+    """Errors of the models of normal contact on new and on worn pairs: mean; 95 %; worst."""
+    rows = parts["worn_pairs"]["rows"]["normal"]
+    return grid(
+        ["normal contact, [%]", *(f"{kind} ({rows[kind]['wheels']} wheels)" for kind in KINDS)],
+        [
+            [NORMAL_WORDS[name], *("; ".join(map(three, rows[kind][name])) for kind in KINDS)]
+            for name in NORMAL
+        ]
+        + [
+            [
+                "wheels that `auto` gives strips a part in",
+                *(f"{100 * rows[kind]['strips']:.0f}" for kind in KINDS),
+            ]
+        ],
+    )
+
+
+def worn_estimate_table(parts):
+    """What ANALYN's estimate of its error is worth."""
+    rows = parts["worn_pairs"]["rows"]["normal"]["estimate"]
+    return grid(
+        [
+            "`model_error` of ANALYN",
+            "wheels",
+            "mean estimate [%]",
+            "error of the peak pressure: mean / 95 % / worst [%]",
+        ],
+        [[label, row["wheels"], figure(row["estimate"]), three(row["error"])] for label, row in rows.items()],
+    )
+
+
+def worn_creep_table(parts):
+    """Errors of the models of creep forces on wheels of the same pairs, over both models of normal contact."""
+    rows = parts["worn_pairs"]["rows"]["creep"]
+    wheels = rows[f"{CREEP[0]}, {UNDER[0]}"]["wheels"]
+    return grid(
+        [
+            f"creep force, {wheels} wheels [% of μN]",
+            *(f"over `{under}`" for under in UNDER),
+            "signed mean of the size",
+        ],
+        [
+            [
+                f"`{name}`",
+                *(precise(rows[f"{name}, {under}"]["force"]) for under in UNDER),
+                f"{rows[f'{name}, {UNDER[-1]}']['signed']:+.2f}",
+            ]
+            for name in CREEP
+        ],
+    )

@@ -17,7 +17,7 @@ from math import isfinite
 from typing import Final
 
 from ..contact.pressed_regions import raise_wheel
-from ..layout import REGION_LIMIT, Contact, Pair, Patch, Regions, SideSearch, SolvedStrips
+from ..layout import REGION_LIMIT, Contact, Pair, Patch, Regions, SideSearch, SolvedStrips, seldom
 from .analyn_contact import analyn_contact, fill_from_analyn, solve_analyn
 from .model_error import STRIPS_MISS, analyn_error
 from .strip_contact import strip_contact
@@ -27,6 +27,7 @@ FIRST: Final[float] = 0.04
 FULL: Final[float] = 0.05
 
 
+@seldom
 def auto_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):
     """Fill the patches of a side by ANALYN or strips if they are wanted; penetration [m], number of regions,
     and whether the force is satisfied.  First trials of an equilibrium are ANALYN's."""
@@ -55,12 +56,14 @@ def auto_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, p
     return penetration, count, satisfied
 
 
+@seldom
 def strips_share(error: float):
     """The share of the strips at this estimate of ANALYN's error; eq. (E3)."""
     u = min(max((error - FIRST) / (FULL - FIRST), 0.0), 1.0)
     return u * u * (3.0 - 2.0 * u)
 
 
+@seldom
 def total_load(regions: Regions, count: int):
     """What ``count`` regions of ANALYN carry together [N]."""
     load = 0.0
@@ -69,6 +72,7 @@ def total_load(regions: Regions, count: int):
     return load
 
 
+@seldom
 def scale_patches(contact: Contact, side: SideSearch, factor: float, count: int):
     """Multiply the loads and pressures of a side's patches, which lie in ``count`` regions, by ``factor``."""
     for index in range(count):
@@ -83,6 +87,7 @@ def scale_patches(contact: Contact, side: SideSearch, factor: float, count: int)
     side.totals.moment *= factor
 
 
+@seldom
 def scale_patch(patch: Patch, strips: SolvedStrips, factor: float):
     """Multiply load and pressures of a patch, which lies on ``strips``, by ``factor``."""
     totals = patch.totals

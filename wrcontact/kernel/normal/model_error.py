@@ -17,7 +17,7 @@ Chosen against the half-space on two thirds of 1800 wheels at random poses, new,
 from math import fabs
 from typing import Final
 
-from ..layout import Nodes, NodesOfRegions, Region, Regions, Tables
+from ..layout import Nodes, NodesOfRegions, Region, Regions, Tables, seldom
 from .nodes import window_nodes
 
 #: LEAST and RATE of eq. (E2).
@@ -27,6 +27,7 @@ RATE: Final[float] = 0.23
 STRIPS_MISS: Final[float] = 0.28
 
 
+@seldom
 def analyn_error(tables: Tables, regions: Regions, nodes: NodesOfRegions, count: int):
     """Estimate of ANALYN's error in the peak pressure [-], once its regions carry their load; eq. (E2)."""
     window = window_nodes(tables)
@@ -44,6 +45,7 @@ def analyn_error(tables: Tables, regions: Regions, nodes: NodesOfRegions, count:
     return error
 
 
+@seldom
 def curvature_change(region: Region, nodes: Nodes, window: int):
     """Sums of q and of q c over the nodes of a region [N/m]; eq. (E1).  Beyond the first and the last node B
     is that of the end."""
