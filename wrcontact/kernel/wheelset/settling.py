@@ -7,12 +7,13 @@ from typing import Final
 
 from ..elementary.circle import sine_cosine
 from ..elementary.powers import cube_root
-from ..layout import NOT_CONVERGED, UNLOADED, Settling, SideSearch, Tables, Work, seldom
+from ..layout import NOT_CONVERGED, UNLOADED, Tables, Work, seldom
 from ..normal.estimate import first_penetration
 from .at_height import GRAZING
 from .settling_brackets import bracket_rail, press_rail, stand_on
 from .settling_enclosing import SETTLED, enclose_deflection, shorten_settling
-from .settling_slopes import begin_slopes, find_settling
+from .settling_newton import approach_balance
+from .settling_slopes import begin_slopes, find_settling, update_slopes
 from .side import touch_side
 from .springs import UNSETTLED, has_settled, open_settling
 
@@ -21,8 +22,8 @@ ESTIMATES: Final[int] = 5
 SAME_PLACE: Final[float] = 1e-5
 #: Newton's steps for the force of the estimate, from above.
 FORCE_STEPS: Final[int] = 12
-#: Broyden's method needs seven trials; what it has not found after so many, it will not.
-SETTLING_TRIALS: Final[int] = 25
+#: Broyden's method needs seven trials; what it has not found after so many, it seldom will.
+SETTLING_TRIALS: Final[int] = 14
 
 
 @seldom
@@ -36,6 +37,8 @@ def settle_rail(tables: Tables, work: Work, index: int, height: float):
     status = NOT_CONVERGED
     if estimate_deflection(tables, work, index, height):
         status = iterate_deflection(tables, work, index, height)
+    if status > UNLOADED:
+        status = approach_balance(tables, work, index, height)
     if status > UNLOADED:
         status = enclose_deflection(tables, work, index, height)
     if status > UNLOADED:
@@ -131,28 +134,3 @@ def iterate_deflection(tables: Tables, work: Work, index: int, height: float):
         lateral += settling.move_lateral
         vertical += settling.move_vertical
     return NOT_CONVERGED
-
-
-@seldom
-def update_slopes(settling: Settling, before_lateral: float, before_vertical: float):
-    """The derivatives that the last move has shown (Broyden 1965)."""
-    lateral = settling.move_lateral
-    vertical = settling.move_vertical
-    size = lateral * lateral + vertical * vertical
-    if size > 0.0:
-        off_lateral = (
-            settling.lateral
-            - before_lateral
-            - settling.lateral_lateral * lateral
-            - settling.lateral_vertical * vertical
-        ) / size
-        off_vertical = (
-            settling.vertical
-            - before_vertical
-            - settling.vertical_lateral * lateral
-            - settling.vertical_vertical * vertical
-        ) / size
-        settling.lateral_lateral += off_lateral * lateral
-        settling.lateral_vertical += off_lateral * vertical
-        settling.vertical_lateral += off_vertical * lateral
-        settling.vertical_vertical += off_vertical * vertical
