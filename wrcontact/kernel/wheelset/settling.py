@@ -24,6 +24,8 @@ SAME_PLACE: Final[float] = 1e-5
 FORCE_STEPS: Final[int] = 12
 #: Broyden's method needs seven trials; what it has not found after so many, it seldom will.
 SETTLING_TRIALS: Final[int] = 14
+#: The same where the rail has settled with nearly the same forces.
+AGAIN_TRIALS: Final[int] = 8
 
 
 @seldom
@@ -32,17 +34,60 @@ def settle_rail(tables: Tables, work: Work, index: int, height: float):
     smallest gap is known; the outcome."""
     open_settling(tables, work, index)
     side = work.sides[index]
-    if not height - side.best > GRAZING:
+    work.settled[index].lifted = not height - side.best > GRAZING
+    if work.settled[index].lifted:
         return touch_side(tables, work, index)
     status = NOT_CONVERGED
     if estimate_deflection(tables, work, index, height):
-        status = iterate_deflection(tables, work, index, height)
+        status = iterate_deflection(
+            tables, work, index, height, side.deflection.lateral, side.deflection.vertical, SETTLING_TRIALS
+        )
     if status > UNLOADED:
         status = approach_balance(tables, work, index, height)
     if status > UNLOADED:
         status = enclose_deflection(tables, work, index, height)
     if status > UNLOADED:
         status = bracket_rail(tables, work, index, height)
+    keep_slopes(work, index)
+    return status
+
+
+@seldom
+def keep_slopes(work: Work, index: int):
+    """Keep how a rail that has settled follows its forces, and whether they balance."""
+    settling = work.settling
+    settled = work.settled[index]
+    settled.standing = not has_settled(settling, work.sides[index], UNSETTLED)
+    settled.lateral_lateral = settling.lateral_lateral
+    settled.lateral_vertical = settling.lateral_vertical
+    settled.vertical_lateral = settling.vertical_lateral
+    settled.vertical_vertical = settling.vertical_vertical
+
+
+@seldom
+def settle_again(tables: Tables, work: Work, index: int, height: float):
+    """Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
+    rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
+
+    A rail that stands at a jump of the forces stays there.
+    """
+    settling = work.settling
+    settled = work.settled[index]
+    deflection = work.sides[index].deflection
+    open_settling(tables, work, index)
+    if settled.lifted:
+        return UNLOADED
+    if settled.standing:
+        return press_rail(tables, work, index, height, deflection.lateral, deflection.vertical)
+    settling.lateral_lateral = settled.lateral_lateral
+    settling.lateral_vertical = settled.lateral_vertical
+    settling.vertical_lateral = settled.vertical_lateral
+    settling.vertical_vertical = settled.vertical_vertical
+    status = iterate_deflection(
+        tables, work, index, height, deflection.lateral, deflection.vertical, AGAIN_TRIALS
+    )
+    if status <= UNLOADED:
+        keep_slopes(work, index)
     return status
 
 
@@ -107,22 +152,24 @@ def one_contact(tables: Tables, work: Work, index: int, approach: float, sideway
 
 
 @seldom
-def iterate_deflection(tables: Tables, work: Work, index: int, height: float):
-    """Settle the rail of a side by Broyden's method; the outcome, NOT_CONVERGED where it finds nothing."""
+def iterate_deflection(
+    tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float, trials: int
+):
+    """Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the outcome,
+    NOT_CONVERGED where so many ``trials`` find nothing.  Fewer begin with the derivatives that are known."""
     settling = work.settling
     side = work.sides[index]
-    lateral = side.deflection.lateral
-    vertical = side.deflection.vertical
-    for trial in range(SETTLING_TRIALS):
+    for trial in range(trials):
         before_lateral = settling.lateral
         before_vertical = settling.vertical
         status = press_rail(tables, work, index, height, lateral, vertical)
         if status > UNLOADED:
             return NOT_CONVERGED
         before = fabs(before_lateral) + fabs(before_vertical)
-        if trial == 0 or fabs(settling.lateral) + fabs(settling.vertical) > before:
+        worse = fabs(settling.lateral) + fabs(settling.vertical) > before
+        if trial == 0 and trials == SETTLING_TRIALS or trial > 0 and worse:
             begin_slopes(tables, work, index, height)
-        else:
+        elif trial > 0:
             update_slopes(settling, before_lateral, before_vertical)
         if not find_settling(tables, work, index, height):
             return NOT_CONVERGED
