@@ -434,9 +434,10 @@ def test_derivatives_are_those_of_differences(case):
     for column, (name, step) in enumerate(STEPS.items()):
         keyword = name.replace(".", "_")
         coarse, fine = ((at(keyword, h) - at(keyword, -h)) / (2 * h) for h in (step, step / 2))
-        # the largest seen: 4.3e-5 of a small one, where a force is left open by 7e-7 N
+        # the largest seen: 2.8e-5 of a small one, left's deflection by right.rail_lateral: what the rate of
+        # the axle leaves open
         scale = np.maximum(np.abs(found[:, column]), 1e-3 * np.abs(found).max(axis=1))
-        assert np.all(np.abs(found[:, column] - (4 * fine - coarse) / 3) <= 6e-5 * scale), name
+        assert np.all(np.abs(found[:, column] - (4 * fine - coarse) / 3) <= 4e-5 * scale), name
 
 
 # --- what is refused ----------------------------------------------------------------------------------
