@@ -156,6 +156,20 @@ class Settling:
 
 
 @record
+class SettledRail:
+    """A rail that has settled in this step, for the case that its wheel turns at another rate."""
+
+    standing: (
+        bool  # whether its wheel is lifted, or a force jumps past what the springs carry: it stays as it is
+    )
+    lifted: bool
+    lateral_lateral: float  # derivatives of what the springs carry more than the wheel presses [N/m]
+    lateral_vertical: float
+    vertical_lateral: float
+    vertical_vertical: float
+
+
+@record
 class Reference:
     """The vertical shift for which wheels are placed over rolled rails, while it is sought."""
 
@@ -297,6 +311,7 @@ class Work:
     trials: RollTrials
     reference: Reference
     settling: Settling
+    settled: SettledRail * 2
     wheelset: Wheelset
     turning: Turning
     rolling: Rolling

@@ -1,14 +1,14 @@
 """Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from how deep
 it is in its rail (at_height.py), which may stand on springs (springs.py)."""
 
-from ..layout import OFF_PROFILE, VALID, Tables, Work, seldom
+from ..layout import OFF_PROFILE, UNLOADED, VALID, Tables, Work, seldom
 from ..search.roll import nearest_start, place_both
 from ..surface.rails import is_sprung
 from .at_height import is_damped, load_at_height, search_near
 from .leaning import set_reference
 from .requested import counted_outcome, is_needed
 from .rubbing import open_given_motion
-from .settling import settle_rail
+from .settling import settle_again, settle_rail
 from .side import clear_side
 from .springs import rest_rail
 
@@ -59,3 +59,20 @@ def load_standing(tables: Tables, work: Work, index: int, height: float):
     if is_sprung(tables, index):
         return settle_rail(tables, work, index, height)
     return load_at_height(tables, work, index, height)
+
+
+@seldom
+def turn_compliant(tables: Tables, work: Work, index: int):
+    """A side of the wheelset that is solved, with its wheel turning at another rate: its rail on springs
+    settles again; the outcome."""
+    height = work.inputs.vertical_shift
+    if not (is_sprung(tables, index) and is_needed(tables, work.inputs, index)):
+        return VALID
+    status = settle_again(tables, work, index, height)
+    if status > UNLOADED:
+        rest_rail(tables, work, index)
+        place_both(tables, work.inputs, work.sides, work.inputs.roll)
+        if not search_near(tables, work, index, nearest_start(tables.starts, work.inputs.lateral_shift)):
+            return OFF_PROFILE
+        status = settle_rail(tables, work, index, height)
+    return status

@@ -47,7 +47,7 @@ from ..layout import (
     Work,
 )
 from ..surface.rails import on_springs
-from .compliant import solve_compliant
+from .compliant import turn_compliant
 from .forces import rub_patch
 from .requested import has_creep_forces, is_free, outer_torque
 from .rubbing import move_side, open_given_motion, rub_wheel, side_friction, write_side_wear
@@ -170,11 +170,11 @@ def torque_at(tables: Tables, work: Work, first: int, last: int, rate: float):
     [rad/s], and the outcome of their contact, which changes with it on springs."""
     for index in range(first, last + 1):
         work.turning.rates[index] = rate
-    status = VALID
     if on_springs(tables):
-        status = solve_compliant(tables, work)
-        if status > UNLOADED:
-            return 0.0, status
+        for index in range(first, last + 1):
+            outcome = turn_compliant(tables, work, index)
+            if outcome > UNLOADED:
+                return 0.0, outcome
         open_given_motion(tables, work)
     return rub_at(tables, work, first, last, rate), VALID
 

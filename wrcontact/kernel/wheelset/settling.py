@@ -7,12 +7,13 @@ from typing import Final
 
 from ..elementary.circle import sine_cosine
 from ..elementary.powers import cube_root
-from ..layout import NOT_CONVERGED, UNLOADED, Settling, SideSearch, Tables, Work, seldom
+from ..layout import NOT_CONVERGED, UNLOADED, Tables, Work, seldom
 from ..normal.estimate import first_penetration
 from .at_height import GRAZING
 from .settling_brackets import bracket_rail, press_rail, stand_on
 from .settling_enclosing import SETTLED, enclose_deflection, shorten_settling
-from .settling_slopes import begin_slopes, find_settling
+from .settling_newton import approach_balance
+from .settling_slopes import begin_slopes, find_settling, update_slopes
 from .side import touch_side
 from .springs import UNSETTLED, has_settled, open_settling
 
@@ -21,8 +22,12 @@ ESTIMATES: Final[int] = 5
 SAME_PLACE: Final[float] = 1e-5
 #: Newton's steps for the force of the estimate, from above.
 FORCE_STEPS: Final[int] = 12
-#: Broyden's method needs seven trials; what it has not found after so many, it will not.
-SETTLING_TRIALS: Final[int] = 25
+#: Broyden's method needs seven trials; what it has not found after so many, it seldom will.
+SETTLING_TRIALS: Final[int] = 14
+#: The same where the rail has settled with nearly the same forces.
+AGAIN_TRIALS: Final[int] = 8
+#: and when it moves by less [m]: what each rate leaves open is by chance, and shows in differences of forces.
+AGAIN_SHARP: Final[float] = 1e-15
 
 
 @seldom
@@ -31,15 +36,60 @@ def settle_rail(tables: Tables, work: Work, index: int, height: float):
     smallest gap is known; the outcome."""
     open_settling(tables, work, index)
     side = work.sides[index]
-    if not height - side.best > GRAZING:
+    work.settled[index].lifted = not height - side.best > GRAZING
+    if work.settled[index].lifted:
         return touch_side(tables, work, index)
     status = NOT_CONVERGED
     if estimate_deflection(tables, work, index, height):
-        status = iterate_deflection(tables, work, index, height)
+        status = iterate_deflection(
+            tables, work, index, height, side.deflection.lateral, side.deflection.vertical, SETTLING_TRIALS
+        )
+    if status > UNLOADED:
+        status = approach_balance(tables, work, index, height)
     if status > UNLOADED:
         status = enclose_deflection(tables, work, index, height)
     if status > UNLOADED:
         status = bracket_rail(tables, work, index, height)
+    keep_slopes(work, index)
+    return status
+
+
+@seldom
+def keep_slopes(work: Work, index: int):
+    """Keep how a rail that has settled follows its forces, and whether they balance."""
+    settling = work.settling
+    settled = work.settled[index]
+    settled.standing = not has_settled(settling, work.sides[index], UNSETTLED)
+    settled.lateral_lateral = settling.lateral_lateral
+    settled.lateral_vertical = settling.lateral_vertical
+    settled.vertical_lateral = settling.vertical_lateral
+    settled.vertical_vertical = settling.vertical_vertical
+
+
+@seldom
+def settle_again(tables: Tables, work: Work, index: int, height: float):
+    """Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
+    rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
+
+    A rail that stands at a jump of the forces stays there.
+    """
+    settling = work.settling
+    settled = work.settled[index]
+    deflection = work.sides[index].deflection
+    open_settling(tables, work, index)
+    if settled.lifted:
+        return UNLOADED
+    if settled.standing:
+        return press_rail(tables, work, index, height, deflection.lateral, deflection.vertical)
+    settling.lateral_lateral = settled.lateral_lateral
+    settling.lateral_vertical = settled.lateral_vertical
+    settling.vertical_lateral = settled.vertical_lateral
+    settling.vertical_vertical = settled.vertical_vertical
+    status = iterate_deflection(
+        tables, work, index, height, deflection.lateral, deflection.vertical, AGAIN_TRIALS
+    )
+    if status <= UNLOADED:
+        keep_slopes(work, index)
     return status
 
 
@@ -104,26 +154,31 @@ def one_contact(tables: Tables, work: Work, index: int, approach: float, sideway
 
 
 @seldom
-def iterate_deflection(tables: Tables, work: Work, index: int, height: float):
-    """Settle the rail of a side by Broyden's method; the outcome, NOT_CONVERGED where it finds nothing."""
+def iterate_deflection(
+    tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float, trials: int
+):
+    """Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the outcome,
+    NOT_CONVERGED where so many ``trials`` find nothing.  Fewer begin with the derivatives that are known."""
     settling = work.settling
     side = work.sides[index]
-    lateral = side.deflection.lateral
-    vertical = side.deflection.vertical
-    for trial in range(SETTLING_TRIALS):
+    sharp = SETTLED
+    if trials != SETTLING_TRIALS:
+        sharp = AGAIN_SHARP
+    for trial in range(trials):
         before_lateral = settling.lateral
         before_vertical = settling.vertical
         status = press_rail(tables, work, index, height, lateral, vertical)
         if status > UNLOADED:
             return NOT_CONVERGED
         before = fabs(before_lateral) + fabs(before_vertical)
-        if trial == 0 or fabs(settling.lateral) + fabs(settling.vertical) > before:
+        worse = fabs(settling.lateral) + fabs(settling.vertical) > before
+        if trial == 0 and trials == SETTLING_TRIALS or trial > 0 and worse:
             begin_slopes(tables, work, index, height)
-        else:
+        elif trial > 0:
             update_slopes(settling, before_lateral, before_vertical)
         if not find_settling(tables, work, index, height):
             return NOT_CONVERGED
-        if fabs(settling.move_lateral) < SETTLED and fabs(settling.move_vertical) < SETTLED:
+        if fabs(settling.move_lateral) < sharp and fabs(settling.move_vertical) < sharp:
             if not has_settled(settling, side, UNSETTLED):
                 status = NOT_CONVERGED
             return status
@@ -131,28 +186,3 @@ def iterate_deflection(tables: Tables, work: Work, index: int, height: float):
         lateral += settling.move_lateral
         vertical += settling.move_vertical
     return NOT_CONVERGED
-
-
-@seldom
-def update_slopes(settling: Settling, before_lateral: float, before_vertical: float):
-    """The derivatives that the last move has shown (Broyden 1965)."""
-    lateral = settling.move_lateral
-    vertical = settling.move_vertical
-    size = lateral * lateral + vertical * vertical
-    if size > 0.0:
-        off_lateral = (
-            settling.lateral
-            - before_lateral
-            - settling.lateral_lateral * lateral
-            - settling.lateral_vertical * vertical
-        ) / size
-        off_vertical = (
-            settling.vertical
-            - before_vertical
-            - settling.vertical_lateral * lateral
-            - settling.vertical_vertical * vertical
-        ) / size
-        settling.lateral_lateral += off_lateral * lateral
-        settling.lateral_vertical += off_lateral * vertical
-        settling.vertical_lateral += off_vertical * lateral
-        settling.vertical_vertical += off_vertical * vertical

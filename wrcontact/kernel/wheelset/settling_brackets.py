@@ -10,13 +10,25 @@ which it is nearer to that.
 from math import fabs
 from typing import Final
 
-from ..layout import NOT_CONVERGED, OFF_PROFILE, UNLOADED, Bracket, Tables, Work, seldom
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    UNLOADED,
+    VALID,
+    Bracket,
+    Settling,
+    SideSearch,
+    Tables,
+    Work,
+    seldom,
+)
 from ..search.roll import follow_side, place_both
 from ..search.smallest_gap import search_side
 from .at_height import GRAZING, is_damped
 from .brackets import BRACKET_SHARP, BRACKETINGS, narrow_bracket, next_in_bracket
 from .requested import is_moving
 from .rubbing import open_given_motion
+from .settling_slopes import GROWTH
 from .springs import deflect, has_settled, weigh_rail
 from .trial import DEEPEST
 
@@ -27,10 +39,24 @@ BALANCED: Final[float] = 1e-12
 #: A force that falls by more than this in a bracket so narrow jumps there [N/m, m]; contacts have 3e9 N/m.
 STEEPEST_FORCE: Final[float] = 1e11
 JUMP_WIDTH: Final[float] = 1e-8
-#: Values whose difference falls by less while a bracket narrows belong to a jump [-].
-LEAST_FALL: Final[float] = 0.75
+#: A first guess of the stiffness of a contact [N/m].
+CONTACT_STIFFNESS: Final[float] = 1e9
+#: A force that falls by more than this in a bracket may jump there [N/m].
+STEEPEST_CONTACT: Final[float] = 1e10
 #: A rail that is displaced settles higher or lower by less than this multiple of that [-].
-STEEPEST_WAY: Final[float] = 3.0
+STEEPEST_WAY: Final[float] = 6.0
+#: The last move corrects a slope by a factor between this and its inverse [-].
+SLOPE_FACTOR: Final[float] = 0.5
+#: A step that has not reduced the residual by this factor is followed by a halving [-].
+REDUCED: Final[float] = 0.5
+#: Where no deflection is known at which the wheel presses too much, a slow step is followed by one that is
+#: longer by this factor [-].
+LONGER: Final[float] = 3.0
+#: A rail is level when Newton's method moves it by less [m].
+LEVEL_SHARP: Final[float] = 2e-14
+#: A vertical residual of this share of the lateral one leaves its sign as it is, and itself but for so much
+#: times the slope of a flange [-].
+SMALL_SHARE: Final[float] = 1e-3
 #: The other end of a bracket is looked for from this distance [m] on, in so many doublings.
 NEAR_END: Final[float] = 2e-4
 DOUBLINGS: Final[int] = 10
@@ -73,64 +99,152 @@ def nearer_end(bracket: Bracket):
 
 
 @seldom
-def half_way(i: int, fall: float, before: float):
-    """1 where a bracket is to be halved: every other time ``i``, and where the values at its ends differ by
-    as much as ``before``, as across a jump; else 0."""
-    halved = i % 2
-    if before > 0.0 and fall > LEAST_FALL * before:
-        halved = 1
-    return halved
+def vertical_slope(tables: Tables, work: Work, index: int):
+    """How what the springs carry more than the wheel presses follows the vertical deflection [N/m], from the
+    springs, and from patches whose forces grow as Hertz's along their normals."""
+    slope = work.settling.vertical_stiffness
+    side = work.sides[index]
+    for number in range(side.patch_count):
+        patch = side.patches[number]
+        if patch.totals.load > 0.0 and patch.penetration > 0.0:
+            share = GROWTH * patch.normal_z / (patch.totals.load * patch.penetration)
+            slope += share * patch.forces.force[2]
+    return slope
+
+
+@seldom
+def corrected_slope(slope: float, change: float, move: float):
+    """A slope, by which the last ``move`` changes the residual by as much as it has, if that is near."""
+    if move != 0.0:
+        factor = change / (slope * move)
+        if factor > SLOPE_FACTOR and factor * SLOPE_FACTOR < 1.0:
+            slope *= factor
+    return slope
 
 
 @seldom
 def bracket_vertical(
-    tables: Tables, work: Work, index: int, height: float, lateral: float, near: float, reach: float
+    tables: Tables, work: Work, index: int, height: float, lateral: float, exact: bool, reach: float
 ):
-    """Let the rail of a side with this ``lateral`` deflection [m] settle vertically, within ``reach`` [m] of
-    ``near`` if it does; the outcome."""
+    """Let the rail of a side with this ``lateral`` deflection [m] settle vertically, by Newton's method from
+    where it stands, within a bracket that is halved where a step has not halved the residual; the outcome.
+
+    exact : else the vertical residual that is left, or what the width of a jump leaves open, is small against
+        the lateral residual.
+    reach : where it stands is at a jump, and so it is within this distance [m] if it does.
+    """
     settling = work.settling
-    side = work.sides[index]
     bracket = work.height_bracket
-    rest = settling.vertical_rest
-    if not settling.vertical_stiffness > 0.0:
-        return press_rail(tables, work, index, height, lateral, rest)
-    if not stand_on(tables, work, index, lateral, rest):
-        return OFF_PROFILE
-    approach = height - side.best
-    if not approach > GRAZING:
-        return press_rail(tables, work, index, height, lateral, rest)
-    bracket.high = rest + approach
-    bracket.at_high = -settling.vertical_stiffness * approach
-    bracket.low = max(rest, bracket.high - NOT_DEEPEST * DEEPEST)
-    bracket.at_low = 0.0
-    if reach < DEEPEST:
+    near = work.sides[index].deflection.vertical
+    status = open_vertical(tables, work, index, height, lateral)
+    if status != VALID:
+        return status
+    lowest = bracket.low
+    vertical = near
+    if not (near > lowest and near < bracket.high):
+        stiffness = settling.vertical_stiffness
+        touching = bracket.high - settling.vertical_rest
+        vertical = max(bracket.high - touching * stiffness / (stiffness + CONTACT_STIFFNESS), lowest)
+    if reach > 0.0:
         status = narrow_beside(tables, work, index, height, lateral, near + reach)
         if status <= UNLOADED:
             status = narrow_beside(tables, work, index, height, lateral, near - reach)
         if status > UNLOADED:
             return status
-    if not bracket.at_low > 0.0:
-        status = press_rail(tables, work, index, height, lateral, bracket.low)
-        if status > UNLOADED:
-            return status
-        bracket.at_low = -settling.vertical
-        if not bracket.at_low > 0.0:
-            return OFF_PROFILE
-    fall = 0.0
+    before = 0.0
+    move = 0.0
+    width = 0.0
     for i in range(BRACKETINGS):
-        before = fall
-        fall = bracket.at_low - bracket.at_high
-        # a chord is no good across a jump
-        vertical = next_in_bracket(bracket, half_way(i, fall, before))
         status = press_rail(tables, work, index, height, lateral, vertical)
-        if status > UNLOADED:
+        if status > UNLOADED or is_level(settling, work.sides[index], exact):
             return status
-        if fabs(settling.vertical) <= BALANCED * fabs(side.forces.force[2]):
-            return status
-        narrow_bracket(bracket, vertical, -settling.vertical)
-        if bracket.high - bracket.low < BRACKET_SHARP or encloses_jump(bracket):
+        residual = settling.vertical
+        if vertical == lowest and residual >= 0.0:
+            return OFF_PROFILE
+        narrow_bracket(bracket, vertical, -residual)
+        enclosed = bracket.at_low > 0.0
+        if enclosed and is_narrow(bracket, vertical, fabs(settling.lateral), exact):
             break
-    return press_rail(tables, work, index, height, lateral, nearer_end(bracket))
+        slope = corrected_slope(vertical_slope(tables, work, index), residual - before, move)
+        following = vertical - residual / slope
+        if fabs(following - vertical) < LEVEL_SHARP:
+            return status
+        slow = i > 0 and fabs(residual) > REDUCED * fabs(before)
+        if not enclosed:
+            if slow and residual > 0.0:
+                following = min(following, vertical - LONGER * fabs(move))
+            following = max(following, lowest)
+        elif slow or not is_within(bracket, following):
+            following = next_in_bracket(bracket, int(bracket.high - bracket.low > REDUCED * width))
+        width = bracket.high - bracket.low
+        before = residual
+        move = following - vertical
+        vertical = following
+    if vertical != nearer_end(bracket):
+        status = press_rail(tables, work, index, height, lateral, nearer_end(bracket))
+    return status
+
+
+@seldom
+def is_within(bracket: Bracket, place: float) -> bool:
+    """Whether a place lies between both ends of a bracket."""
+    return place > bracket.low and place < bracket.high
+
+
+@seldom
+def open_vertical(tables: Tables, work: Work, index: int, height: float, lateral: float):
+    """Bracket the vertical deflection of a rail with this ``lateral`` one [m]: from where its wheel just
+    touches it down to where it is deepest; VALID, or the outcome if no vertical one is sought."""
+    settling = work.settling
+    bracket = work.height_bracket
+    rest = settling.vertical_rest
+    bracket.low = rest
+    bracket.high = rest
+    bracket.at_low = 0.0
+    bracket.at_high = 0.0
+    approach = 0.0
+    if settling.vertical_stiffness > 0.0:
+        if not stand_on(tables, work, index, lateral, rest):
+            return OFF_PROFILE
+        approach = height - work.sides[index].best
+    if not approach > GRAZING:
+        return max(press_rail(tables, work, index, height, lateral, rest), UNLOADED)
+    bracket.high = rest + approach
+    bracket.at_high = -settling.vertical_stiffness * approach
+    bracket.low = max(rest, bracket.high - NOT_DEEPEST * DEEPEST)
+    return VALID
+
+
+@seldom
+def is_level(settling: Settling, side: SideSearch, exact: bool) -> bool:
+    """Whether the vertical residual is small: against the force, or, if it is not to be ``exact``, against the
+    lateral residual."""
+    limit = BALANCED * fabs(side.forces.force[2])
+    if not exact:
+        limit = max(limit, SMALL_SHARE * fabs(settling.lateral))
+    return fabs(settling.vertical) <= limit
+
+
+@seldom
+def is_narrow(bracket: Bracket, vertical: float, lateral: float, exact: bool) -> bool:
+    """Whether a bracket need not become narrower, one end of which is ``vertical`` [m], with the size of the
+    residual ``lateral`` [N] there."""
+    width = bracket.high - bracket.low
+    if width < BRACKET_SHARP or encloses_jump(bracket):
+        return True
+    return (
+        not exact
+        and vertical == nearer_end(bracket)
+        and bracket.at_low - bracket.at_high > STEEPEST_CONTACT * width
+        and lateral > STEEPEST_CONTACT * width
+    )
+
+
+@seldom
+def ends_at_jump(bracket: Bracket) -> bool:
+    """Whether the last bracket of a vertical deflection encloses a jump."""
+    width = bracket.high - bracket.low
+    return bracket.at_low > 0.0 and bracket.at_low - bracket.at_high > STEEPEST_CONTACT * width
 
 
 @seldom
@@ -150,10 +264,10 @@ def bracket_rail(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle; the outcome."""
     settling = work.settling
     bracket = work.roll_bracket
-    deflection = work.sides[index].deflection
     lateral = settling.lateral_rest
-    status = bracket_vertical(tables, work, index, height, lateral, 0.0, DEEPEST)
-    if status > UNLOADED or not settling.lateral_stiffness > 0.0 or settling.lateral == 0.0:
+    sideways = settling.lateral_stiffness > 0.0
+    status = bracket_vertical(tables, work, index, height, lateral, not sideways, 0.0)
+    if status > UNLOADED or not sideways or settling.lateral == 0.0:
         return status
     bracket.low = lateral
     bracket.high = lateral
@@ -164,7 +278,7 @@ def bracket_rail(tables: Tables, work: Work, index: int, height: float):
         reach = -NEAR_END
     for i in range(DOUBLINGS):
         lateral = settling.lateral_rest + reach
-        status = bracket_vertical(tables, work, index, height, lateral, 0.0, DEEPEST)
+        status = bracket_vertical(tables, work, index, height, lateral, False, 0.0)
         if status > UNLOADED:
             return status
         narrow_bracket(bracket, lateral, -settling.lateral)
@@ -173,17 +287,43 @@ def bracket_rail(tables: Tables, work: Work, index: int, height: float):
         reach *= 2.0
     if not (bracket.at_low > 0.0 and bracket.at_high <= 0.0):
         return NOT_CONVERGED
-    fall = 0.0
+    return narrow_lateral(tables, work, index, height)
+
+
+@seldom
+def narrow_lateral(tables: Tables, work: Work, index: int, height: float):
+    """Let the rail of a side settle within the bracket of its lateral deflection; the outcome."""
+    settling = work.settling
+    bracket = work.roll_bracket
+    deflection = work.sides[index].deflection
+    width = bracket.high - bracket.low
+    shrunk = False
+    lateral = next_in_bracket(bracket, 0)
+    before = 0.0
+    place = lateral
     for i in range(BRACKETINGS):
-        before = fall
-        fall = bracket.at_low - bracket.at_high
-        lateral = next_in_bracket(bracket, half_way(i, fall, before))
-        near = deflection.vertical
-        reach = STEEPEST_WAY * fabs(lateral - deflection.lateral) + JUMP_WIDTH
-        status = bracket_vertical(tables, work, index, height, lateral, near, reach)
+        reach = 0.0
+        if ends_at_jump(work.height_bracket):
+            reach = STEEPEST_WAY * fabs(lateral - deflection.lateral) + JUMP_WIDTH
+        status = bracket_vertical(tables, work, index, height, lateral, False, reach)
         if status > UNLOADED or has_settled(settling, work.sides[index], BALANCED):
             return status
-        narrow_bracket(bracket, lateral, -settling.lateral)
-        if bracket.high - bracket.low < BRACKET_SHARP or encloses_jump(bracket):
+        residual = settling.lateral
+        narrow_bracket(bracket, lateral, -residual)
+        shrunk = bracket.high - bracket.low < REDUCED * width
+        width = bracket.high - bracket.low
+        jumping = width < JUMP_WIDTH and ends_at_jump(work.height_bracket)
+        if jumping or width < BRACKET_SHARP or encloses_jump(bracket):
             break
-    return bracket_vertical(tables, work, index, height, nearer_end(bracket), 0.0, DEEPEST)
+        following = next_in_bracket(bracket, int(not shrunk))
+        if i > 0 and fabs(residual) < REDUCED * fabs(before):
+            secant = lateral - residual * (lateral - place) / (residual - before)
+            if is_within(bracket, secant):
+                following = secant
+        place = lateral
+        before = residual
+        lateral = following
+    reach = 0.0
+    if ends_at_jump(work.height_bracket):
+        reach = (STEEPEST_WAY + 1.0) * JUMP_WIDTH
+    return bracket_vertical(tables, work, index, height, nearer_end(bracket), True, reach)

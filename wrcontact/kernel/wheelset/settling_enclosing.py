@@ -21,8 +21,11 @@ SETTLED: Final[float] = 2e-14
 #: Longest move of a rail in one trial [m].
 LONGEST_SETTLING: Final[float] = 5e-4
 #: Trials at most, and halvings of a move to where the wheel stands too deep.
-ENCLOSINGS: Final[int] = 60
+ENCLOSINGS: Final[int] = 28
 RETREATS: Final[int] = 12
+#: After each so many trials the two deflections have to be this much nearer to each other [-].
+CLOSING: Final[int] = 6
+CLOSER: Final[float] = 0.25
 #: Both sides of a jump are this near [m].
 JUMP_SHARP: Final[float] = 1e-10
 #: and their residuals differ by more than this multiple of the distance, as deflections of the springs [-].
@@ -44,6 +47,7 @@ def enclose_deflection(tables: Tables, work: Work, index: int, height: float):
         return NOT_CONVERGED
     places = 0
     before = 0.0
+    span = 0.0
     for trial in range(ENCLOSINGS):
         begin_slopes(tables, work, index, height)
         if not find_settling(tables, work, index, height):
@@ -57,6 +61,11 @@ def enclose_deflection(tables: Tables, work: Work, index: int, height: float):
         reduced = size < REDUCED * before
         before = size
         if places == 2:
+            if trial % CLOSING == CLOSING - 1:
+                apart = places_apart(settling)
+                if span > 0.0 and not apart < CLOSER * span:
+                    return NOT_CONVERGED
+                span = apart
             if not move_between(tables, work, index, height, reduced):
                 return NOT_CONVERGED
             if is_at_jump(settling, deflection.lateral, deflection.vertical):
@@ -172,11 +181,19 @@ def move_between(tables: Tables, work: Work, index: int, height: float, reduced:
 
 
 @seldom
+def places_apart(settling: Settling):
+    """How far both places are from each other [m]."""
+    one = settling.one
+    other = settling.other
+    return fabs(other.lateral - one.lateral) + fabs(other.vertical - one.vertical)
+
+
+@seldom
 def is_at_jump(settling: Settling, lateral: float, vertical: float) -> bool:
     """Whether both places, and the next one, are the same but for a jump."""
     one = settling.one
     other = settling.other
-    apart = fabs(other.lateral - one.lateral) + fabs(other.vertical - one.vertical)
+    apart = places_apart(settling)
     move = fabs(settling.move_lateral) + fabs(settling.move_vertical)
     jump = fabs(scaled(settling.lateral_stiffness, other.residual_lateral - one.residual_lateral)) + fabs(
         scaled(settling.vertical_stiffness, other.residual_vertical - one.residual_vertical)

@@ -3,7 +3,7 @@
 from math import fabs
 from typing import Final
 
-from ..layout import UNLOADED, Tables, Work, seldom
+from ..layout import UNLOADED, Settling, Tables, Work, seldom
 from .at_height import is_damped
 from .requested import has_creep_forces
 from .rubbing import open_given_motion
@@ -40,6 +40,12 @@ def begin_slopes(tables: Tables, work: Work, index: int, height: float):
             settling.vertical_vertical += stiffness * force[2] * patch.normal_z
     if work.inputs.rail_time_step > 0.0 and (is_damped(tables) or has_creep_forces(tables, work)):
         add_rates(tables, work, index, height)
+    hold_rigid(settling)
+
+
+@seldom
+def hold_rigid(settling: Settling):
+    """Directions in which a rail is rigid keep its deflection."""
     if not settling.lateral_stiffness > 0.0:
         settling.lateral_lateral = 1.0
         settling.lateral_vertical = 0.0
@@ -111,3 +117,28 @@ def find_settling(tables: Tables, work: Work, index: int, height: float) -> bool
         settling.lateral * settling.vertical_lateral - settling.vertical * settling.lateral_lateral
     ) / determinant
     return True
+
+
+@seldom
+def update_slopes(settling: Settling, before_lateral: float, before_vertical: float):
+    """The derivatives that the last move has shown (Broyden 1965)."""
+    lateral = settling.move_lateral
+    vertical = settling.move_vertical
+    size = lateral * lateral + vertical * vertical
+    if size > 0.0:
+        off_lateral = (
+            settling.lateral
+            - before_lateral
+            - settling.lateral_lateral * lateral
+            - settling.lateral_vertical * vertical
+        ) / size
+        off_vertical = (
+            settling.vertical
+            - before_vertical
+            - settling.vertical_lateral * lateral
+            - settling.vertical_vertical * vertical
+        ) / size
+        settling.lateral_lateral += off_lateral * lateral
+        settling.lateral_vertical += off_lateral * vertical
+        settling.vertical_lateral += off_vertical * lateral
+        settling.vertical_vertical += off_vertical * vertical
