@@ -11,7 +11,7 @@ static const int64_t layout__WEAR_STRIPS = INT64_C(336);
 static const int64_t layout__WEAR_END = INT64_C(673);
 static const int64_t layout__INPUT_COUNT = INT64_C(39);
 static const int64_t layout__OUTPUT_COUNT = INT64_C(581);
-static const int64_t layout__WORK_SIZE = INT64_C(83572);
+static const int64_t layout__WORK_SIZE = INT64_C(83584);
 static const int64_t layout__STATE_SIZE = INT64_C(5);
 static const int64_t layout__SETTING_COUNT = INT64_C(97);
 static const int64_t layout__SETUP_SIZE = INT64_C(52);
@@ -694,6 +694,13 @@ static const int64_t layout__SETTLING_ONE = INT64_C(14);
 static const int64_t layout__SETTLING_OTHER = INT64_C(18);
 static const int64_t layout__SETTLING_AWAY_LATERAL = INT64_C(22);
 static const int64_t layout__SETTLING_AWAY_VERTICAL = INT64_C(23);
+static const int64_t layout__SETTLED_RAIL_SIZE = INT64_C(6);
+static const int64_t layout__SETTLED_RAIL_STANDING = INT64_C(0);
+static const int64_t layout__SETTLED_RAIL_LIFTED = INT64_C(1);
+static const int64_t layout__SETTLED_RAIL_LATERAL_LATERAL = INT64_C(2);
+static const int64_t layout__SETTLED_RAIL_LATERAL_VERTICAL = INT64_C(3);
+static const int64_t layout__SETTLED_RAIL_VERTICAL_LATERAL = INT64_C(4);
+static const int64_t layout__SETTLED_RAIL_VERTICAL_VERTICAL = INT64_C(5);
 static const int64_t layout__REFERENCE_SIZE = INT64_C(10);
 static const int64_t layout__REFERENCE_HEIGHT = INT64_C(0);
 static const int64_t layout__REFERENCE_LOW_LOAD = INT64_C(1);
@@ -796,10 +803,11 @@ static const int64_t layout__WORK_ROLL_BRACKET = INT64_C(79271);
 static const int64_t layout__WORK_TRIALS = INT64_C(79275);
 static const int64_t layout__WORK_REFERENCE = INT64_C(79519);
 static const int64_t layout__WORK_SETTLING = INT64_C(79529);
-static const int64_t layout__WORK_WHEELSET = INT64_C(79553);
-static const int64_t layout__WORK_TURNING = INT64_C(79574);
-static const int64_t layout__WORK_ROLLING = INT64_C(79692);
-static const int64_t layout__WORK_PATCH = INT64_C(83177);
+static const int64_t layout__WORK_SETTLED = INT64_C(79553);
+static const int64_t layout__WORK_WHEELSET = INT64_C(79565);
+static const int64_t layout__WORK_TURNING = INT64_C(79586);
+static const int64_t layout__WORK_ROLLING = INT64_C(79704);
+static const int64_t layout__WORK_PATCH = INT64_C(83189);
 static const int64_t layout__PIECE_START = INT64_C(0);
 static const int64_t layout__PIECE_C0 = INT64_C(1);
 static const int64_t layout__PIECE_C1 = INT64_C(2);
@@ -1738,26 +1746,44 @@ static const double rigid__NEAR_SHIFT = 0.0002;
 static const int64_t settling__ESTIMATES = INT64_C(5);
 static const double settling__SAME_PLACE = 1e-05;
 static const int64_t settling__FORCE_STEPS = INT64_C(12);
-static const int64_t settling__SETTLING_TRIALS = INT64_C(25);
+static const int64_t settling__SETTLING_TRIALS = INT64_C(14);
+static const int64_t settling__AGAIN_TRIALS = INT64_C(8);
+static const double settling__AGAIN_SHARP = 1e-15;
 
 /* wheelset/settling_brackets.py */
 static const double settling_brackets__NOT_DEEPEST = 0.999;
 static const double settling_brackets__BALANCED = 1e-12;
 static const double settling_brackets__STEEPEST_FORCE = 100000000000.0;
 static const double settling_brackets__JUMP_WIDTH = 1e-08;
-static const double settling_brackets__LEAST_FALL = 0.75;
-static const double settling_brackets__STEEPEST_WAY = 3.0;
+static const double settling_brackets__CONTACT_STIFFNESS = 1000000000.0;
+static const double settling_brackets__STEEPEST_CONTACT = 10000000000.0;
+static const double settling_brackets__STEEPEST_WAY = 6.0;
+static const double settling_brackets__SLOPE_FACTOR = 0.5;
+static const double settling_brackets__REDUCED = 0.5;
+static const double settling_brackets__LONGER = 3.0;
+static const double settling_brackets__LEVEL_SHARP = 2e-14;
+static const double settling_brackets__SMALL_SHARE = 0.001;
 static const double settling_brackets__NEAR_END = 0.0002;
 static const int64_t settling_brackets__DOUBLINGS = INT64_C(10);
 
 /* wheelset/settling_enclosing.py */
 static const double settling_enclosing__SETTLED = 2e-14;
 static const double settling_enclosing__LONGEST_SETTLING = 0.0005;
-static const int64_t settling_enclosing__ENCLOSINGS = INT64_C(60);
+static const int64_t settling_enclosing__ENCLOSINGS = INT64_C(28);
 static const int64_t settling_enclosing__RETREATS = INT64_C(12);
+static const int64_t settling_enclosing__CLOSING = INT64_C(6);
+static const double settling_enclosing__CLOSER = 0.25;
 static const double settling_enclosing__JUMP_SHARP = 1e-10;
 static const double settling_enclosing__STEEPEST = 10000.0;
 static const double settling_enclosing__REDUCED = 0.5;
+
+/* wheelset/settling_newton.py */
+static const int64_t settling_newton__MOVES = INT64_C(16);
+static const int64_t settling_newton__PARTS = INT64_C(5);
+static const double settling_newton__PART = 0.3;
+static const double settling_newton__LEFT = 0.95;
+static const double settling_newton__DIFFERENCE = 1e-08;
+static const double settling_newton__GOOD = 0.05;
 
 /* wheelset/settling_slopes.py */
 static const double settling_slopes__GROWTH = 1.5;

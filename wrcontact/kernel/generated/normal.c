@@ -22,11 +22,11 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
 static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration);
 
 /* normal/auto_contact.py */
-static inline void auto_contact__auto_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
-static inline double auto_contact__strips_share(double error);
-static inline double auto_contact__total_load(array_double_1d work, int64_t count);
-static inline int64_t auto_contact__scale_patches(array_double_1d work, int64_t side, double factor, int64_t count);
-static inline int64_t auto_contact__scale_patch(array_double_1d work, int64_t patch, double factor);
+static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static OUT_OF_LINE double auto_contact__strips_share(double error);
+static OUT_OF_LINE double auto_contact__total_load(array_double_1d work, int64_t count);
+static OUT_OF_LINE int64_t auto_contact__scale_patches(array_double_1d work, int64_t side, double factor, int64_t count);
+static OUT_OF_LINE int64_t auto_contact__scale_patch(array_double_1d work, int64_t patch, double factor);
 
 /* normal/coefficients.py */
 static inline double coefficients__table_value(array_double_1d tables, int64_t table, int64_t column, double ratio);
@@ -56,8 +56,8 @@ static OUT_OF_LINE double hertz_contact__widest_ellipse(array_double_1d tables, 
 static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest);
 
 /* normal/model_error.py */
-static inline double model_error__analyn_error(array_double_1d work, array_double_1d tables, int64_t count);
-static inline void model_error__curvature_change(double* load_out, double* changes_out, array_double_1d work, int64_t region, int64_t nodes, int64_t window);
+static OUT_OF_LINE double model_error__analyn_error(array_double_1d work, array_double_1d tables, int64_t count);
+static OUT_OF_LINE void model_error__curvature_change(double* load_out, double* changes_out, array_double_1d work, int64_t region, int64_t nodes, int64_t window);
 
 /* normal/node_patches.py */
 static inline int64_t node_patches__fill_from_nodes(array_double_1d work, int64_t side, int64_t count);
@@ -728,7 +728,7 @@ static inline void analyn_contact__solve_fine(double* penetration_out, bool* sat
 /* Fill the patches of a side by ANALYN or strips if they are wanted; penetration [m], number of regions,
  * and whether the force is satisfied.  First trials of an equilibrium are ANALYN's.
  */
-static inline void auto_contact__auto_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
     bool sunk, satisfied, solved;
     double penetration, error, share, load, found;
@@ -776,7 +776,7 @@ static inline void auto_contact__auto_contact(double* penetration_out, int64_t* 
 }
 
 /* The share of the strips at this estimate of ANALYN's error; eq. (E3). */
-static inline double auto_contact__strips_share(double error)
+static OUT_OF_LINE double auto_contact__strips_share(double error)
 {
     double u;
     u = double_min(double_max((error - auto_contact__FIRST) / (auto_contact__FULL - auto_contact__FIRST), 0.0), 1.0);
@@ -784,7 +784,7 @@ static inline double auto_contact__strips_share(double error)
 }
 
 /* What ``count`` regions of ANALYN carry together [N]. */
-static inline double auto_contact__total_load(array_double_1d work, int64_t count)
+static OUT_OF_LINE double auto_contact__total_load(array_double_1d work, int64_t count)
 {
     double load;
     int64_t index;
@@ -797,7 +797,7 @@ static inline double auto_contact__total_load(array_double_1d work, int64_t coun
 }
 
 /* Multiply the loads and pressures of a side's patches, which lie in ``count`` regions, by ``factor``. */
-static inline int64_t auto_contact__scale_patches(array_double_1d work, int64_t side, double factor, int64_t count)
+static OUT_OF_LINE int64_t auto_contact__scale_patches(array_double_1d work, int64_t side, double factor, int64_t count)
 {
     int64_t index, region, number, number_end;
     for (index = 0; index < count; index += 1)
@@ -819,7 +819,7 @@ static inline int64_t auto_contact__scale_patches(array_double_1d work, int64_t 
 }
 
 /* Multiply load and pressures of a patch, which lies on ``strips``, by ``factor``. */
-static inline int64_t auto_contact__scale_patch(array_double_1d work, int64_t patch, double factor)
+static OUT_OF_LINE int64_t auto_contact__scale_patch(array_double_1d work, int64_t patch, double factor)
 {
     int64_t totals, index, k, strip, k_end;
     totals = patch + layout__PATCH_TOTALS;
@@ -1328,7 +1328,7 @@ static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, ar
  */
 
 /* Estimate of ANALYN's error in the peak pressure [-], once its regions carry their load; eq. (E2). */
-static inline double model_error__analyn_error(array_double_1d work, array_double_1d tables, int64_t count)
+static OUT_OF_LINE double model_error__analyn_error(array_double_1d work, array_double_1d tables, int64_t count)
 {
     int64_t window, index, region;
     double load, changes, own, change, error;
@@ -1356,7 +1356,7 @@ static inline double model_error__analyn_error(array_double_1d work, array_doubl
 /* Sums of q and of q c over the nodes of a region [N/m]; eq. (E1).  Beyond the first and the last node B
  * is that of the end.
  */
-static inline void model_error__curvature_change(double* load_out, double* changes_out, array_double_1d work, int64_t region, int64_t nodes, int64_t window)
+static OUT_OF_LINE void model_error__curvature_change(double* load_out, double* changes_out, array_double_1d work, int64_t region, int64_t nodes, int64_t window)
 {
     double load, changes, d, low, high, twice, own;
     int64_t k, k_end;
@@ -2356,10 +2356,15 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
         if (count > 0 && penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))
         {
             analyn_contact__solve_analyn(&estimate, &count, &known, tables, work, pair, side, force, prescribed);
-            if (known)
+            if (!known)
             {
-                strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
+                /* the regions are now ANALYN's, and the strips stand at a wrong depth */
+                *penetration_out = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+                *count_out = count;
+                *satisfied_out = false;
+                return;
             }
+            strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
         }
     }
     if (count == 0)
@@ -2430,11 +2435,12 @@ static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out,
 /* Whether the load of the strips is about that of ANALYN's levels, which the sweeps leave as they are, and
  * their largest pressure not far above theirs.
  *
- * Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.
+ * Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.  Strips that all
+ * together pull are wrong, however little they carry.
  */
 static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables)
 {
-    double load, pressure, parted, carried, largest;
+    double load, pressure, parted, normal, carried, largest;
     int64_t i, strip, i_end;
     strip_levels__level_contact(&load, &pressure, work);
     parted = strip_contact__PARTED;
@@ -2442,17 +2448,23 @@ static inline bool strip_contact__agrees_with_levels(array_double_1d work, array
     {
         parted = strip_contact__PARTED_VERTICAL;
     }
+    normal = 0.0;
     carried = 0.0;
     largest = 0.0;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        normal += AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_Y);
         carried += AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_COUNTED) * AT(work, strip + layout__STRIP_Y);
         largest = double_max(largest, AT(work, strip + layout__STRIP_Y));
     }
     carried *= 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
     largest *= M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    if (!(normal > 0.0))
+    {
+        return false;
+    }
     if (carried < strip_contact__LIGHTEST && load < strip_contact__LIGHTEST)
     {
         return true;
@@ -3158,14 +3170,18 @@ static inline int64_t strip_patches__load_region(array_double_1d work, array_dou
     AT(work, region + layout__REGION_CARRIED) = scale * load;
     AT(work, region + layout__REGION_MOMENT) = scale * moment;
     AT(work, region + layout__REGION_SLANT) = 0.0;
-    if (load > 0.0)
+    if (load != 0.0)
     {
+        /* also of a region that pulls: load times direction is the sum over its strips */
         AT(work, region + layout__REGION_COS) = cosines / load;
         AT(work, region + layout__REGION_SIN) = sines / load;
         if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
             AT(work, region + layout__REGION_SHARE) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN));
         }
+    }
+    if (load > 0.0)
+    {
         strip_patches__slant_region(work, region, index, moment / load, x / load);
     }
     return 0;

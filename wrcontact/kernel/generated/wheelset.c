@@ -25,6 +25,7 @@ static OUT_OF_LINE void brackets__bracket_roll(double* roll_out, int64_t* status
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t compliant__turn_compliant(array_double_1d tables, array_double_1d work, int64_t index);
 
 /* wheelset/depth_rates.py */
 static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_double_1d work);
@@ -155,20 +156,28 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
 
 /* wheelset/settling.py */
 static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling__keep_slopes(array_double_1d work, int64_t index);
+static OUT_OF_LINE int64_t settling__settle_again(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE bool settling__estimate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE void settling__one_contact(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t index, double approach, bool sideways);
-static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
-static OUT_OF_LINE int64_t settling__update_slopes(array_double_1d work, double before_lateral, double before_vertical);
+static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical, int64_t trials);
 
 /* wheelset/settling_brackets.py */
 static OUT_OF_LINE bool settling_brackets__stand_on(array_double_1d tables, array_double_1d work, int64_t index, double lateral, double vertical);
 static OUT_OF_LINE int64_t settling_brackets__press_rail(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical);
 static OUT_OF_LINE bool settling_brackets__encloses_jump(array_double_1d work, int64_t bracket);
 static OUT_OF_LINE double settling_brackets__nearer_end(array_double_1d work, int64_t bracket);
-static OUT_OF_LINE int64_t settling_brackets__half_way(int64_t i, double fall, double before);
-static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double near, double reach);
+static OUT_OF_LINE double settling_brackets__vertical_slope(array_double_1d tables, array_double_1d work, int64_t index);
+static OUT_OF_LINE double settling_brackets__corrected_slope(double slope, double change, double move);
+static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, bool exact, double reach);
+static OUT_OF_LINE bool settling_brackets__is_within(array_double_1d work, int64_t bracket, double place);
+static OUT_OF_LINE int64_t settling_brackets__open_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral);
+static OUT_OF_LINE bool settling_brackets__is_level(array_double_1d work, int64_t side, bool exact);
+static OUT_OF_LINE bool settling_brackets__is_narrow(array_double_1d work, int64_t bracket, double vertical, double lateral, bool exact);
+static OUT_OF_LINE bool settling_brackets__ends_at_jump(array_double_1d work, int64_t bracket);
 static OUT_OF_LINE int64_t settling_brackets__narrow_beside(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical);
 static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_brackets__narrow_lateral(array_double_1d tables, array_double_1d work, int64_t index, double height);
 
 /* wheelset/settling_enclosing.py */
 static OUT_OF_LINE int64_t settling_enclosing__enclose_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height);
@@ -180,15 +189,23 @@ static OUT_OF_LINE int64_t settling_enclosing__keep_settled(array_double_1d work
 static OUT_OF_LINE double settling_enclosing__distance_to(array_double_1d work, int64_t place);
 static OUT_OF_LINE int64_t settling_enclosing__note_settling(array_double_1d work, double lateral, double vertical, int64_t places);
 static OUT_OF_LINE bool settling_enclosing__move_between(array_double_1d tables, array_double_1d work, int64_t index, double height, bool reduced);
+static OUT_OF_LINE double settling_enclosing__places_apart(array_double_1d work);
 static OUT_OF_LINE bool settling_enclosing__is_at_jump(array_double_1d work, double lateral, double vertical);
 static OUT_OF_LINE int64_t settling_enclosing__stand_nearer(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE int64_t settling_enclosing__move_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
 
+/* wheelset/settling_newton.py */
+static OUT_OF_LINE int64_t settling_newton__approach_balance(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_newton__move_part(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical);
+static OUT_OF_LINE bool settling_newton__difference_slopes(array_double_1d tables, array_double_1d work, int64_t index, double height);
+
 /* wheelset/settling_slopes.py */
 static OUT_OF_LINE int64_t settling_slopes__begin_slopes(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_slopes__hold_rigid(array_double_1d work);
 static OUT_OF_LINE int64_t settling_slopes__add_rates(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE bool settling_slopes__weigh_anew(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE bool settling_slopes__find_settling(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t settling_slopes__update_slopes(array_double_1d work, double before_lateral, double before_vertical);
 
 /* wheelset/shared_power.py */
 static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64_t side, int64_t stations);
@@ -810,6 +827,32 @@ static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, arra
         return settling__settle_rail(tables, work, index, height);
     }
     return at_height__load_at_height(tables, work, index, height);
+}
+
+/* A side of the wheelset that is solved, with its wheel turning at another rate: its rail on springs
+ * settles again; the outcome.
+ */
+static OUT_OF_LINE int64_t compliant__turn_compliant(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    double height;
+    int64_t status;
+    height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
+    if (!(rails__is_sprung(tables, index) && requested__is_needed(work, tables, layout__WORK_INPUTS, index)))
+    {
+        return layout__VALID;
+    }
+    status = settling__settle_again(tables, work, index, height);
+    if (status > layout__UNLOADED)
+    {
+        springs__rest_rail(tables, work, index);
+        roll__place_both(work, tables, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+        if (!at_height__search_near(tables, work, index, roll__nearest_start(tables, (int64_t)AT(tables, layout__TABLES_STARTS), AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT))))
+        {
+            return layout__OFF_PROFILE;
+        }
+        status = settling__settle_rail(tables, work, index, height);
+    }
+    return status;
 }
 
 
@@ -1937,20 +1980,22 @@ static inline bool free_rolling__open_turning(array_double_1d tables, array_doub
  */
 static inline void free_rolling__torque_at(double* out_0, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
 {
-    int64_t index, status;
+    int64_t index, outcome;
     for (index = first; index < last + 1; index += 1)
     {
         AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
     }
-    status = layout__VALID;
     if (rails__on_springs(tables))
     {
-        status = compliant__solve_compliant(tables, work);
-        if (status > layout__UNLOADED)
+        for (index = first; index < last + 1; index += 1)
         {
-            *out_0 = 0.0;
-            *VALID_out = status;
-            return;
+            outcome = compliant__turn_compliant(tables, work, index);
+            if (outcome > layout__UNLOADED)
+            {
+                *out_0 = 0.0;
+                *VALID_out = outcome;
+                return;
+            }
         }
         rubbing__open_given_motion(tables, work);
     }
@@ -3381,14 +3426,19 @@ static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_d
     int64_t side, status;
     springs__open_settling(tables, work, index);
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    if (!(height - AT(work, side + layout__SIDE_SEARCH_BEST) > at_height__GRAZING))
+    AT(work, layout__WORK_SETTLED + layout__SETTLED_RAIL_SIZE * index + layout__SETTLED_RAIL_LIFTED) = (double)(!(height - AT(work, side + layout__SIDE_SEARCH_BEST) > at_height__GRAZING));
+    if (AT(work, layout__WORK_SETTLED + layout__SETTLED_RAIL_SIZE * index + layout__SETTLED_RAIL_LIFTED) == 1.0)
     {
         return side__touch_side(tables, work, index);
     }
     status = layout__NOT_CONVERGED;
     if (settling__estimate_deflection(tables, work, index, height))
     {
-        status = settling__iterate_deflection(tables, work, index, height);
+        status = settling__iterate_deflection(tables, work, index, height, AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), settling__SETTLING_TRIALS);
+    }
+    if (status > layout__UNLOADED)
+    {
+        status = settling_newton__approach_balance(tables, work, index, height);
     }
     if (status > layout__UNLOADED)
     {
@@ -3397,6 +3447,51 @@ static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_d
     if (status > layout__UNLOADED)
     {
         status = settling_brackets__bracket_rail(tables, work, index, height);
+    }
+    settling__keep_slopes(work, index);
+    return status;
+}
+
+/* Keep how a rail that has settled follows its forces, and whether they balance. */
+static OUT_OF_LINE int64_t settling__keep_slopes(array_double_1d work, int64_t index)
+{
+    int64_t settled;
+    settled = layout__WORK_SETTLED + layout__SETTLED_RAIL_SIZE * index;
+    AT(work, settled + layout__SETTLED_RAIL_STANDING) = (double)(!springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED));
+    AT(work, settled + layout__SETTLED_RAIL_LATERAL_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL);
+    AT(work, settled + layout__SETTLED_RAIL_LATERAL_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL);
+    AT(work, settled + layout__SETTLED_RAIL_VERTICAL_LATERAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL);
+    AT(work, settled + layout__SETTLED_RAIL_VERTICAL_VERTICAL) = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL);
+    return 0;
+}
+
+/* Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
+ * rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
+ *
+ * A rail that stands at a jump of the forces stays there.
+ */
+static OUT_OF_LINE int64_t settling__settle_again(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t settled, deflection, status;
+    settled = layout__WORK_SETTLED + layout__SETTLED_RAIL_SIZE * index;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    springs__open_settling(tables, work, index);
+    if (AT(work, settled + layout__SETTLED_RAIL_LIFTED) == 1.0)
+    {
+        return layout__UNLOADED;
+    }
+    if (AT(work, settled + layout__SETTLED_RAIL_STANDING) == 1.0)
+    {
+        return settling_brackets__press_rail(tables, work, index, height, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL));
+    }
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = AT(work, settled + layout__SETTLED_RAIL_LATERAL_LATERAL);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) = AT(work, settled + layout__SETTLED_RAIL_LATERAL_VERTICAL);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) = AT(work, settled + layout__SETTLED_RAIL_VERTICAL_LATERAL);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) = AT(work, settled + layout__SETTLED_RAIL_VERTICAL_VERTICAL);
+    status = settling__iterate_deflection(tables, work, index, height, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL), settling__AGAIN_TRIALS);
+    if (status <= layout__UNLOADED)
+    {
+        settling__keep_slopes(work, index);
     }
     return status;
 }
@@ -3484,15 +3579,21 @@ static OUT_OF_LINE void settling__one_contact(double* out_0, double* out_1, arra
     *out_1 = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) + down * force;
 }
 
-/* Settle the rail of a side by Broyden's method; the outcome, NOT_CONVERGED where it finds nothing. */
-static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height)
+/* Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the outcome,
+ * NOT_CONVERGED where so many ``trials`` find nothing.  Fewer begin with the derivatives that are known.
+ */
+static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical, int64_t trials)
 {
     int64_t side, trial, status;
-    double lateral, vertical, before_lateral, before_vertical, before;
+    double sharp, before_lateral, before_vertical, before;
+    bool worse;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    lateral = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
-    vertical = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL);
-    for (trial = 0; trial < settling__SETTLING_TRIALS; trial += 1)
+    sharp = settling_enclosing__SETTLED;
+    if (trials != settling__SETTLING_TRIALS)
+    {
+        sharp = settling__AGAIN_SHARP;
+    }
+    for (trial = 0; trial < trials; trial += 1)
     {
         before_lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
         before_vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
@@ -3502,19 +3603,20 @@ static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, 
             return layout__NOT_CONVERGED;
         }
         before = fabs(before_lateral) + fabs(before_vertical);
-        if (trial == 0 || fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) > before)
+        worse = fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) > before;
+        if ((trial == 0 && trials == settling__SETTLING_TRIALS) || (trial > 0 && worse))
         {
             settling_slopes__begin_slopes(tables, work, index, height);
         }
-        else
+        else if (trial > 0)
         {
-            settling__update_slopes(work, before_lateral, before_vertical);
+            settling_slopes__update_slopes(work, before_lateral, before_vertical);
         }
         if (!settling_slopes__find_settling(tables, work, index, height))
         {
             return layout__NOT_CONVERGED;
         }
-        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) < settling_enclosing__SETTLED && fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) < settling_enclosing__SETTLED)
+        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) < sharp && fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) < sharp)
         {
             if (!springs__has_settled(work, side, springs__UNSETTLED))
             {
@@ -3527,25 +3629,6 @@ static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, 
         vertical += AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL);
     }
     return layout__NOT_CONVERGED;
-}
-
-/* The derivatives that the last move has shown (Broyden 1965). */
-static OUT_OF_LINE int64_t settling__update_slopes(array_double_1d work, double before_lateral, double before_vertical)
-{
-    double lateral, vertical, size, off_lateral, off_vertical;
-    lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL);
-    vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL);
-    size = lateral * lateral + vertical * vertical;
-    if (size > 0.0)
-    {
-        off_lateral = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - before_lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * vertical) / size;
-        off_vertical = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - before_vertical - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) * lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) * vertical) / size;
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) += off_lateral * lateral;
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) += off_lateral * vertical;
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) += off_vertical * lateral;
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += off_vertical * vertical;
-    }
-    return 0;
 }
 
 
@@ -3606,47 +3689,70 @@ static OUT_OF_LINE double settling_brackets__nearer_end(array_double_1d work, in
     return end;
 }
 
-/* 1 where a bracket is to be halved: every other time ``i``, and where the values at its ends differ by
- * as much as ``before``, as across a jump; else 0.
+/* How what the springs carry more than the wheel presses follows the vertical deflection [N/m], from the
+ * springs, and from patches whose forces grow as Hertz's along their normals.
  */
-static OUT_OF_LINE int64_t settling_brackets__half_way(int64_t i, double fall, double before)
+static OUT_OF_LINE double settling_brackets__vertical_slope(array_double_1d tables, array_double_1d work, int64_t index)
 {
-    int64_t halved;
-    halved = modulo(i, 2);
-    if (before > 0.0 && fall > settling_brackets__LEAST_FALL * before)
+    double slope, share;
+    int64_t side, number, patch, number_end;
+    slope = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
     {
-        halved = 1;
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_PENETRATION) > 0.0)
+        {
+            share = settling_slopes__GROWTH * AT(work, patch + layout__PATCH_NORMAL_Z) / (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_PENETRATION));
+            slope += share * AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FORCE + 2);
+        }
     }
-    return halved;
+    return slope;
 }
 
-/* Let the rail of a side with this ``lateral`` deflection [m] settle vertically, within ``reach`` [m] of
- * ``near`` if it does; the outcome.
- */
-static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double near, double reach)
+/* A slope, by which the last ``move`` changes the residual by as much as it has, if that is near. */
+static OUT_OF_LINE double settling_brackets__corrected_slope(double slope, double change, double move)
 {
-    int64_t side, status, i;
-    double rest, approach, fall, before, vertical;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    rest = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST);
-    if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0))
+    double factor;
+    if (move != 0.0)
     {
-        return settling_brackets__press_rail(tables, work, index, height, lateral, rest);
+        factor = change / (slope * move);
+        if (factor > settling_brackets__SLOPE_FACTOR && factor * settling_brackets__SLOPE_FACTOR < 1.0)
+        {
+            slope *= factor;
+        }
     }
-    if (!settling_brackets__stand_on(tables, work, index, lateral, rest))
+    return slope;
+}
+
+/* Let the rail of a side with this ``lateral`` deflection [m] settle vertically, by Newton's method from
+ * where it stands, within a bracket that is halved where a step has not halved the residual; the outcome.
+ *
+ * exact : else the vertical residual that is left, or what the width of a jump leaves open, is small against
+ *     the lateral residual.
+ * reach : where it stands is at a jump, and so it is within this distance [m] if it does.
+ */
+static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, bool exact, double reach)
+{
+    double near, lowest, vertical, stiffness, touching, before, move, width, residual, slope, following;
+    int64_t status, i;
+    bool enclosed, slow;
+    near = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL);
+    status = settling_brackets__open_vertical(tables, work, index, height, lateral);
+    if (status != layout__VALID)
     {
-        return layout__OFF_PROFILE;
+        return status;
     }
-    approach = height - AT(work, side + layout__SIDE_SEARCH_BEST);
-    if (!(approach > at_height__GRAZING))
+    lowest = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW);
+    vertical = near;
+    if (!(near > lowest && near < AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)))
     {
-        return settling_brackets__press_rail(tables, work, index, height, lateral, rest);
+        stiffness = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
+        touching = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST);
+        vertical = double_max(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - touching * stiffness / (stiffness + settling_brackets__CONTACT_STIFFNESS), lowest);
     }
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) = rest + approach;
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) * approach;
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) = double_max(rest, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - settling_brackets__NOT_DEEPEST * trial__DEEPEST);
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = 0.0;
-    if (reach < trial__DEEPEST)
+    if (reach > 0.0)
     {
         status = settling_brackets__narrow_beside(tables, work, index, height, lateral, near + reach);
         if (status <= layout__UNLOADED)
@@ -3658,42 +3764,128 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_vertical(array_double_1d t
             return status;
         }
     }
-    if (!(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) > 0.0))
+    before = 0.0;
+    move = 0.0;
+    width = 0.0;
+    for (i = 0; i < brackets__BRACKETINGS; i += 1)
     {
-        status = settling_brackets__press_rail(tables, work, index, height, lateral, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW));
-        if (status > layout__UNLOADED)
+        status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical);
+        if (status > layout__UNLOADED || settling_brackets__is_level(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, exact))
         {
             return status;
         }
-        AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
-        if (!(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) > 0.0))
+        residual = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+        if (vertical == lowest && residual >= 0.0)
         {
             return layout__OFF_PROFILE;
         }
-    }
-    fall = 0.0;
-    for (i = 0; i < brackets__BRACKETINGS; i += 1)
-    {
-        before = fall;
-        fall = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH);
-        /* a chord is no good across a jump */
-        vertical = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, settling_brackets__half_way(i, fall, before));
-        status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical);
-        if (status > layout__UNLOADED)
-        {
-            return status;
-        }
-        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) <= settling_brackets__BALANCED * fabs(AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2)))
-        {
-            return status;
-        }
-        brackets__narrow_bracket(work, layout__WORK_HEIGHT_BRACKET, vertical, -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
-        if (AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP || settling_brackets__encloses_jump(work, layout__WORK_HEIGHT_BRACKET))
+        brackets__narrow_bracket(work, layout__WORK_HEIGHT_BRACKET, vertical, -residual);
+        enclosed = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) > 0.0;
+        if (enclosed && settling_brackets__is_narrow(work, layout__WORK_HEIGHT_BRACKET, vertical, fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)), exact))
         {
             break;
         }
+        slope = settling_brackets__corrected_slope(settling_brackets__vertical_slope(tables, work, index), residual - before, move);
+        following = vertical - residual / slope;
+        if (fabs(following - vertical) < settling_brackets__LEVEL_SHARP)
+        {
+            return status;
+        }
+        slow = i > 0 && fabs(residual) > settling_brackets__REDUCED * fabs(before);
+        if (!enclosed)
+        {
+            if (slow && residual > 0.0)
+            {
+                following = double_min(following, vertical - settling_brackets__LONGER * fabs(move));
+            }
+            following = double_max(following, lowest);
+        }
+        else if (slow || !settling_brackets__is_within(work, layout__WORK_HEIGHT_BRACKET, following))
+        {
+            following = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, (int64_t)(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) > settling_brackets__REDUCED * width));
+        }
+        width = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW);
+        before = residual;
+        move = following - vertical;
+        vertical = following;
     }
-    return settling_brackets__press_rail(tables, work, index, height, lateral, settling_brackets__nearer_end(work, layout__WORK_HEIGHT_BRACKET));
+    if (vertical != settling_brackets__nearer_end(work, layout__WORK_HEIGHT_BRACKET))
+    {
+        status = settling_brackets__press_rail(tables, work, index, height, lateral, settling_brackets__nearer_end(work, layout__WORK_HEIGHT_BRACKET));
+    }
+    return status;
+}
+
+/* Whether a place lies between both ends of a bracket. */
+static OUT_OF_LINE bool settling_brackets__is_within(array_double_1d work, int64_t bracket, double place)
+{
+    return place > AT(work, bracket + layout__BRACKET_LOW) && place < AT(work, bracket + layout__BRACKET_HIGH);
+}
+
+/* Bracket the vertical deflection of a rail with this ``lateral`` one [m]: from where its wheel just
+ * touches it down to where it is deepest; VALID, or the outcome if no vertical one is sought.
+ */
+static OUT_OF_LINE int64_t settling_brackets__open_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral)
+{
+    double rest, approach;
+    rest = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST);
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) = rest;
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) = rest;
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = 0.0;
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) = 0.0;
+    approach = 0.0;
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0)
+    {
+        if (!settling_brackets__stand_on(tables, work, index, lateral, rest))
+        {
+            return layout__OFF_PROFILE;
+        }
+        approach = height - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST);
+    }
+    if (!(approach > at_height__GRAZING))
+    {
+        return int64_max(settling_brackets__press_rail(tables, work, index, height, lateral, rest), layout__UNLOADED);
+    }
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) = rest + approach;
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) = -AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) * approach;
+    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) = double_max(rest, AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - settling_brackets__NOT_DEEPEST * trial__DEEPEST);
+    return layout__VALID;
+}
+
+/* Whether the vertical residual is small: against the force, or, if it is not to be ``exact``, against the
+ * lateral residual.
+ */
+static OUT_OF_LINE bool settling_brackets__is_level(array_double_1d work, int64_t side, bool exact)
+{
+    double limit;
+    limit = settling_brackets__BALANCED * fabs(AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2));
+    if (!exact)
+    {
+        limit = double_max(limit, settling_brackets__SMALL_SHARE * fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)));
+    }
+    return fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) <= limit;
+}
+
+/* Whether a bracket need not become narrower, one end of which is ``vertical`` [m], with the size of the
+ * residual ``lateral`` [N] there.
+ */
+static OUT_OF_LINE bool settling_brackets__is_narrow(array_double_1d work, int64_t bracket, double vertical, double lateral, bool exact)
+{
+    double width;
+    width = AT(work, bracket + layout__BRACKET_HIGH) - AT(work, bracket + layout__BRACKET_LOW);
+    if (width < brackets__BRACKET_SHARP || settling_brackets__encloses_jump(work, bracket))
+    {
+        return true;
+    }
+    return !exact && vertical == settling_brackets__nearer_end(work, bracket) && AT(work, bracket + layout__BRACKET_AT_LOW) - AT(work, bracket + layout__BRACKET_AT_HIGH) > settling_brackets__STEEPEST_CONTACT * width && lateral > settling_brackets__STEEPEST_CONTACT * width;
+}
+
+/* Whether the last bracket of a vertical deflection encloses a jump. */
+static OUT_OF_LINE bool settling_brackets__ends_at_jump(array_double_1d work, int64_t bracket)
+{
+    double width;
+    width = AT(work, bracket + layout__BRACKET_HIGH) - AT(work, bracket + layout__BRACKET_LOW);
+    return AT(work, bracket + layout__BRACKET_AT_LOW) > 0.0 && AT(work, bracket + layout__BRACKET_AT_LOW) - AT(work, bracket + layout__BRACKET_AT_HIGH) > settling_brackets__STEEPEST_CONTACT * width;
 }
 
 /* Let a vertical deflection be an end of the bracket if it lies within; the outcome. */
@@ -3715,12 +3907,13 @@ static OUT_OF_LINE int64_t settling_brackets__narrow_beside(array_double_1d tabl
 /* Let the rail of a side settle; the outcome. */
 static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    int64_t deflection, status, i;
-    double lateral, reach, fall, before, near;
-    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    double lateral, reach;
+    bool sideways;
+    int64_t status, i;
     lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST);
-    status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, 0.0, trial__DEEPEST);
-    if (status > layout__UNLOADED || !(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0) || AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) == 0.0)
+    sideways = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0;
+    status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, !sideways, 0.0);
+    if (status > layout__UNLOADED || !sideways || AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) == 0.0)
     {
         return status;
     }
@@ -3736,7 +3929,7 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d table
     for (i = 0; i < settling_brackets__DOUBLINGS; i += 1)
     {
         lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) + reach;
-        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, 0.0, trial__DEEPEST);
+        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, false, 0.0);
         if (status > layout__UNLOADED)
         {
             return status;
@@ -3752,26 +3945,61 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d table
     {
         return layout__NOT_CONVERGED;
     }
-    fall = 0.0;
+    return settling_brackets__narrow_lateral(tables, work, index, height);
+}
+
+/* Let the rail of a side settle within the bracket of its lateral deflection; the outcome. */
+static OUT_OF_LINE int64_t settling_brackets__narrow_lateral(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t deflection, i, status;
+    double width, lateral, before, place, reach, residual, following, secant;
+    bool shrunk, jumping;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    width = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
+    shrunk = false;
+    lateral = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, 0);
+    before = 0.0;
+    place = lateral;
     for (i = 0; i < brackets__BRACKETINGS; i += 1)
     {
-        before = fall;
-        fall = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
-        lateral = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, settling_brackets__half_way(i, fall, before));
-        near = AT(work, deflection + layout__DEFLECTION_VERTICAL);
-        reach = settling_brackets__STEEPEST_WAY * fabs(lateral - AT(work, deflection + layout__DEFLECTION_LATERAL)) + settling_brackets__JUMP_WIDTH;
-        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, near, reach);
+        reach = 0.0;
+        if (settling_brackets__ends_at_jump(work, layout__WORK_HEIGHT_BRACKET))
+        {
+            reach = settling_brackets__STEEPEST_WAY * fabs(lateral - AT(work, deflection + layout__DEFLECTION_LATERAL)) + settling_brackets__JUMP_WIDTH;
+        }
+        status = settling_brackets__bracket_vertical(tables, work, index, height, lateral, false, reach);
         if (status > layout__UNLOADED || springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, settling_brackets__BALANCED))
         {
             return status;
         }
-        brackets__narrow_bracket(work, layout__WORK_ROLL_BRACKET, lateral, -AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
-        if (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) < brackets__BRACKET_SHARP || settling_brackets__encloses_jump(work, layout__WORK_ROLL_BRACKET))
+        residual = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+        brackets__narrow_bracket(work, layout__WORK_ROLL_BRACKET, lateral, -residual);
+        shrunk = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) < settling_brackets__REDUCED * width;
+        width = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
+        jumping = width < settling_brackets__JUMP_WIDTH && settling_brackets__ends_at_jump(work, layout__WORK_HEIGHT_BRACKET);
+        if (jumping || width < brackets__BRACKET_SHARP || settling_brackets__encloses_jump(work, layout__WORK_ROLL_BRACKET))
         {
             break;
         }
+        following = brackets__next_in_bracket(work, layout__WORK_ROLL_BRACKET, (int64_t)(!shrunk));
+        if (i > 0 && fabs(residual) < settling_brackets__REDUCED * fabs(before))
+        {
+            secant = lateral - residual * (lateral - place) / (residual - before);
+            if (settling_brackets__is_within(work, layout__WORK_ROLL_BRACKET, secant))
+            {
+                following = secant;
+            }
+        }
+        place = lateral;
+        before = residual;
+        lateral = following;
     }
-    return settling_brackets__bracket_vertical(tables, work, index, height, settling_brackets__nearer_end(work, layout__WORK_ROLL_BRACKET), 0.0, trial__DEEPEST);
+    reach = 0.0;
+    if (settling_brackets__ends_at_jump(work, layout__WORK_HEIGHT_BRACKET))
+    {
+        reach = (settling_brackets__STEEPEST_WAY + 1.0) * settling_brackets__JUMP_WIDTH;
+    }
+    return settling_brackets__bracket_vertical(tables, work, index, height, settling_brackets__nearer_end(work, layout__WORK_ROLL_BRACKET), true, reach);
 }
 
 
@@ -3793,7 +4021,7 @@ static OUT_OF_LINE int64_t settling_brackets__bracket_rail(array_double_1d table
 static OUT_OF_LINE int64_t settling_enclosing__enclose_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
     int64_t deflection, status, places, trial;
-    double before, size;
+    double before, span, size, apart;
     bool reduced;
     deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
     status = settling_brackets__press_rail(tables, work, index, height, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL));
@@ -3807,6 +4035,7 @@ static OUT_OF_LINE int64_t settling_enclosing__enclose_deflection(array_double_1
     }
     places = 0;
     before = 0.0;
+    span = 0.0;
     for (trial = 0; trial < settling_enclosing__ENCLOSINGS; trial += 1)
     {
         settling_slopes__begin_slopes(tables, work, index, height);
@@ -3828,6 +4057,15 @@ static OUT_OF_LINE int64_t settling_enclosing__enclose_deflection(array_double_1
         before = size;
         if (places == 2)
         {
+            if (modulo(trial, settling_enclosing__CLOSING) == settling_enclosing__CLOSING - 1)
+            {
+                apart = settling_enclosing__places_apart(work);
+                if (span > 0.0 && !(apart < settling_enclosing__CLOSER * span))
+                {
+                    return layout__NOT_CONVERGED;
+                }
+                span = apart;
+            }
             if (!settling_enclosing__move_between(tables, work, index, height, reduced))
             {
                 return layout__NOT_CONVERGED;
@@ -3971,11 +4209,17 @@ static OUT_OF_LINE bool settling_enclosing__move_between(array_double_1d tables,
     return true;
 }
 
+/* How far both places are from each other [m]. */
+static OUT_OF_LINE double settling_enclosing__places_apart(array_double_1d work)
+{
+    return fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL));
+}
+
 /* Whether both places, and the next one, are the same but for a jump. */
 static OUT_OF_LINE bool settling_enclosing__is_at_jump(array_double_1d work, double lateral, double vertical)
 {
     double apart, move, jump;
-    apart = fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_VERTICAL));
+    apart = settling_enclosing__places_apart(work);
     move = fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) + fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL));
     jump = fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_LATERAL))) + fabs(settling_enclosing__scaled(AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_OTHER + layout__SETTLED_RESIDUAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_ONE + layout__SETTLED_RESIDUAL_VERTICAL)));
     return apart < settling_enclosing__JUMP_SHARP && move < settling_enclosing__JUMP_SHARP && jump > settling_enclosing__STEEPEST * apart;
@@ -4022,6 +4266,124 @@ static OUT_OF_LINE int64_t settling_enclosing__move_rail(array_double_1d tables,
 }
 
 
+/* ---- From wheelset/settling_newton.py; change that one.
+ *
+ * Rails that settle on their springs where the contact goes far along its rail as this moves, as between tread
+ * and flange: Newton's method with derivatives by differences, whose moves are shortened until they reduce what is
+ * left.
+ *
+ * The derivatives of Broyden's method begin without how the normal turns as the contact goes along.
+ */
+
+/* Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where no part of a move
+ * reduces what is left.
+ */
+static OUT_OF_LINE int64_t settling_newton__approach_balance(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t side, deflection, status, i;
+    bool good;
+    double lateral, vertical, left_lateral, left_vertical, size;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    deflection = side + layout__SIDE_SEARCH_DEFLECTION;
+    status = settling_brackets__press_rail(tables, work, index, height, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL));
+    if (status > layout__UNLOADED)
+    {
+        status = settling_enclosing__let_down(tables, work, index, height);
+    }
+    good = false;
+    for (i = 0; i < settling_newton__MOVES; i += 1)
+    {
+        if (status > layout__UNLOADED)
+        {
+            return layout__NOT_CONVERGED;
+        }
+        lateral = AT(work, deflection + layout__DEFLECTION_LATERAL);
+        vertical = AT(work, deflection + layout__DEFLECTION_VERTICAL);
+        if (!good && !settling_newton__difference_slopes(tables, work, index, height))
+        {
+            return layout__NOT_CONVERGED;
+        }
+        if (!settling_slopes__find_settling(tables, work, index, height))
+        {
+            return layout__NOT_CONVERGED;
+        }
+        if (fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL)) < settling_enclosing__SETTLED && fabs(AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL)) < settling_enclosing__SETTLED)
+        {
+            status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical);
+            if (status > layout__UNLOADED || !springs__has_settled(work, side, springs__UNSETTLED))
+            {
+                return layout__NOT_CONVERGED;
+            }
+            return status;
+        }
+        settling_enclosing__shorten_settling(work);
+        left_lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+        left_vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+        size = settling_enclosing__residual_size(work);
+        status = settling_newton__move_part(tables, work, index, height, lateral, vertical);
+        good = status <= layout__UNLOADED && settling_enclosing__residual_size(work) < settling_newton__GOOD * size;
+        if (good)
+        {
+            settling_slopes__update_slopes(work, left_lateral, left_vertical);
+        }
+    }
+    return layout__NOT_CONVERGED;
+}
+
+/* Move the rail from ``lateral`` and ``vertical`` [m], and less far until this reduces the residuals; the
+ * outcome.
+ */
+static OUT_OF_LINE int64_t settling_newton__move_part(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical)
+{
+    double size;
+    int64_t i, status;
+    size = settling_enclosing__residual_size(work);
+    for (i = 0; i < settling_newton__PARTS; i += 1)
+    {
+        status = settling_brackets__press_rail(tables, work, index, height, lateral + AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL), vertical + AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL));
+        if (status <= layout__UNLOADED && settling_enclosing__residual_size(work) < settling_newton__LEFT * size)
+        {
+            return status;
+        }
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) *= settling_newton__PART;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) *= settling_newton__PART;
+    }
+    return layout__NOT_CONVERGED;
+}
+
+/* The residuals' derivatives by both deflections, by differences; whether the contact is known there. */
+static OUT_OF_LINE bool settling_newton__difference_slopes(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t deflection, status;
+    double lateral, vertical, left_lateral, left_vertical;
+    bool found;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    lateral = AT(work, deflection + layout__DEFLECTION_LATERAL);
+    vertical = AT(work, deflection + layout__DEFLECTION_VERTICAL);
+    left_lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL);
+    left_vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL);
+    found = true;
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0)
+    {
+        status = settling_brackets__press_rail(tables, work, index, height, lateral + settling_newton__DIFFERENCE, vertical);
+        found = status <= layout__UNLOADED;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - left_lateral) / settling_newton__DIFFERENCE;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - left_vertical) / settling_newton__DIFFERENCE;
+    }
+    if (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) > 0.0)
+    {
+        status = settling_brackets__press_rail(tables, work, index, height, lateral, vertical + settling_newton__DIFFERENCE);
+        found = found && status <= layout__UNLOADED;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - left_lateral) / settling_newton__DIFFERENCE;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - left_vertical) / settling_newton__DIFFERENCE;
+    }
+    settling_slopes__hold_rigid(work);
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) = left_lateral;
+    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) = left_vertical;
+    return found;
+}
+
+
 /* ---- From wheelset/settling_slopes.py; change that one.
  *
  * How what the springs of a rail carry more than its wheel presses follows both deflections of the rail.
@@ -4057,6 +4419,13 @@ static OUT_OF_LINE int64_t settling_slopes__begin_slopes(array_double_1d tables,
     {
         settling_slopes__add_rates(tables, work, index, height);
     }
+    settling_slopes__hold_rigid(work);
+    return 0;
+}
+
+/* Directions in which a rail is rigid keep its deflection. */
+static OUT_OF_LINE int64_t settling_slopes__hold_rigid(array_double_1d work)
+{
     if (!(AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) > 0.0))
     {
         AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) = 1.0;
@@ -4144,6 +4513,25 @@ static OUT_OF_LINE bool settling_slopes__find_settling(array_double_1d tables, a
     AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL)) / determinant;
     AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL) = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) * AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL)) / determinant;
     return true;
+}
+
+/* The derivatives that the last move has shown (Broyden 1965). */
+static OUT_OF_LINE int64_t settling_slopes__update_slopes(array_double_1d work, double before_lateral, double before_vertical)
+{
+    double lateral, vertical, size, off_lateral, off_vertical;
+    lateral = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_LATERAL);
+    vertical = AT(work, layout__WORK_SETTLING + layout__SETTLING_MOVE_VERTICAL);
+    size = lateral * lateral + vertical * vertical;
+    if (size > 0.0)
+    {
+        off_lateral = (AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) - before_lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) * lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) * vertical) / size;
+        off_vertical = (AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) - before_vertical - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) * lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) * vertical) / size;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_LATERAL) += off_lateral * lateral;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_VERTICAL) += off_lateral * vertical;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_LATERAL) += off_vertical * lateral;
+        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_VERTICAL) += off_vertical * vertical;
+    }
+    return 0;
 }
 
 
