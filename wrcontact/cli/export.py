@@ -6,10 +6,10 @@ from typing import Annotated
 
 import typer
 
-from .. import ContactSystem
 from ..interface.inputs import INPUTS
 from ..methods.numbers import check_choice
 from ..status import Status
+from ..system import ContactSystem
 from .door import Refused, check_file, check_folder, sentences
 from .profile_files import Smoothing
 from .shifts import shifts_of
