@@ -152,8 +152,8 @@ def test_condensing_keeps_the_slow_response():
 
 
 def test_quasi_linear_stiffness_is_the_first_harmonic_of_the_force():
-    """Hertz on S1002 without friction: the lateral force along the swing, each place by scipy's own search; jumps of
-    the force have no derivative, and leave 1 %."""
+    """Hertz on cones without friction: the lateral force along the swing, each place by scipy's own search, to
+    1 %."""
     system = wrcontact.ContactSystem(contact_mode="compliant", normal_model="hertz", wheel="cone20")
     amplitude, count = 5e-3, 48
     found = system.linearize(amplitude=amplitude, phases=count)
@@ -189,18 +189,31 @@ def test_creep_falls_with_the_amplitude():
     """Large swings in yaw use up the friction: the secant falls, to 4 mu N / (pi amplitude) where all slides."""
     system = wrcontact.ContactSystem(**{**CONES, "tangential_model": "polach"})
     found = [
-        system.linearize(speed=20.0, amplitude=1e-6, yaw_amplitude=yaw, phases=96).stiffness[0, 1]
-        for yaw in (1e-4, 2e-3, 0.02)
+        system.linearize(speed=20.0, amplitude=1e-6, yaw_amplitude=yaw, phases=64).stiffness[0, 1]
+        for yaw in (1e-4, 0.02)
     ]
-    assert found[0] < 0.9 * found[1] < 0.0
-    assert found[2] == pytest.approx(-4.0 * 0.3 * WEIGHT / (np.pi * 0.02), rel=0.15)
+    assert found[0] < 5.0 * found[1] < 0.0
+    assert found[1] == pytest.approx(-4.0 * 0.3 * WEIGHT / (np.pi * 0.02), rel=0.15)
 
 
 @pytest.mark.full
 def test_critical_speed_by_eigenvalues_is_that_of_runs():
     system = wrcontact.ContactSystem(contact_mode="compliant", tangential_model="strips")
-    critical = example.critical_speed(system, 30.0, 60.0)
+    critical = example.critical_speed(system, 43.0, 48.0)
     assert example.critical_speed_of_runs(system, critical) == pytest.approx(critical, rel=0.01)
+
+
+@pytest.mark.full
+def test_limit_cycle_is_that_of_a_run():
+    """S1002 between its flanges: where the root of the quasi-linear matrices passes zero, to what the other harmonics
+    leave; and a run that begins there."""
+    system = wrcontact.ContactSystem(contact_mode="compliant", tangential_model="strips")
+    shift = example.Run(system, example.CYCLE).lateral_shift(2.0, start=6.2e-3)
+    found = np.ptp(shift[-len(shift) // 5 :]) / 2.0
+    below, above = (
+        example.swing_root(system, example.CYCLE, amplitude * found).real for amplitude in (0.75, 1.01)
+    )
+    assert below > 0.1 and above < -1.0, (below, above)
 
 
 def test_a_run_grows_as_the_root_says():

@@ -106,7 +106,7 @@ def _at(system, inputs, held=None):
     """The record at one place with the ``inputs``, and (height, roll, their slopes (2, 2)) there.
 
     ``held`` is where the search begins, else at the equilibrium of the elastic wheelset.  Height and roll follow
-    the lateral and the yaw rate among the inputs.
+    the lateral and the yaw rate among the inputs, with the slopes where the search begins.
     """
     start = system.evaluate(**inputs)
     load = 2.0 * start.inputs.normal_force
@@ -114,7 +114,7 @@ def _at(system, inputs, held=None):
     wanted = np.array([-load, -load * start.inputs.load_transfer * arm])
     moving = np.array([start.inputs.lateral_velocity, start.inputs.yaw_rate])
     unknown, slopes = held or _balanced(start, inputs)
-    before, least = None, math.inf
+    before, least, moves = None, math.inf, bool(moving.any())
     for _ in range(STEPS):
         follow = dict(zip(PLACES[1:3], unknown)) | dict(zip(RATES[1:3], slopes @ moving))
         state = system.evaluate(**{**inputs, **follow})
@@ -127,6 +127,9 @@ def _at(system, inputs, held=None):
                 _refuse(state.status, state, inputs)
             continue
         forces, by = _generalised(system, {**inputs, **follow}, state)
+        if moves:  # once: slopes that jump beside a jump of the load would keep the search from ending
+            slopes, moves = _slopes(by), False
+            continue
         missing = forces[WHOLE][1:3] - wanted
         stiff = by[WHOLE][1:3]
         if abs(missing).max() <= MET * load:
@@ -140,13 +143,14 @@ def _at(system, inputs, held=None):
         step = np.linalg.solve(stiff[:, 1:3], -missing)
         before = unknown
         unknown = unknown + step * min(1.0, (LONGEST / np.maximum(abs(step), 1e-300)).min())
-        slopes = -np.linalg.solve(stiff[:, 1:3], stiff[:, [0, 3]])
     else:
+        if held:  # from elsewhere
+            return _at(system, inputs)
         raise RuntimeError(
             f"no height and roll carry the load {_words(inputs)}: a wheelset with this force "
             "on its flange tips"
         )
-    slopes = -np.linalg.solve(stiff[:, 1:3], stiff[:, [0, 3]])
+    slopes = _slopes(by)
     normal = by[PRESSURES]
     creep = by[WHOLE] - normal
     found = Linearization(
@@ -164,6 +168,13 @@ def _at(system, inputs, held=None):
         patches=tuple(_patches(system, state)),
     )
     return found, (unknown, slopes)
+
+
+def _slopes(by):
+    """How height and roll follow lateral shift and yaw (2, 2) while both wheels keep their loads: by the pressures
+    alone, which is kinematics."""
+    held = by[PRESSURES][1:3]
+    return -np.linalg.solve(held[:, 1:3], held[:, [0, 3]])
 
 
 def _balanced(state, inputs):
