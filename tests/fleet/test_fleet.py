@@ -23,8 +23,10 @@ from wrcontact.conditioning.curves import merged_jumps
 from wrcontact.fleet import run as fleet_run
 from wrcontact.fleet import table, workers
 from wrcontact.fleet.files import named_sources, slug
+from wrcontact.fleet.folder import Folder
 from wrcontact.fleet.page import COLUMNS
 from wrcontact.fleet.pair import examine
+from wrcontact.fleet.table import empty_row
 from wrcontact.profiles import standard_profile
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -276,6 +278,14 @@ def test_damaged_lines_are_done_again(files, tmp_path, examined, fleet, folder, 
     again = wrcontact.check_fleet(*files, tmp_path / "out", processes=1, pictures="none", gauge=1.436)
     assert 1 <= len(examined) <= 4 and [row["usable"] for row in again] == [row["usable"] for row in fleet]
     assert [row["conicity_3mm"] for row in again] == [row["conicity_3mm"] for row in fleet]
+
+
+@pytest.mark.parametrize("lost", ["json", "picture"])
+def test_a_pair_is_kept_with_all_of_its_files_only(tmp_path, lost):
+    row = Folder(tmp_path).add("mark", {**empty_row(), "wheel": "a", "rail": "b"}, "{}", b"drawn")
+    assert Folder(tmp_path).kept("mark", "all") == row
+    (tmp_path / row[lost]).unlink()
+    assert Folder(tmp_path).kept("mark", "all") is None
 
 
 @pytest.mark.full

@@ -2479,10 +2479,15 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
         if (count > 0 && penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))
         {
             derivative_analyn_contact__solve_analyn_t(&estimate, &estimate_t, &count, &known, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
-            if (known)
+            if (!known)
             {
-                derivative_strip_contact__sink_strips_t(&penetration, &penetration_t, &count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, false);
+                *penetration_out = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+                EACH_LANE each(*penetration_t_out) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+                *count_out = count;
+                *satisfied_out = false;
+                return;
             }
+            derivative_strip_contact__sink_strips_t(&penetration, &penetration_t, &count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, false);
         }
     }
     if (count == 0)
@@ -3681,7 +3686,7 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
     AT(work, region + layout__REGION_MOMENT) = scale * moment;
     RATE_AT(work_t, region + layout__REGION_SLANT) = all_lanes(0.0);
     AT(work, region + layout__REGION_SLANT) = 0.0;
-    if (load > 0.0)
+    if (load != 0.0)
     {
         v3 = cosines / load;
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v3 * each(load_t)) / load;
@@ -3695,6 +3700,9 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
             EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v5_t);
             AT(work, region + layout__REGION_SHARE) = v5;
         }
+    }
+    if (load > 0.0)
+    {
         v6 = moment / load;
         v7 = x / load;
         EACH_LANE each(rates) = (each(moment_t) - v6 * each(load_t)) / load;

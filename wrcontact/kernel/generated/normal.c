@@ -2122,10 +2122,15 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
         if (count > 0 && penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))
         {
             analyn_contact__solve_analyn(&estimate, &count, &known, tables, work, pair, side, force, prescribed);
-            if (known)
+            if (!known)
             {
-                strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
+                /* the regions are now ANALYN's, and the strips stand at a wrong depth */
+                *penetration_out = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+                *count_out = count;
+                *satisfied_out = false;
+                return;
             }
+            strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
         }
     }
     if (count == 0)
@@ -2196,11 +2201,12 @@ static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out,
 /* Whether the load of the strips is about that of ANALYN's levels, which the sweeps leave as they are, and
  * their largest pressure not far above theirs.
  *
- * Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.
+ * Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.  Strips that all
+ * together pull are wrong, however little they carry.
  */
 static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables)
 {
-    double load, pressure, parted, carried, largest;
+    double load, pressure, parted, normal, carried, largest;
     int64_t i, strip, i_end;
     strip_levels__level_contact(&load, &pressure, work);
     parted = strip_contact__PARTED;
@@ -2208,17 +2214,23 @@ static inline bool strip_contact__agrees_with_levels(array_double_1d work, array
     {
         parted = strip_contact__PARTED_VERTICAL;
     }
+    normal = 0.0;
     carried = 0.0;
     largest = 0.0;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        normal += AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_Y);
         carried += AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_COUNTED) * AT(work, strip + layout__STRIP_Y);
         largest = double_max(largest, AT(work, strip + layout__STRIP_Y));
     }
     carried *= 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
     largest *= M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    if (!(normal > 0.0))
+    {
+        return false;
+    }
     if (carried < strip_contact__LIGHTEST && load < strip_contact__LIGHTEST)
     {
         return true;
@@ -2924,14 +2936,18 @@ static inline int64_t strip_patches__load_region(array_double_1d work, array_dou
     AT(work, region + layout__REGION_CARRIED) = scale * load;
     AT(work, region + layout__REGION_MOMENT) = scale * moment;
     AT(work, region + layout__REGION_SLANT) = 0.0;
-    if (load > 0.0)
+    if (load != 0.0)
     {
+        /* also of a region that pulls: load times direction is the sum over its strips */
         AT(work, region + layout__REGION_COS) = cosines / load;
         AT(work, region + layout__REGION_SIN) = sines / load;
         if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
             AT(work, region + layout__REGION_SHARE) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN));
         }
+    }
+    if (load > 0.0)
+    {
         strip_patches__slant_region(work, region, index, moment / load, x / load);
     }
     return 0;
