@@ -139,6 +139,7 @@ def test_numbers_are_those_of_the_report(fleet, folder):
         assert row["remarks"] == report["remarks"] and row["usable"] is report["usable"] is True
         assert [row[f"conicity_{k}mm"] for k in range(1, 9)] == report["conicity"]["level"]
         assert row["conicity_3mm_rolled"] == report["conicity"]["rolled"][2]
+        assert row["nonlinearity"] == report["conicity"]["nonlinearity"]
         assert [row["usable_from"], row["usable_to"]] == report["usable_shifts"]
         for name in ("nearest_jump", "flange_shift"):
             assert row[name] == report[name]
