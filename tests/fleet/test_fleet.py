@@ -24,7 +24,7 @@ from wrcontact.fleet import run as fleet_run
 from wrcontact.fleet import table, workers
 from wrcontact.fleet.files import named_sources, slug
 from wrcontact.fleet.folder import Folder
-from wrcontact.fleet.page import COLUMNS
+from wrcontact.fleet.page import COLUMNS, summary
 from wrcontact.fleet.pair import examine
 from wrcontact.fleet.table import empty_row
 from wrcontact.profiles import standard_profile
@@ -326,6 +326,25 @@ def test_jumps_are_those_of_the_side_with_more(monkeypatch):
     counts = {side: len(merged_jumps(near, side)) for side in ("left", "right")}
     assert counts["left"] != counts["right"]
     assert table.numbers_of(report)["jump_count"] == max(counts.values())
+
+
+def test_the_summary_counts_near_jumps_and_has_the_middle_conicity():
+    numbers = ((0.5e-3, 0.4), (5e-3, 0.1), (None, 0.2))
+    rows = [
+        {
+            **empty_row(),
+            "wheel": f"w{k}",
+            "rail": "r",
+            "usable": True,
+            "nearest_jump": jump,
+            "conicity_3mm": level,
+        }
+        for k, (jump, level) in enumerate(numbers)
+    ]
+    assert summary(table.Fleet(tuple(rows))) == (
+        "3 pairs of 3 wheels and 1 rail: 3 usable, 1 with a jump within 1 mm of the centred position. "
+        "Equivalent conicity at 3 mm: 0.100 to 0.400, median 0.200."
+    )
 
 
 def test_the_report_has_every_row_with_what_it_sorts_by(fleet, folder):
