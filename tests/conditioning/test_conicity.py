@@ -130,6 +130,10 @@ def test_swing_beside_a_middle_that_drives_out():
     assert swing.conicity(4.5 * MM)[1] == pytest.approx(0.0, abs=1e-9)
     assert Swing(shift, -k * shift).conicity(1 * MM)[2] == NO_RETURN
     assert Swing(shift, k * shift).conicity(11 * MM)[2] == OFF_PROFILE
+    # a curve that ends within the amplitude on one side alone
+    beyond = np.linspace(-1 * MM, 12 * MM, 27)
+    for curve in (beyond, -beyond[::-1]):
+        assert Swing(curve, 0.0 * curve).conicity(2 * MM)[2] == OFF_PROFILE
 
 
 @pytest.mark.parametrize(

@@ -23,8 +23,10 @@ from wrcontact.conditioning.curves import merged_jumps
 from wrcontact.fleet import run as fleet_run
 from wrcontact.fleet import table, workers
 from wrcontact.fleet.files import named_sources, slug
-from wrcontact.fleet.page import COLUMNS
+from wrcontact.fleet.folder import Folder
+from wrcontact.fleet.page import COLUMNS, summary
 from wrcontact.fleet.pair import examine
+from wrcontact.fleet.table import empty_row
 from wrcontact.profiles import standard_profile
 from wrcontact.workers import results
 
@@ -138,6 +140,7 @@ def test_numbers_are_those_of_the_report(fleet, folder):
         assert row["remarks"] == report["remarks"] and row["usable"] is report["usable"] is True
         assert [row[f"conicity_{k}mm"] for k in range(1, 9)] == report["conicity"]["level"]
         assert row["conicity_3mm_rolled"] == report["conicity"]["rolled"][2]
+        assert row["nonlinearity"] == report["conicity"]["nonlinearity"]
         assert [row["usable_from"], row["usable_to"]] == report["usable_shifts"]
         for name in ("nearest_jump", "flange_shift"):
             assert row[name] == report[name]
@@ -281,6 +284,14 @@ def test_damaged_lines_are_done_again(files, tmp_path, examined, fleet, folder, 
     assert [row["conicity_3mm"] for row in again] == [row["conicity_3mm"] for row in fleet]
 
 
+@pytest.mark.parametrize("lost", ["json", "picture"])
+def test_a_pair_is_kept_with_all_of_its_files_only(tmp_path, lost):
+    row = Folder(tmp_path).add("mark", {**empty_row(), "wheel": "a", "rail": "b"}, "{}", b"drawn")
+    assert Folder(tmp_path).kept("mark", "all") == row
+    (tmp_path / row[lost]).unlink()
+    assert Folder(tmp_path).kept("mark", "all") is None
+
+
 @pytest.mark.full
 def test_a_pair_that_lacks_its_picture_is_done_again(tmp_path, examined):
     """Its JSON alone is not all of it; and other parameters make other pairs."""
@@ -318,6 +329,25 @@ def test_jumps_are_those_of_the_side_with_more(monkeypatch):
     counts = {side: len(merged_jumps(near, side)) for side in ("left", "right")}
     assert counts["left"] != counts["right"]
     assert table.numbers_of(report)["jump_count"] == max(counts.values())
+
+
+def test_the_summary_counts_near_jumps_and_has_the_middle_conicity():
+    numbers = ((0.5e-3, 0.4), (5e-3, 0.1), (None, 0.2))
+    rows = [
+        {
+            **empty_row(),
+            "wheel": f"w{k}",
+            "rail": "r",
+            "usable": True,
+            "nearest_jump": jump,
+            "conicity_3mm": level,
+        }
+        for k, (jump, level) in enumerate(numbers)
+    ]
+    assert summary(table.Fleet(tuple(rows))) == (
+        "3 pairs of 3 wheels and 1 rail: 3 usable, 1 with a jump within 1 mm of the centred position. "
+        "Equivalent conicity at 3 mm: 0.100 to 0.400, median 0.200."
+    )
 
 
 def test_the_report_has_every_row_with_what_it_sorts_by(fleet, folder):

@@ -9,6 +9,7 @@ TABLES, WRITERS, CATALOGUE = (
     "profiles/test_writers.py",
     "profiles/test_catalogue.py",
 )
+FOUND, NORMAL = "system/test_fuzz_findings.py", "wrcontact/kernel/normal"
 LOADER, PARTS = "fmu/test_loader.py", "wrcontact/motion/body.py"
 
 ANSWERS = [
@@ -52,6 +53,39 @@ ANSWERS = [
         "a load that is smaller than the rounding of a wheel's height is sought",
         BOUNDED,
         f"{WHEELSET}/requested.py",
+    ),
+    # --- what random poses have found
+    (
+        "pulling_strips",
+        "    if not normal > 0.0:\n        return False\n",
+        "    if not normal < 1e30:\n        return False\n",
+        "strips that all together pull are an answer where they are light",
+        FOUND,
+        f"{NORMAL}/strip_contact.py",
+    ),
+    (
+        "foreign_regions",
+        "            if not known:\n",
+        "            if not known and count < 0:\n",
+        "strips go into regions of ANALYN where that has no answer",
+        FOUND,
+        f"{NORMAL}/strip_contact.py",
+    ),
+    (
+        "pulling_region",
+        "    if load != 0.0:\n",
+        "    if load > 0.0:\n",
+        "a region that pulls has another direction than its strips",
+        FOUND,
+        f"{NORMAL}/strip_patches.py",
+    ),
+    (
+        "lost_root",
+        "            below = roll < last_above\n",
+        "            below = difference > 0.0\n",
+        "a roll that leaves a wheel beside its rail counts as a sign",
+        FOUND,
+        "wrcontact/kernel/search/roll.py",
     ),
     # --- rails on springs
     (

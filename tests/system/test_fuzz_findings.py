@@ -184,6 +184,24 @@ def test_strips_that_pull_are_no_answer_or_leave_the_load_as_it_is(which):
             assert -side.force.z == pytest.approx(wanted, rel=1e-9)
 
 
+@pytest.mark.parametrize("guess", [0.0, 1e-3, -1e-3, 0.02])
+def test_a_long_move_past_the_end_of_a_rail_does_not_lose_the_root(guess):
+    """Newton's method for the roll moved by 0.11 rad from tread to flange, where the left wheel was beside its rail:
+    status 2, for 1 of 50 000 poses and from some guesses alone."""
+    system = wrcontact.ContactSystem(
+        rail_inclination=0.05,
+        gauge=1.4469257046836164,
+        gauge_depth=0.011166542774933931,
+        nominal_radius=0.6595921132150079,
+        normal_model="hertz",
+    )
+    pose = {"lateral_shift": 0.009490981904771711, "yaw": -0.06252962156660026}
+    state = system.evaluate(**pose, roll_guess=guess)
+    beside = system.evaluate(lateral_shift=pose["lateral_shift"] + 1e-9, yaw=pose["yaw"])
+    assert state.status == beside.status == Status.VALID
+    assert state.roll == pytest.approx(beside.roll, abs=2e-8)
+
+
 def test_an_overlap_that_is_largest_at_a_profile_s_end_is_off_the_profile():
     """Once status 3."""
     wheel = Cut("S1002", start=-12.622386733876674).profile()

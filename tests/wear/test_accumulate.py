@@ -147,10 +147,11 @@ def test_results_of_the_native_fmu_wear_as_python_s(fmus, tmp_path):
             assert wear.depth(part)[1] == pytest.approx(depth, rel=1e-6, abs=1e-6 * depth.max()), part
 
 
-def test_distance_counts_and_not_time():
-    """Two poses, each for 0.5 s, at 10 and 30 m/s stand for 5 and 15 m."""
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_distance_counts_and_not_time(way):
+    """Two poses, each for 0.5 s, at 10 and 30 m/s stand for 5 and 15 m, backwards too."""
     inputs = {name: values[[20, 45]] for name, values in poses()[0].items()}
-    found = columns_of(system().evaluate_many(**{**inputs, "speed": [10.0, 30.0]}))
+    found = columns_of(system().evaluate_many(**{**inputs, "speed": [way * 10.0, way * 30.0]}))
     wear = wrcontact.Wear(system(), energy)
     wear.add_fmu({**found, "time": np.array([0.0, 1.0])})
     assert wear.distance == pytest.approx(20.0)

@@ -159,7 +159,9 @@ def test_the_data_set_has_the_run():
     run = wrcontact.wear_run(simulate, system(), wrcontact.Usfd(), 4e5, mirrored=True)
     data = run.to_xarray()
     assert dict(data.sizes)["step"] == len(run.steps) and data.height.attrs["units"] == "m"
-    place = data.place.values
+    place, whole = data.place.values, run.profiles("left")[0]
+    for room in (place[0] - whole.start, whole.stop - place[-1]):  # every 0.2 mm, from end to end
+        assert -1e-12 < room < 0.2e-3 - 1e-9
     assert data.height.sel(side="left")[-1].values == pytest.approx(
         run.profiles("left")[-1].height(place), nan_ok=True
     )

@@ -1263,16 +1263,21 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
  * both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
  *
  * With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
+ *
+ * A long move can end where one wheel is beside its rail, and D has no sign.  Then the root lies between there
+ * and the last roll at which both were above theirs.
  */
 static inline void roll__roll_between(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known)
 {
-    double low, high, width, difference, before_left, before_right, move, balanced;
+    double low, high, width, difference, last_above, before_left, before_right, move, balanced;
+    bool both_above, found, below, slow;
     int64_t i, status;
-    bool found, slow;
     low = first;
     high = last;
     width = high - low;
     difference = 0.0;
+    both_above = false;
+    last_above = 0.0;
     for (i = 0; i < roll__SEARCHES; i += 1)
     {
         if (!known)
@@ -1291,13 +1296,14 @@ static inline void roll__roll_between(double* roll_out, int64_t* status_out, arr
         known = false;
         /* a wheel beside its rail has a large gap */
         difference = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST) - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST);
-        if (!found && difference == 0.0)
+        if (!found && difference == 0.0 && !both_above)
         {
             *roll_out = roll;
             *status_out = layout__OFF_PROFILE;
             return;
         }
         move = 1.0;
+        below = difference > 0.0;
         if (found)
         {
             roll__newton_move(&difference, &move, work, tables);
@@ -1307,8 +1313,15 @@ static inline void roll__roll_between(double* roll_out, int64_t* status_out, arr
                 *status_out = layout__VALID;
                 return;
             }
+            below = difference > 0.0;
+            both_above = true;
+            last_above = roll;
         }
-        if (difference > 0.0)
+        else if (both_above)
+        {
+            below = roll < last_above;
+        }
+        if (below)
         {
             low = roll;
         }

@@ -222,11 +222,16 @@ def roll_between(tables: Tables, sides: Sides, roll: float, first: float, last: 
     both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
 
     With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
+
+    A long move can end where one wheel is beside its rail, and D has no sign.  Then the root lies between there
+    and the last roll at which both were above theirs.
     """
     low = first
     high = last
     width = high - low
     difference = 0.0
+    both_above = False
+    last_above = 0.0
     for i in range(SEARCHES):
         if not known:
             turn_both(sides, roll)
@@ -238,14 +243,20 @@ def roll_between(tables: Tables, sides: Sides, roll: float, first: float, last: 
         known = False
         # a wheel beside its rail has a large gap
         difference = sides[1].best - sides[0].best
-        if not found and difference == 0.0:
+        if not found and difference == 0.0 and not both_above:
             return roll, OFF_PROFILE
         move = 1.0
+        below = difference > 0.0
         if found:
             difference, move = newton_move(tables, sides)
             if fabs(move) < ROLL_SHARP:
                 return roll, VALID
-        if difference > 0.0:
+            below = difference > 0.0
+            both_above = True
+            last_above = roll
+        elif both_above:
+            below = roll < last_above
+        if below:
             low = roll
         else:
             high = roll
