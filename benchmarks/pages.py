@@ -96,6 +96,7 @@ def short_table(parts):
 README, BENCHMARKS = "README.md", "docs/evidence/benchmarks.md"
 CURVATURE, ELASTIC = "docs/theory/curvature.md", "docs/theory/elastic.md"
 CHECK, FMU, STUDY = "docs/guides/check.md", "docs/guides/fmu.md", "docs/evidence/source_study.md"
+REAL_TIME = "docs/guides/real_time.md"
 CONFORMAL, TABLES_PAGE = "docs/theory/conformal.md", "docs/guides/tables.md"
 MODEL_PARTS = ("model_errors", "halfspace", "model_times")
 ERRORS = f"Errors in {tables.TRIPLE}."
@@ -114,6 +115,8 @@ TABLES = {
     "skips": Table(BENCHMARKS, ("skip_errors", "skip_times"), tables.skip_table, ERRORS),
     "counts": Table(BENCHMARKS, ("counts",), tables.count_table),
     "worst": Table(BENCHMARKS, ("worst_steps",), tables.worst_table),
+    "instructions": Table(BENCHMARKS, ("instructions",), tables.instruction_table),
+    "train": Table(REAL_TIME, ("train",), tables.train_table),
     "trajectory": Table(BENCHMARKS, ("trajectory",), tables.trajectory_table),
     "growth": Table(BENCHMARKS, ("growth",), tables.growth_table),
     "threads": Table(BENCHMARKS, ("threads",), tables.thread_table),

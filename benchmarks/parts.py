@@ -14,7 +14,20 @@ from wrcontact.progress import tracked
 from wrcontact.study import figures
 from wrcontact.study.figure import Study
 
-from . import creep, curvature, errors, random_poses, record, rows, studies, sweeps, times, worn_pairs, worst
+from . import (
+    creep,
+    curvature,
+    errors,
+    random_poses,
+    realtime,
+    record,
+    rows,
+    studies,
+    sweeps,
+    times,
+    worn_pairs,
+    worst,
+)
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
 COUNTED = 500  # poses of a count
@@ -169,6 +182,8 @@ PARTS = {
     "elastic_times": Part(TIMES, elastic_times),
     "trajectory": Part(TIMES, lambda effort: times.trajectory_times(quick=effort is rows.QUICK)),
     "derivative_times": Part(TIMES, lambda effort: timed(times.derivative_times(effort))),
+    "train": Part(TIMES, lambda effort: realtime.train_times(quick=effort is rows.QUICK)),
+    "instructions": Part(TIMES, lambda effort: realtime.instructions(quick=effort is rows.QUICK)),
     "tangential_times": Part(TIMES, creep.tangential_times),
     "conformal": Part(STUDIES, lambda effort: errors.turning_patches(quick=effort is rows.QUICK)),
     "halfspace": Part(STUDIES, halfspace_errors),

@@ -187,6 +187,14 @@ WORST_COLUMNS = (*worst.SHARES, *(f"hunting: {share}" for share in worst.SHARES)
 worst_table = listed(
     "worst_steps", ["evaluations in a step", *WORST_COLUMNS], dict.fromkeys(WORST_COLUMNS, figure)
 )
+instruction_table = listed(
+    "instructions", ["thousand instructions in a step", *WORST_COLUMNS], dict.fromkeys(WORST_COLUMNS, figure)
+)
+train_table = listed(
+    "train",
+    ["time step of eight wheelsets [µs]", *worst.SHARES, "worst, share of 1 ms [%]"],
+    dict.fromkeys((*worst.SHARES, "of 1 ms"), figure),
+)
 growth_table = listed("growth", ["wheelsets", "units each", "µs each"], {"units": figure, "µs": figure})
 thread_table = listed(
     "threads", ["threads", "µs a wheelset", "speed-up"], {"µs": figure, "gain": decimals(2)}

@@ -33,9 +33,11 @@ def inputs_of_rows(rows, options):
     """Inputs by name, (n,) each: in compliant contact height and roll of the elastic wheelset with ANALYN, on
     springs by their deflection lower."""
     names = dict(zip(("lateral_shift", "yaw", "normal_force"), rows.T))
-    if options["contact_mode"] == "compliant":
+    if options.get("contact_mode") == "compliant":
         stands = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(**names)
-        sunk = rows[:, 2] / options["rail_vertical_stiffness"] if len(options) > 2 else 0.0
+        sunk = (
+            rows[:, 2] / options["rail_vertical_stiffness"] if "rail_vertical_stiffness" in options else 0.0
+        )
         names |= {"vertical_shift_input": stands.vertical_shift + sunk, "roll_input": stands.roll}
     return names
 

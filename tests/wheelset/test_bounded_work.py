@@ -120,9 +120,9 @@ SPRINGS = {
 }
 
 
-@pytest.mark.parametrize("friction, most", [("none", 500), ("strips", 110)])
+@pytest.mark.parametrize("friction, most", [("none", 240), ("strips", 110)])
 def test_springs_settle_in_few_searches(friction, most):
-    """Measured in 1000 poses: 25 searches of a smallest gap at 99 of 100, 426 and 81 at most, the first where
+    """Measured in 1000 poses: 25 searches of a smallest gap at 99 of 100, 197 and 81 at most, the first where
     a force jumps past the springs."""
     stepper = wrcontact.ContactSystem(
         contact_mode="compliant", tangential_model=friction, **SPRINGS
@@ -147,6 +147,107 @@ def test_springs_settle_in_few_searches(friction, most):
         assert stepper.step() <= 1
         counts.append(counts_of(stepper)["scan"] - before)
     assert max(counts) <= most and np.quantile(counts, 0.9) <= 40
+
+
+#: Rails without dampers.
+BARE = {"rail_lateral_stiffness": 2e7, "rail_vertical_stiffness": 5e7}
+
+
+def standing(count):
+    """Inputs by name (count,) of random wheelsets where they stand on rails on springs, but for these being
+    rigid sideways."""
+    random = np.random.default_rng(5)
+    rows = random.uniform((-6.6e-3, -0.035, np.log(3e3)), (6.6e-3, 0.035, np.log(2e5)), (count, 3))
+    rows[::2, 1] = 0.0
+    rows[:, 2] = np.exp(rows[:, 2])
+    stands = elastic().evaluate_many(*rows.T)
+    return {
+        "lateral_shift": rows[:, 0],
+        "yaw": rows[:, 1],
+        "vertical_shift_input": stands.vertical_shift + rows[:, 2] / BARE["rail_vertical_stiffness"],
+        "roll_input": stands.roll,
+    }
+
+
+def searches(stepper, inputs, k):
+    """Searches of a smallest gap in a step at row ``k`` of the inputs, and its status."""
+    for name, values in inputs.items():
+        stepper.inputs[stepper.place(name)] = values[k]
+    before = counts_of(stepper)["scan"]
+    status = stepper.step()
+    return counts_of(stepper)["scan"] - before, status
+
+
+#: Usual and largest numbers of searches that are permitted without friction, and of wheels that roll freely.
+#: Measured: 17, 19 and 18 usual, 315, 197 and 48 at most; 52 … 54, and 296, 99 and 207.
+MOST_SEARCHES = {"hertz": (19, 340, 58, 330), "analyn": (20, 220, 60, 120), "analyn_strip": (20, 60, 60, 230)}
+
+
+@pytest.mark.parametrize("model", MOST_SEARCHES)
+def test_no_rail_on_springs_takes_long_to_settle(model):
+    """Also where its contact is about to leave tread or flange, and its force jumps past the springs."""
+    usual, most, *_ = MOST_SEARCHES[model]
+    stepper = ContactSystem(contact_mode="compliant", normal_model=model, **BARE).stepper()
+    inputs = standing(1500)
+    counts, statuses = zip(*(searches(stepper, inputs, k) for k in range(1500)))
+    assert max(statuses) == 0
+    assert np.median(counts) <= usual and max(counts) <= most, (max(counts), np.argmax(counts))
+
+
+@pytest.mark.parametrize("model", MOST_SEARCHES)
+def test_rails_settle_quickly_under_wheels_that_roll_freely(model):
+    """For each rate that is tried they settle from where they stand, and at a jump they stay."""
+    *_, usual, most = MOST_SEARCHES[model]
+    stepper = ContactSystem(
+        contact_mode="compliant", normal_model=model, tangential_model="strips", **BARE
+    ).stepper()
+    inputs = standing(300) | {"speed": np.full(300, 20.0)}
+    counts, statuses = zip(*(searches(stepper, inputs, k) for k in range(300)))
+    assert max(statuses) == 0
+    assert np.median(counts) <= usual and max(counts) <= most, (max(counts), np.argmax(counts))
+
+
+def test_rails_under_free_wheels_stand_where_they_stand_at_the_rate_that_was_found():
+    """The same rate as an input lets the rails settle from rest on."""
+    system = ContactSystem(contact_mode="compliant", tangential_model="strips", **BARE)
+    inputs = standing(60) | {"speed": 20.0}
+    free = system.evaluate_many(**inputs)
+    given = system.evaluate_many(**inputs, wheel_rate=free.right.wheel_rate_found)
+    for one, other in ((free.left, given.left), (free.right, given.right)):
+        for which in ("rail_deflection_lateral", "rail_deflection_vertical"):
+            np.testing.assert_allclose(getattr(one, which), getattr(other, which), rtol=0.0, atol=1e-12)
+    assert np.max(np.abs(free.driving_torque)) < 1e-4  # [N m]
+
+
+def test_a_rail_at_a_jump_stands_between_what_its_wheel_presses_on_both_sides():
+    """Hertz, a wheel on tread or flange: on rails that are rigid within 50 nm of where the springs stand it
+    presses more than these carry, and less."""
+    system = ContactSystem(contact_mode="compliant", normal_model="hertz", **BARE)
+    rigid = ContactSystem(contact_mode="compliant", normal_model="hertz")
+    inputs, found = standing(1000), 0
+    table = system.evaluate_many(**inputs)
+    left, side = table.left, table.right
+    across, down = side.rail_deflection_lateral, side.rail_deflection_vertical
+    carried_across = -BARE["rail_lateral_stiffness"] * across
+    carried_down = -BARE["rail_vertical_stiffness"] * down
+    missed = np.abs(side.force.y - carried_across) + np.abs(side.force.z - carried_down)
+    for k in np.flatnonzero(missed > 1e-3 * np.abs(side.force.z)):
+        around = [
+            rigid.evaluate(
+                **{name: values[k] for name, values in inputs.items()},
+                right_rail_lateral=across[k] + aside,
+                right_rail_vertical=down[k] + away,
+                left_rail_vertical=left.rail_deflection_vertical[k],
+            ).right.force
+            for aside in (-5e-8, 0.0, 5e-8)
+            for away in (-5e-8, 0.0, 5e-8)
+        ]
+        lateral, vertical = [force.y for force in around], [force.z for force in around]
+        assert min(lateral) < carried_across[k] < max(lateral) or min(vertical) < carried_down[k] < max(
+            vertical
+        ), k
+        found += 1
+    assert found >= 8
 
 
 # --- what a step keeps ------------------------------------------------------------------------------------
