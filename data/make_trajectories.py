@@ -1,11 +1,10 @@
-"""Writes the stored runs that the product is checked against: hunting.csv, jumps.csv, load.csv, and that of
-``wrcontact demo``, which is in the package.
+"""Writes the stored runs that the product is checked against: hunting.csv, jumps.csv, load.csv.
 
 Inputs are made here, rigid columns come from ``brute_force``, patch columns from ``conformal_reference``: the
 wheel has come straight down from its rigid pose. S1002 on UIC60 1:40, gauge 1435 mm. SI units. About an hour
 on one core::
 
-    python -m data.make_trajectories [hunting] [jumps] [load] [demo]
+    python -m data.make_trajectories [hunting] [jumps] [load]
 """
 
 import csv
@@ -21,9 +20,7 @@ from data.conformal_reference import sunk_contact
 from data.find_jumps import find_jumps
 from wrcontact.progress import tracked
 
-FOLDER = Path(__file__).resolve().with_name("trajectories")
-#: The run of the demo: a vehicle's yaw instead of the large one that hunting.csv has for its tests.
-FILES = {"demo": FOLDER.parents[1] / "wrcontact" / "cli" / "data" / "hunting.csv"}
+OUTPUT = Path(__file__).resolve().with_name("trajectories")
 TIME_STEP = 0.01  # [s]
 WHEEL_FORCE = 78.5e3  # [N]
 SIDES = ("left", "right")
@@ -45,14 +42,14 @@ def main(names):
 # Each run is a list of (lateral_shift, yaw, roll_guess, normal_force, load_transfer).
 
 
-def hunting(rows=160, cycles=4, largest_yaw=1.2):
-    """Growing hunting: shift to +-7.6 mm, yaw a quarter cycle behind to +-``largest_yaw`` [deg], load moving with
-    the shift."""
+def hunting(rows=160, cycles=4):
+    """Growing hunting: shift to +-7.6 mm, yaw a quarter cycle behind to +-1.2 deg, load
+    moving with the shift."""
     phase = 2 * np.pi * cycles * np.arange(rows) / (rows - 1)
     growth = np.minimum(1, (0.3 + phase / phase[-1]) / 1.05)
     shift, yaw = growth * np.sin(phase), growth * np.sin(phase - np.pi / 2)
     return [
-        (round(7.6e-3 * y, 9), round(np.radians(largest_yaw) * a, 9), None, WHEEL_FORCE, round(0.25 * y, 6))
+        (round(7.6e-3 * y, 9), round(np.radians(1.2) * a, 9), None, WHEEL_FORCE, round(0.25 * y, 6))
         for y, a in zip(shift, yaw)
     ]
 
@@ -101,7 +98,7 @@ def load():
     ]
 
 
-RUNS = {"hunting": hunting, "jumps": jumps, "load": load, "demo": lambda: hunting(largest_yaw=0.3)}
+RUNS = {"hunting": hunting, "jumps": jumps, "load": load}
 
 # ------------------------------------------------------------------------------------------------------- rows
 
@@ -168,7 +165,7 @@ def patch(wheelset, side, force):
 
 def write(name, rows):
     """One CSV; numbers in full, zeros without a sign or a rounding tail."""
-    with open(FILES.get(name, FOLDER / f"{name}.csv"), "w", newline="") as file:
+    with open(OUTPUT / f"{name}.csv", "w", newline="") as file:
         table = csv.DictWriter(file, rows[0], lineterminator="\n")
         table.writeheader()
         table.writerows(
