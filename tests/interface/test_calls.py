@@ -303,7 +303,7 @@ def test_a_system_that_is_made_again_does_not_warn_again(tmp_path):
 
 def test_the_package_shows_what_is_meant_for_users():
     shown = [name for name in dir(wrcontact) if not name.startswith("__")]
-    rooms = {"conditioning", "fleet", "halfspace", "plots", "study", "wear"}
+    rooms = {"conditioning", "export", "fleet", "halfspace", "plots", "study", "track", "wear"}
     assert set(shown) == set(wrcontact.__all__) | rooms
     assert all(getattr(wrcontact, name) is not None for name in shown)
     modules = {name for name in shown if inspect.ismodule(getattr(wrcontact, name))}
