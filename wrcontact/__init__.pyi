@@ -49,6 +49,7 @@ from .methods.contact import NormalLoad as NormalLoad
 from .methods.contact import VerticalLoad as VerticalLoad
 from .methods.normal import Analyn as Analyn
 from .methods.normal import Strip as Strip
+from .methods.normal import Auto as Auto
 from .methods.normal import Hertz as Hertz
 from .methods.normal import Halfspace as Halfspace
 from .methods.contact import NormalSeparation as NormalSeparation

@@ -213,6 +213,9 @@ class Side(View[_N], Generic[_N, _K]):
     def max_pressure(self) -> _N:
         """Highest contact pressure [Pa]."""
     @property
+    def model_error(self) -> _N:
+        """Estimate of the relative error of max_pressure, of the normal_model auto, and of analyn with error_outputs; else zero [1]."""
+    @property
     def moment(self) -> Vector[_N]:
         """Moment of this force about the wheelset's centre, around the axis forward, to the right, down [N.m]."""
     @property

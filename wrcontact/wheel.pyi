@@ -71,7 +71,7 @@ class WheelContact:
         slope_reduction_floor: float = 0.02,
         slope_reduction_rate: float = 0.0,
         contact_mode: Literal["rigid", "elastic", "compliant"] | ContactMode = "compliant",
-        normal_model: Literal["analyn", "analyn_strip", "hertz", "halfspace"] | NormalModel | Callable[..., Any] = "analyn",
+        normal_model: Literal["analyn", "analyn_strip", "auto", "hertz", "halfspace"] | NormalModel | Callable[..., Any] = "analyn",
         tolerance: float | None = None,
         nodes: int | None = None,
         strips: int | None = None,
@@ -92,6 +92,7 @@ class WheelContact:
         wear_outputs: bool = False,
         fatigue_outputs: bool = False,
         yield_shear: float = 300000000.0,
+        error_outputs: bool = False,
         stations: int = 31,
         smoothing: float | None = None,
     ) -> None: ...

@@ -5,6 +5,7 @@ CONTACT, LENGTHS, LEVELS, PATCHES, PRESSURES, RUNS, SURFACES = (
     f"{NORMAL}/strip_{name}.py"
     for name in ("contact", "lengths", "levels", "patches", "pressures", "runs", "surfaces")
 )
+AUTO = "normal/test_auto.py"
 FLANGES = "normal/test_flange_strips.py"
 HERTZ, WAVES, PARTS = ("normal/test_strip_hertz.py", "prepare/test_waves.py", "normal/test_strip_parts.py")
 
@@ -208,5 +209,45 @@ STRIP_LAWS = [
         "runs that overlap are not joined",
         PARTS,
         RUNS,
+    ),
+    (
+        "error_first_difference",
+        "own * fabs(low - twice + high)",
+        "own * fabs(low - high)",
+        "the estimate of ANALYN's error counts curvatures that change evenly",
+        AUTO,
+        f"{NORMAL}/model_error.py",
+    ),
+    (
+        "error_without_loads",
+        "own = nodes.line[k] * d",
+        "own = nodes.line[k]",
+        "the estimate of ANALYN's error weighs all loaded nodes alike",
+        AUTO,
+        f"{NORMAL}/model_error.py",
+    ),
+    (
+        "auto_share_turned",
+        "penetration + share * (found - penetration)",
+        "found + share * (penetration - found)",
+        "between ANALYN and strips the penetration has the other one's share",
+        AUTO,
+        f"{NORMAL}/auto_contact.py",
+    ),
+    (
+        "auto_load_not_blended",
+        "share + (1.0 - share) * load / side.totals.load",
+        "share + (1.0 - share) * side.totals.load / load",
+        "between ANALYN and strips the load at a penetration is scaled the wrong way",
+        AUTO,
+        f"{NORMAL}/auto_contact.py",
+    ),
+    (
+        "auto_still_sunk",
+        "        frame.pressed = False\n        frame.sunk = False\n        frame.height = frame.shift",
+        "        frame.height = frame.shift",
+        "strips after ANALYN begin with a wheel that is still sunk",
+        AUTO,
+        "wrcontact/kernel/contact/pressed_regions.py",
     ),
 ]

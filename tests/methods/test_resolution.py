@@ -181,11 +181,11 @@ def test_pickled_and_shown():
         ),
         (
             {"strips": 12},
-            "strips is 12; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has strips",
+            "strips is 12; permitted with the normal_model 'analyn' is None, only 'analyn_strip' or 'auto' has strips",
         ),
         (
             {"sweeps": 2},
-            "sweeps is 2; permitted with the normal_model 'analyn' is None, only 'analyn_strip' has sweeps",
+            "sweeps is 2; permitted with the normal_model 'analyn' is None, only 'analyn_strip' or 'auto' has sweeps",
         ),
         (
             {"normal_model": "hertz", "nodes": 15},
@@ -194,7 +194,7 @@ def test_pickled_and_shown():
         ),
         (
             {"normal_model": "halfspace", "strips": 12},
-            "strips is 12; permitted with the normal_model 'halfspace' is None, only 'analyn_strip' has strips",
+            "strips is 12; permitted with the normal_model 'halfspace' is None, only 'analyn_strip' or 'auto' has strips",
         ),
     ],
 )

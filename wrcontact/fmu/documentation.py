@@ -85,7 +85,8 @@ T&gamma;, the damage of a passage that follows from it, and its place in the sha
 <code>yield_shear</code>. <code>driving_torque</code> is the torque of the creep forces about
 the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. With a <code>wheel_rate</code> of 0 and
 <code>free_rolling</code> the rotation is the one at which it cancels <code>axle_torque</code>, and
-<code>wheel_rate_found</code> of a wheel tells it. <code>shear</code> times
+<code>wheel_rate_found</code> of a wheel tells it. <code>model_error</code> of a wheel is an estimate of the relative error of
+<code>max_pressure</code>, of the <code>normal_model</code> auto, and of analyn with <code>error_outputs</code>. <code>shear</code> times
 <code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
 vertical load.</p>
 <p><code>flange_friction_ratio</code> lubricates the flange; <code>friction_fall</code> A and <code>friction_fall_rate</code> B let
