@@ -4,7 +4,7 @@
 
 A C program (realtime_host.c) owns the memory of all wheelsets and steps them through the compiled kernel.
 Times are the least of several rounds for each time step, since disturbances only add time: what is left is the
-cost of the step itself, which a target for real time adds its own jitter to.  Instructions are counted by
+cost of the step itself, to which a target for real time adds its own jitter.  Instructions are counted by
 valgrind's callgrind; the steps with most evaluations of the profiles are counted, and each two hundredth one.
 """
 
