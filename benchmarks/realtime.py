@@ -54,6 +54,11 @@ TRAINS = {
 }
 
 
+def is_missing(*programs):
+    """Whether one of the ``programs`` is not here, or the kernel is not compiled."""
+    return not default_kernel().compiled or not all(map(shutil.which, programs))
+
+
 def compile_host(folder):
     """The program, linked with the compiled kernel."""
     library = Path(default_kernel().library._name).resolve()
@@ -103,7 +108,19 @@ def write_rows(file, options, rows):
 
 def train_times(quick=False):
     """Rows by name: microseconds of a time step of WHEELSETS wheelsets over the hunting run, and the share of
-    the worst one in a time step of 1 ms [%]."""
+    the worst one in a time step of 1 ms [%].
+
+    Raises
+    ------
+    RuntimeError
+        without a compiler; ``quick`` then finds nothing.
+    """
+    if is_missing("cc"):
+        if quick:
+            return {}
+        raise RuntimeError(
+            "a train is stepped by a C program, and there is no compiler or no compiled kernel"
+        )
     steps, rounds = (20, 1) if quick else (TRAIN_STEPS, ROUNDS)
     rows = np.transpose(motion(steps))
     found = {}
@@ -163,7 +180,7 @@ def instructions(quick=False):
     RuntimeError
         without valgrind or a compiler; ``quick`` then finds nothing.
     """
-    if not (shutil.which("valgrind") and shutil.which("cc")):
+    if is_missing("valgrind", "cc"):
         if quick:
             return {}
         raise RuntimeError("instructions are counted by valgrind in a C program, and one of both is not here")
