@@ -4,7 +4,7 @@
 
 A C program (realtime_host.c) owns the memory of all wheelsets and steps them through the compiled kernel.
 Times are the least of several rounds for each time step, since disturbances only add time: what is left is the
-cost of the step itself, which a target for real time adds its own jitter to.  Instructions are counted by
+cost of the step itself, to which a target for real time adds its own jitter.  Instructions are counted by
 valgrind's callgrind; the steps with most evaluations of the profiles are counted, and each two hundredth one.
 """
 
@@ -52,6 +52,11 @@ TRAINS = {
         "rail_vertical_damping": 1e5,
     },
 }
+
+
+def is_missing(*programs):
+    """Whether one of the ``programs`` is not here, or the kernel is not compiled."""
+    return not default_kernel().compiled or not all(map(shutil.which, programs))
 
 
 def compile_host(folder):
@@ -103,7 +108,19 @@ def write_rows(file, options, rows):
 
 def train_times(quick=False):
     """Rows by name: microseconds of a time step of WHEELSETS wheelsets over the hunting run, and the share of
-    the worst one in a time step of 1 ms [%]."""
+    the worst one in a time step of 1 ms [%].
+
+    Raises
+    ------
+    RuntimeError
+        without a compiler; ``quick`` then finds nothing.
+    """
+    if is_missing("cc"):
+        if quick:
+            return {}
+        raise RuntimeError(
+            "a train is stepped by a C program, and there is no compiler or no compiled kernel"
+        )
     steps, rounds = (20, 1) if quick else (TRAIN_STEPS, ROUNDS)
     rows = np.transpose(motion(steps))
     found = {}
@@ -163,7 +180,7 @@ def instructions(quick=False):
     RuntimeError
         without valgrind or a compiler; ``quick`` then finds nothing.
     """
-    if not (shutil.which("valgrind") and shutil.which("cc")):
+    if is_missing("valgrind", "cc"):
         if quick:
             return {}
         raise RuntimeError("instructions are counted by valgrind in a C program, and one of both is not here")
