@@ -266,6 +266,9 @@ def test_flange_contact_is_told():
     assert wide.flange_shift - narrow.flange_shift == pytest.approx(5 * MM, abs=0.15 * MM)
     assert any("flange touches from 1.3" in remark for remark in narrow.remarks)
     assert not any("flange" in remark for remark in wide.remarks)
+    none = wrcontact.check(ContactSystem(rail="60E1", gauge=1.419))
+    assert none.flange_shift == 0.0
+    assert "a flange is in contact already in the centred position" in none.remarks
 
 
 def test_pair_without_contact_is_told():

@@ -136,3 +136,15 @@ def test_left_settings_of_zero_are_as_on_the_right():
         assert keywords_of({name: 0}) == keywords_of({name: 0.0}) == {}
     radius = next(name for name in left if ROWS[name].name == "left_nominal_radius")
     assert keywords_of({radius: 0.4}) == {"left_nominal_radius": 0.4}
+
+
+def test_units_for_display_are_multiples_by_their_prefix():
+    """mm2 has the prefix of mm twice."""
+    prefixes = {"m": 1e3, "k": 1e-3, "M": 1e-6}
+    shown = [unit for unit in units.UNITS.values() if unit.display and unit.name != "rad"]
+    assert len(shown) >= 6
+    for unit in shown:
+        assert unit.display[1:] == unit.name
+        power = 2 if unit.name == "m2" else 1
+        assert unit.display_factor == pytest.approx(prefixes[unit.display[0]] ** power, rel=1e-15)
+    assert units.UNITS["rad"].display == "deg" and units.UNITS["rad"].display_factor * np.pi == 180.0
