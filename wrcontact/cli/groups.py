@@ -96,7 +96,7 @@ WORDS = {
     "the patch at each station of an outline",
     "fatigue_outputs": "Compute T gamma, its damage, the shakedown ratio and the surface fatigue index of "
     "each patch",
-    "error_outputs": "Let the --normal-model analyn estimate its error in the peak pressure, model_error; "
+    "error_outputs": "Let the --normal-model analyn estimate its error in the peak pressure; "
     "auto always does, others have none",
     "yield_shear": "Yield stress in cyclic shear of wheel or rail, read with --fatigue-outputs; give that of "
     "your steel",

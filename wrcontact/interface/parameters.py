@@ -171,7 +171,7 @@ OTHERS = {
         0,
         1,
         "1",
-        "Whether the normal_model analyn estimates its error, model_error; auto always does, others have none",
+        "Whether the normal_model analyn estimates its error; auto always does, others have no estimate",
         switch=True,
     ),
     "stations": Number(

@@ -159,7 +159,7 @@ class Auto(Strip):
 
     name = "auto"
     kernel_number = 3
-    words = "ANALYN, and strips where the estimate of its error is above 4 %"
+    words = "ANALYN, or strips where it errs by 4 %"
 
 
 @frozen
