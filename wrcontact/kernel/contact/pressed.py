@@ -184,37 +184,42 @@ def turning_point(
     its sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
 
     Where curvatures jump Newton's method can alternate between two places.  Where a step has not halved the
-    slope, the bracket is halved.
+    slope, the bracket is halved.  After a step of some millimetres the wheel may not be met from where it was
+    before; half of the step is tried then.
     """
     meeting = place.meeting
     before = 0.0
     moved_low = False
     moved_high = False
+    met = x
     for i in range(DEEP_ITERATIONS):
-        if not meet_wheel(pair, place, x, y, height, LINE_SHARP):
-            return x, False
-        y = meeting.wheel
-        if sign * meeting.rise > 0.0:
-            low = x
-            moved_low = True
-        else:
-            high = x
-            moved_high = True
-        following = 0.5 * (low + high)
-        z_rail, slope, rail_bend = height_slope_bend(pair.rail, x)
-        stretch = sqrt(1.0 + slope * slope)
-        kappa = rail_bend / (stretch * stretch * stretch)
-        # with what the rate leaves out: the normals converge into the rail, and meet less of the wheel
-        rate = meeting.rate - (meeting.rate + kappa) * kappa * max(meeting.overlap, 0.0)
-        if sign * rate < 0.0:
-            move = -meeting.rise / (rate * stretch)
-            if fabs(move) < DEEP_SHARP:
+        following = 0.5 * (x + met)
+        if meet_wheel(pair, place, x, y, height, LINE_SHARP):
+            y = meeting.wheel
+            met = x
+            if sign * meeting.rise > 0.0:
+                low = x
+                moved_low = True
+            else:
+                high = x
+                moved_high = True
+            following = 0.5 * (low + high)
+            z_rail, slope, rail_bend = height_slope_bend(pair.rail, x)
+            stretch = sqrt(1.0 + slope * slope)
+            kappa = rail_bend / (stretch * stretch * stretch)
+            # with what the rate leaves out: the normals converge into the rail, and meet less of the wheel
+            rate = meeting.rate - (meeting.rate + kappa) * kappa * max(meeting.overlap, 0.0)
+            if sign * rate < 0.0:
+                move = -meeting.rise / (rate * stretch)
+                if fabs(move) < DEEP_SHARP:
+                    break
+                if x + move > low and x + move < high and (i == 0 or fabs(meeting.rise) < 0.5 * before):
+                    following = x + move
+            if fabs(following - x) < DEEP_SHARP:
                 break
-            if x + move > low and x + move < high and (i == 0 or fabs(meeting.rise) < 0.5 * before):
-                following = x + move
-        if fabs(following - x) < DEEP_SHARP:
-            break
+            before = fabs(meeting.rise)
+        elif fabs(x - met) < DEEP_SHARP:
+            return x, False
         x = following
-        before = fabs(meeting.rise)
     rise = fabs(meeting.rise)
     return x, rise < ZERO_RISE or (rise < LEVEL_RISE and moved_low and moved_high)

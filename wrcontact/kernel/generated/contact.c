@@ -1726,60 +1726,67 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
  * its sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
  *
  * Where curvatures jump Newton's method can alternate between two places.  Where a step has not halved the
- * slope, the bracket is halved.
+ * slope, the bracket is halved.  After a step of some millimetres the wheel may not be met from where it was
+ * before; half of the step is tried then.
  */
 static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
 {
     int64_t meeting, i;
-    double before, following, z_rail, slope, rail_bend, stretch, kappa, rate, move, rise;
+    double before, met, following, z_rail, slope, rail_bend, stretch, kappa, rate, move, rise;
     bool moved_low, moved_high;
     meeting = place + layout__PLACE_MEETING;
     before = 0.0;
     moved_low = false;
     moved_high = false;
+    met = x;
     for (i = 0; i < pressed__DEEP_ITERATIONS; i += 1)
     {
-        if (!pressed__meet_wheel(tables, work, pair, place, x, y, height, pressed__LINE_SHARP))
+        following = 0.5 * (x + met);
+        if (pressed__meet_wheel(tables, work, pair, place, x, y, height, pressed__LINE_SHARP))
+        {
+            y = AT(work, meeting + layout__MEETING_WHEEL);
+            met = x;
+            if (sign * AT(work, meeting + layout__MEETING_RISE) > 0.0)
+            {
+                low = x;
+                moved_low = true;
+            }
+            else
+            {
+                high = x;
+                moved_high = true;
+            }
+            following = 0.5 * (low + high);
+            tables__height_slope_bend(&z_rail, &slope, &rail_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x);
+            stretch = sqrt(1.0 + slope * slope);
+            kappa = rail_bend / (stretch * stretch * stretch);
+            /* with what the rate leaves out: the normals converge into the rail, and meet less of the wheel */
+            rate = AT(work, meeting + layout__MEETING_RATE) - (AT(work, meeting + layout__MEETING_RATE) + kappa) * kappa * double_max(AT(work, meeting + layout__MEETING_OVERLAP), 0.0);
+            if (sign * rate < 0.0)
+            {
+                move = -AT(work, meeting + layout__MEETING_RISE) / (rate * stretch);
+                if (fabs(move) < pressed__DEEP_SHARP)
+                {
+                    break;
+                }
+                if (x + move > low && x + move < high && (i == 0 || fabs(AT(work, meeting + layout__MEETING_RISE)) < 0.5 * before))
+                {
+                    following = x + move;
+                }
+            }
+            if (fabs(following - x) < pressed__DEEP_SHARP)
+            {
+                break;
+            }
+            before = fabs(AT(work, meeting + layout__MEETING_RISE));
+        }
+        else if (fabs(x - met) < pressed__DEEP_SHARP)
         {
             *x_out = x;
             *out_1 = false;
             return;
         }
-        y = AT(work, meeting + layout__MEETING_WHEEL);
-        if (sign * AT(work, meeting + layout__MEETING_RISE) > 0.0)
-        {
-            low = x;
-            moved_low = true;
-        }
-        else
-        {
-            high = x;
-            moved_high = true;
-        }
-        following = 0.5 * (low + high);
-        tables__height_slope_bend(&z_rail, &slope, &rail_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x);
-        stretch = sqrt(1.0 + slope * slope);
-        kappa = rail_bend / (stretch * stretch * stretch);
-        /* with what the rate leaves out: the normals converge into the rail, and meet less of the wheel */
-        rate = AT(work, meeting + layout__MEETING_RATE) - (AT(work, meeting + layout__MEETING_RATE) + kappa) * kappa * double_max(AT(work, meeting + layout__MEETING_OVERLAP), 0.0);
-        if (sign * rate < 0.0)
-        {
-            move = -AT(work, meeting + layout__MEETING_RISE) / (rate * stretch);
-            if (fabs(move) < pressed__DEEP_SHARP)
-            {
-                break;
-            }
-            if (x + move > low && x + move < high && (i == 0 || fabs(AT(work, meeting + layout__MEETING_RISE)) < 0.5 * before))
-            {
-                following = x + move;
-            }
-        }
-        if (fabs(following - x) < pressed__DEEP_SHARP)
-        {
-            break;
-        }
         x = following;
-        before = fabs(AT(work, meeting + layout__MEETING_RISE));
     }
     rise = fabs(AT(work, meeting + layout__MEETING_RISE));
     *x_out = x;

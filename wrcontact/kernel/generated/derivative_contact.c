@@ -1102,87 +1102,97 @@ static inline void derivative_pressed__limited_t(double* step_out, lanes* step_t
 static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
 {
     int64_t meeting, i;
-    lanes before_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v10_t, rate_t, move_t, rise_t;
-    double before, v2, following, z_rail, slope, rail_bend, v3, v4, stretch, v5, v6, v7, kappa, v8, v9, v10, rate, v11, v12, v13, move, rise;
-    bool moved_low, moved_high, n1;
+    lanes before_t, met_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v11_t, rate_t, move_t, rise_t;
+    double before, met, v1, following, v3, z_rail, slope, rail_bend, v4, v5, stretch, v6, v7, v8, kappa, v9, v10, v11, rate, v12, v13, v14, move, rise;
+    bool moved_low, moved_high, n2;
     meeting = place + layout__PLACE_MEETING;
     before_t = all_lanes(0.0);
     before = 0.0;
     moved_low = false;
     moved_high = false;
+    EACH_LANE each(met_t) = each(x_t);
+    met = x;
     for (i = 0; i < pressed__DEEP_ITERATIONS; i += 1)
     {
-        n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
-        if (!n1)
+        v1 = x + met;
+        EACH_LANE each(following_t) = 0.5 * (each(x_t) + each(met_t));
+        following = 0.5 * v1;
+        n2 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+        if (n2)
+        {
+            EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
+            y = AT(work, meeting + layout__MEETING_WHEEL);
+            EACH_LANE each(met_t) = each(x_t);
+            met = x;
+            if (sign * AT(work, meeting + layout__MEETING_RISE) > 0.0)
+            {
+                EACH_LANE each(low_t) = each(x_t);
+                low = x;
+                moved_low = true;
+            }
+            else
+            {
+                EACH_LANE each(high_t) = each(x_t);
+                high = x;
+                moved_high = true;
+            }
+            v3 = low + high;
+            EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
+            following = 0.5 * v3;
+            derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &slope, &slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x, x_t);
+            v4 = 1.0 + slope * slope;
+            v5 = sqrt(v4);
+            EACH_LANE each(stretch_t) = derivative_rates__root_rate(v5, each(slope_t) * slope + slope * each(slope_t));
+            stretch = v5;
+            v6 = stretch * stretch;
+            v7 = v6 * stretch;
+            v8 = rail_bend / v7;
+            EACH_LANE each(kappa_t) = (each(rail_bend_t) - v8 * ((each(stretch_t) * stretch + stretch * each(stretch_t)) * stretch + v6 * each(stretch_t))) / v7;
+            kappa = v8;
+            v9 = AT(work, meeting + layout__MEETING_RATE) + kappa;
+            v10 = v9 * kappa;
+            v11 = AT(work, meeting + layout__MEETING_OVERLAP);
+            EACH_LANE each(v11_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
+            if (0.0 > v11)
+            {
+                v11 = 0.0;
+                v11_t = all_lanes(0.0);
+            }
+            EACH_LANE each(rate_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) - (((each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) + each(kappa_t)) * kappa + v9 * each(kappa_t)) * v11 + v10 * each(v11_t));
+            rate = AT(work, meeting + layout__MEETING_RATE) - v10 * v11;
+            if (sign * rate < 0.0)
+            {
+                v12 = -AT(work, meeting + layout__MEETING_RISE);
+                v13 = rate * stretch;
+                v14 = v12 / v13;
+                EACH_LANE each(move_t) = (-each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - v14 * (each(rate_t) * stretch + rate * each(stretch_t))) / v13;
+                move = v14;
+                if (fabs(move) < pressed__DEEP_SHARP)
+                {
+                    break;
+                }
+                if (x + move > low && x + move < high && (i == 0 || fabs(AT(work, meeting + layout__MEETING_RISE)) < 0.5 * before))
+                {
+                    EACH_LANE each(following_t) = each(x_t) + each(move_t);
+                    following = x + move;
+                }
+            }
+            if (fabs(following - x) < pressed__DEEP_SHARP)
+            {
+                break;
+            }
+            EACH_LANE each(before_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
+            before = fabs(AT(work, meeting + layout__MEETING_RISE));
+        }
+        else if (fabs(x - met) < pressed__DEEP_SHARP)
         {
             *x_out = x;
             EACH_LANE each(*x_t_out) = each(x_t);
             *out_2 = false;
             return;
         }
-        EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
-        y = AT(work, meeting + layout__MEETING_WHEEL);
-        if (sign * AT(work, meeting + layout__MEETING_RISE) > 0.0)
-        {
-            EACH_LANE each(low_t) = each(x_t);
-            low = x;
-            moved_low = true;
-        }
-        else
-        {
-            EACH_LANE each(high_t) = each(x_t);
-            high = x;
-            moved_high = true;
-        }
-        v2 = low + high;
-        EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
-        following = 0.5 * v2;
-        derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &slope, &slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x, x_t);
-        v3 = 1.0 + slope * slope;
-        v4 = sqrt(v3);
-        EACH_LANE each(stretch_t) = derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t));
-        stretch = v4;
-        v5 = stretch * stretch;
-        v6 = v5 * stretch;
-        v7 = rail_bend / v6;
-        EACH_LANE each(kappa_t) = (each(rail_bend_t) - v7 * ((each(stretch_t) * stretch + stretch * each(stretch_t)) * stretch + v5 * each(stretch_t))) / v6;
-        kappa = v7;
-        v8 = AT(work, meeting + layout__MEETING_RATE) + kappa;
-        v9 = v8 * kappa;
-        v10 = AT(work, meeting + layout__MEETING_OVERLAP);
-        EACH_LANE each(v10_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
-        if (0.0 > v10)
-        {
-            v10 = 0.0;
-            v10_t = all_lanes(0.0);
-        }
-        EACH_LANE each(rate_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) - (((each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) + each(kappa_t)) * kappa + v8 * each(kappa_t)) * v10 + v9 * each(v10_t));
-        rate = AT(work, meeting + layout__MEETING_RATE) - v9 * v10;
-        if (sign * rate < 0.0)
-        {
-            v11 = -AT(work, meeting + layout__MEETING_RISE);
-            v12 = rate * stretch;
-            v13 = v11 / v12;
-            EACH_LANE each(move_t) = (-each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - v13 * (each(rate_t) * stretch + rate * each(stretch_t))) / v12;
-            move = v13;
-            if (fabs(move) < pressed__DEEP_SHARP)
-            {
-                break;
-            }
-            if (x + move > low && x + move < high && (i == 0 || fabs(AT(work, meeting + layout__MEETING_RISE)) < 0.5 * before))
-            {
-                EACH_LANE each(following_t) = each(x_t) + each(move_t);
-                following = x + move;
-            }
-        }
-        if (fabs(following - x) < pressed__DEEP_SHARP)
-        {
-            break;
-        }
         EACH_LANE each(x_t) = each(following_t);
         x = following;
-        EACH_LANE each(before_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
-        before = fabs(AT(work, meeting + layout__MEETING_RISE));
     }
     EACH_LANE each(rise_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
     rise = fabs(AT(work, meeting + layout__MEETING_RISE));
