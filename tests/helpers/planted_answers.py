@@ -13,6 +13,14 @@ FOUND, NORMAL = "system/test_fuzz_findings.py", "wrcontact/kernel/normal"
 LOADER, PARTS = "fmu/test_loader.py", "wrcontact/motion/body.py"
 
 ANSWERS = [
+    (
+        "saddle_lost",
+        "following = 0.5 * (x + met)",
+        "following = x",
+        "a step along the rail that does not meet the wheel ends the search for a saddle",
+        "contact/test_overlap.py",
+        "wrcontact/kernel/contact/pressed.py",
+    ),
     # --- loads that are too large or too small
     (
         "deep_wheel",

@@ -126,7 +126,7 @@ REFUSED = {
     "contact_mod=compliant": "contact_mod is not a parameter or input of the FMU; permitted are "
     "rail_inclination",
     "contact_mode=bouncy": "contact_mode is 'bouncy'; permitted are 'rigid', 'elastic', 'compliant'",
-    "normal_model=halfspace": "normal_model is 'halfspace'; permitted are 'analyn', 'analyn_strip', 'hertz'",
+    "normal_model=halfspace": "normal_model is 'halfspace'; permitted are 'analyn', 'analyn_strip', 'auto', 'hertz'",
     "gauge=wide": "gauge is 'wide'; permitted is a number, in SI units",
     "gauge=14.35": "gauge is 14.35; permitted is 0.5 ... 2 m",
     "gauge=nan": "gauge is nan; permitted is 0.5 ... 2 m",
