@@ -179,15 +179,22 @@ def linked(command, folder, sources, library, links=(), cache=None, watch=None):
         return output.read_bytes()
 
 
+class Running(set):
+    """Compilers that run; once ``ended``, one that has just been started ends itself."""
+
+    ended = False
+
+
 @contextmanager
 def ended_together(pool):
-    """The set of compilers that the threads of a ``pool`` run; an interrupt or error ends them at once, with
+    """The :class:`Running` compilers of the threads of a ``pool``; an interrupt or error ends them at once, with
     the programs that they have started, and lets no other one begin."""
-    running = set()
+    running = Running()
     try:
         yield running
     except BaseException:
         pool.shutdown(wait=False, cancel_futures=True)
+        running.ended = True
         for process in list(running):
             _kill(process)
         raise
@@ -210,9 +217,9 @@ def checked(command, folder, running=None):
 
 
 def run(command, folder, running=None):
-    """A compiler's run in ``folder``, ended, with all that it has written; it is in the set ``running``
+    """A compiler's run in ``folder``, ended, with all that it has written; it is in the :class:`Running` ``running``
     meanwhile, where there is one."""
-    running = set() if running is None else running
+    running = Running() if running is None else running
     with subprocess.Popen(
         command,
         cwd=folder,
@@ -225,6 +232,8 @@ def run(command, folder, running=None):
         start_new_session=True,  # a group of its own, see _kill
     ) as process:
         running.add(process)
+        if running.ended:  # between its start and the line above
+            _kill(process)
         try:
             said, _ = process.communicate()
         except BaseException:
