@@ -9,12 +9,10 @@ import pytest
 from benchmarks import pages, parts, record, rows
 from benchmarks.pages import TABLES
 from tests.helpers.paths import ROOT
-from tests.helpers.same_numbers import COSTLIEST, SINGLE_POSES, differences
+from tests.helpers.same_numbers import SINGLE_POSES, differences
 
 #: Errors that another file's test computes again, since it has them anyway.
 ELSEWHERE = {"en15302"}  # tests/benchmarks/test_en15302.py
-#: Numbers of single poses, for which another processor's last bits count.
-WIDER = {"elastic_trials": SINGLE_POSES, "worst_steps": COSTLIEST}
 QUICK = [name for name, part in parts.PARTS.items() if part.kind == parts.ERRORS and name not in ELSEWHERE]
 #: Studies of at most some minutes; the half-space's own rows have a test below.
 LONG = ("elastic_roll", "profile_noise", "conicity_noise", "source_figures")
@@ -69,7 +67,8 @@ def test_tables_say_of_which_commit_they_are():
 def test_errors_are_those_of_today(name):
     """If this fails, a table is out of date: ``python -m benchmarks --write errors``."""
     found = record.short(parts.PARTS[name].measure(rows.FULL))
-    assert differences(found, record.load(name)["rows"], wider=WIDER.get(name)) == []
+    wider = SINGLE_POSES if name == "elastic_trials" else None
+    assert differences(found, record.load(name)["rows"], wider=wider) == []
 
 
 @pytest.mark.full

@@ -13,11 +13,6 @@ ABSOLUTE = 2e-3
 #: Trials of a single pose beside a jump: rounding, which differs between processors, moves the jump, and the
 #: search for it takes one trial more or less (measured: 1 of 66, 1 of 73).  Means over poses do not move.
 SINGLE_POSES = {"99 %": 0.05, "most": 0.05}
-#: The same of rails on springs: of 10 000 poses, whose inputs differ in last bits by the sine of a processor, the tenth
-#: costliest settles at a jump, and moves by 1.1 %.
-COSTLIEST = dict.fromkeys(
-    ("99.9 of 100", "worst", "hunting: 99.9 of 100", "hunting: worst", "worst over median"), 0.05
-)
 
 
 def differences(found, kept, absolute=ABSOLUTE, where="", relative=RELATIVE, wider=None):

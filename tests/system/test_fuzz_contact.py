@@ -39,7 +39,7 @@ from wrcontact import Status
 
 
 def check_sound(scene, poses):
-    """Statuses, loads and patches of one batch; which of its poses have not converged."""
+    """Statuses, loads and patches of one batch; how many of its poses have not converged."""
     table = scene.system().evaluate_many(**poses.arguments)
     compliant, vertical = (
         scene.arguments["contact_mode"] == "compliant",
@@ -76,7 +76,7 @@ def check_sound(scene, poses):
         both = good & (np.abs(poses.load_transfer) < 1) & (wanted > 0)
         off = np.where(both, np.abs(table.force.z + wanted) / np.where(both, wanted, 1.0), 0.0)
         assert_none(off > VERTICAL, scene, poses, "the vertical load is missed by", off)
-    return lost
+    return int(np.count_nonzero(lost & (not scene.is_cut))), int(np.count_nonzero(lost)), lost
 
 
 def may_part(scene, poses):
@@ -91,16 +91,15 @@ def may_part(scene, poses):
 def test_every_pose_has_a_status_and_sound_patches(seed, scenes, poses):
     """All modes, models and methods, profiles that are cut off among them. Status 3 on whole profiles: none
     in 10 000 poses, and 1 of 100 000, elastic with "vertical" distances under 700 kN."""
-    whole = every = parted = 0
+    whole = every = 0
     for scene, drawn in batches(seed, scenes, poses):
-        lost = check_sound(scene, drawn)
-        may = lost & may_part(scene, drawn)
-        whole += np.count_nonzero(lost & ~may & (not scene.is_cut))
-        every, parted = every + np.count_nonzero(lost & ~may), parted + np.count_nonzero(may)
+        found = check_sound(scene, drawn)
+        whole, every = whole + found[0], every + found[1]
         if scenes * poses <= 10_000:
-            assert_none(lost & ~may & (not scene.is_cut), scene, drawn, "not converged")
+            assert_none(
+                found[2] & (not scene.is_cut) & ~may_part(scene, drawn), scene, drawn, "not converged"
+            )
     assert whole <= 2e-5 * scenes * poses + 1 and every <= 2e-3 * scenes * poses
-    assert parted <= 5e-3 * scenes * poses
 
 
 # --- mirror, history ------------------------------------------------------------------------------
@@ -353,7 +352,7 @@ def test_hypothesis_finds_nothing(examples):
         ((scene, drawn),) = batches(4, 1, 2, first=number)
         if scene.arguments["contact_mode"] != "compliant":
             drawn = drawn.changed(lateral_shift=shift, yaw=yaw, normal_force=force, load_transfer=transfer)
-        lost = check_sound(scene, drawn)
-        assert_none(lost & (not scene.is_cut) & ~may_part(scene, drawn), scene, drawn, "not converged")
+        found = check_sound(scene, drawn)
+        assert_none(found[2] & (not scene.is_cut) & ~may_part(scene, drawn), scene, drawn, "not converged")
 
     holds()

@@ -464,6 +464,8 @@ OF = (
     "moment.x",
     "right.contact.y_wheel",
 )
+#: Rails settle to 1e-15 m, which shows in differences of small deflections over less than 4e-7 m of a rail's displacement
+#: (2.8e-5 over 1e-7 m, 1.3e-6 over 4e-7 m); from 6e-7 m on they meet the kink below.
 STEPS = {
     "lateral_shift": 2e-7,
     "vertical_shift_input": 2e-8,
@@ -471,8 +473,8 @@ STEPS = {
     "roll_input": 1e-7,
     "speed": 1e-3,
     "lateral_velocity": 1e-4,
-    "right.rail_lateral": 1e-7,
-    "left.rail_vertical": 1e-7,
+    "right.rail_lateral": 4e-7,
+    "left.rail_vertical": 4e-7,
     "right.rail_deflection_vertical_before": 1e-7,
     "rail_time_step": 1e-6,
     "left.friction": 1e-4,
@@ -526,10 +528,9 @@ def test_derivatives_are_those_of_differences(case):
     for column, (name, step) in enumerate(STEPS.items()):
         keyword = name.replace(".", "_")
         coarse, fine = ((at(keyword, h) - at(keyword, -h)) / (2 * h) for h in (step, step / 2))
-        # the largest seen: 2.8e-5 of a small one, left's deflection by right.rail_lateral: what the rate of
-        # the axle leaves open
+        # the largest seen: 1.9e-5 of a small one, beside the yaw's kink of rounded gaps
         scale = np.maximum(np.abs(found[:, column]), 1e-3 * np.abs(found).max(axis=1))
-        assert np.all(np.abs(found[:, column] - (4 * fine - coarse) / 3) <= 4e-5 * scale), name
+        assert np.all(np.abs(found[:, column] - (4 * fine - coarse) / 3) <= 2e-5 * scale), name
 
 
 # --- what is refused ----------------------------------------------------------------------------------

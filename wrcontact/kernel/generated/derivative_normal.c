@@ -2762,7 +2762,7 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
         EACH_LANE each(estimate_t) = each(v3_t);
         estimate = v3;
         derivative_strip_contact__sink_strips_t(&penetration, &penetration_t, &count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, false);
-        if (count > 0 && penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))
+        if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
         {
             derivative_analyn_contact__solve_analyn_t(&estimate, &estimate_t, &count, &known, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
             if (!known)

@@ -2353,7 +2353,7 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
     {
         estimate = estimate__first_penetration(tables, work, pair, force);
         strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
-        if (count > 0 && penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))
+        if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
         {
             analyn_contact__solve_analyn(&estimate, &count, &known, tables, work, pair, side, force, prescribed);
             if (!known)

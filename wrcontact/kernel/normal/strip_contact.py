@@ -69,7 +69,7 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     else:
         estimate = first_penetration(pair, contact, force)
         penetration, count = sink_strips(pair, contact, side, force, estimate, False)
-        if count > 0 and penetration < SUNK_LESS * contact.frame.depth:
+        if count > 0 and (penetration < SUNK_LESS * contact.frame.depth or contact.strip_problem.count == 0):
             estimate, count, known = solve_analyn(pair, contact, side, force, prescribed)
             if not known:
                 # the regions are now ANALYN's, and the strips stand at a wrong depth
