@@ -14,6 +14,14 @@ LOADER, PARTS = "fmu/test_loader.py", "wrcontact/motion/body.py"
 
 ANSWERS = [
     (
+        "jump_for_ever",
+        "if needed and settled.standing and not settled.lifted:",
+        "if needed and settled.standing and settled.lifted:",
+        "under a wheel that rolls freely a rail stays at a jump that another rate does not have",
+        SPRINGS,
+        f"{WHEELSET}/compliant.py",
+    ),
+    (
         "saddle_lost",
         "following = 0.5 * (x + met)",
         "following = x",

@@ -179,8 +179,9 @@ def searches(stepper, inputs, k):
 
 
 #: Usual and largest numbers of searches that are permitted without friction, and of wheels that roll freely.
-#: Measured: 17, 19 and 18 usual, 315, 197 and 48 at most; 52 … 54, and 296, 99 and 207.
-MOST_SEARCHES = {"hertz": (19, 340, 58, 330), "analyn": (20, 220, 60, 120), "analyn_strip": (20, 60, 60, 230)}
+#: Measured: 17, 19 and 18 usual, 315, 197 and 48 at most; 52 … 54, and 528, 165 and 404 where a rail that stands at a
+#: jump settles from rest on once more, at the rate that was found.
+MOST_SEARCHES = {"hertz": (19, 340, 58, 560), "analyn": (20, 220, 60, 180), "analyn_strip": (20, 60, 60, 430)}
 
 
 @pytest.mark.parametrize("model", MOST_SEARCHES)
@@ -196,7 +197,7 @@ def test_no_rail_on_springs_takes_long_to_settle(model):
 
 @pytest.mark.parametrize("model", MOST_SEARCHES)
 def test_rails_settle_quickly_under_wheels_that_roll_freely(model):
-    """For each rate that is tried they settle from where they stand, and at a jump they stay."""
+    """For each rate that is tried they settle from where they stand; at a jump they stay, but for the last rate."""
     *_, usual, most = MOST_SEARCHES[model]
     stepper = ContactSystem(
         contact_mode="compliant", normal_model=model, tangential_model="strips", **BARE

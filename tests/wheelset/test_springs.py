@@ -148,6 +148,49 @@ def test_springs_carry_a_light_wheel_as_exactly_as_a_heavy_one(case):
     assert np.abs(residual).sum() < 1e-8 * (abs(side.force.y) + abs(side.force.z))
 
 
+#: Free wheels whose rails stand at a jump of the forces at the first rate, and in balance at the one that follows:
+#: model, stiffnesses across and down; shift, yaw, height.
+LEFT_JUMPS = [
+    (
+        "hertz",
+        2001195.6578689073,
+        3482002.6112442077,
+        0.006361062324063431,
+        0.002463318325762344,
+        0.013821219526204917,
+    ),
+    (
+        "analyn",
+        85207067.91379963,
+        609700275.2186563,
+        0.005875148383643695,
+        0.0037166873745473747,
+        4.4947334659779233e-05,
+    ),
+    (
+        "analyn_strip",
+        658540097.7090515,
+        0.0,
+        0.006875741531914174,
+        0.003261736191181931,
+        5.8066752659297507e-05,
+    ),
+]
+
+
+@pytest.mark.parametrize("case", LEFT_JUMPS)
+def test_a_rail_leaves_a_jump_that_another_rate_does_not_have(case):
+    model, lateral, vertical, shift, yaw, height = case
+    wheel = one_wheel(
+        model, tangential_model="polach", rail_lateral_stiffness=lateral, rail_vertical_stiffness=vertical
+    )
+    side = wheel.evaluate(
+        lateral_shift=shift, yaw=yaw, vertical_shift_input=height, speed=20.0, lateral_velocity=0.01
+    )
+    held = np.array([lateral, vertical]) * deflection(side) + [side.force.y, side.force.z * (vertical > 0.0)]
+    assert side.status == Status.VALID and np.abs(held).max() < 1e-9 * abs(side.force.z)
+
+
 @pytest.mark.full
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.turns(3)

@@ -150,6 +150,13 @@ def widen_enclosure(turning: Turning):
     turning.high += wide
     turning.end_low = turning.low
     turning.end_high = turning.high
+    reopen_enclosure(turning)
+
+
+def reopen_enclosure(turning: Turning):
+    """Let the enclosure be what it was at first, with neither end tried."""
+    turning.low = turning.end_low
+    turning.high = turning.end_high
     turning.low_known = False
     turning.high_known = False
 

@@ -165,6 +165,7 @@ static inline int64_t turning__begin_turning(array_double_1d work, double wanted
 static inline int64_t turning__enclose_rates(array_double_1d work, int64_t motion, int64_t patch);
 static inline int64_t turning__add_stand_in(array_double_1d work, array_double_1d tables, int64_t motion, int64_t patch, double friction);
 static inline int64_t turning__widen_enclosure(array_double_1d work);
+static inline int64_t turning__reopen_enclosure(array_double_1d work);
 static inline int64_t turning__begin_search(array_double_1d work, double start);
 static inline void turning__patch_stand_in(double* torque_out, double* slope_out, array_double_1d work, int64_t own, double speed, double rate);
 static inline void turning__stand_in(double* torque_out, double* slope_out, array_double_1d work, double rate);
@@ -3212,6 +3213,15 @@ static inline int64_t turning__widen_enclosure(array_double_1d work)
     AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) += wide;
     AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW) = AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
     AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH) = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH);
+    turning__reopen_enclosure(work);
+    return 0;
+}
+
+/* Let the enclosure be what it was at first, with neither end tried. */
+static inline int64_t turning__reopen_enclosure(array_double_1d work)
+{
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW);
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH);
     AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)false;
     AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)false;
     return 0;

@@ -26,6 +26,8 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
 static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE int64_t compliant__turn_compliant(array_double_1d tables, array_double_1d work, int64_t index);
+static OUT_OF_LINE int64_t compliant__settle_anew(array_double_1d tables, array_double_1d work, int64_t index);
+static OUT_OF_LINE void compliant__leave_jumps(bool* left_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last);
 
 /* wheelset/depth_rates.py */
 static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_double_1d work);
@@ -844,15 +846,44 @@ static OUT_OF_LINE int64_t compliant__turn_compliant(array_double_1d tables, arr
     status = settling__settle_again(tables, work, index, height);
     if (status > layout__UNLOADED)
     {
-        springs__rest_rail(tables, work, index);
-        roll__place_both(work, tables, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-        if (!at_height__search_near(tables, work, index, roll__nearest_start(tables, (int64_t)AT(tables, layout__TABLES_STARTS), AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT))))
-        {
-            return layout__OFF_PROFILE;
-        }
-        status = settling__settle_rail(tables, work, index, height);
+        status = compliant__settle_anew(tables, work, index);
     }
     return status;
+}
+
+/* A side of the wheelset that is solved, whose rail settles on its springs from rest on; the outcome. */
+static OUT_OF_LINE int64_t compliant__settle_anew(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    springs__rest_rail(tables, work, index);
+    roll__place_both(work, tables, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    if (!at_height__search_near(tables, work, index, roll__nearest_start(tables, (int64_t)AT(tables, layout__TABLES_STARTS), AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT))))
+    {
+        return layout__OFF_PROFILE;
+    }
+    return settling__settle_rail(tables, work, index, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+}
+
+/* Let the rails of the sides ``first`` ... ``last`` that stand at a jump of their forces settle from rest on,
+ * since with other creep forces they may stand elsewhere in balance; whether there were any, and the outcome.
+ */
+static OUT_OF_LINE void compliant__leave_jumps(bool* left_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
+{
+    bool left, needed;
+    int64_t status, index, settled;
+    left = false;
+    status = layout__VALID;
+    for (index = first; index < last + 1; index += 1)
+    {
+        settled = layout__WORK_SETTLED + layout__SETTLED_RAIL_SIZE * index;
+        needed = rails__is_sprung(tables, index) && requested__is_needed(work, tables, layout__WORK_INPUTS, index);
+        if (needed && AT(work, settled + layout__SETTLED_RAIL_STANDING) == 1.0 && !(AT(work, settled + layout__SETTLED_RAIL_LIFTED) == 1.0))
+        {
+            left = true;
+            status = int64_max(status, compliant__settle_anew(tables, work, index));
+        }
+    }
+    *left_out = left;
+    *status_out = status;
 }
 
 
@@ -1896,7 +1927,7 @@ static inline int64_t free_rolling__roll_freely(array_double_1d tables, array_do
 /* Find the rotation of the wheels ``first`` ... ``last``, with their creep forces; the outcome. */
 static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
 {
-    bool found;
+    bool found, left;
     int64_t status, outcome;
     double torque, start;
     found = free_rolling__open_turning(tables, work, first, last);
@@ -1924,6 +1955,15 @@ static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d
     AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) = (double)false;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) = (double)true;
     status = free_rolling__seek(tables, work, first, last, start);
+    if (status <= layout__UNLOADED && rails__on_springs(tables))
+    {
+        compliant__leave_jumps(&left, &status, tables, work, first, last);
+        if (left && status <= layout__UNLOADED)
+        {
+            turning__reopen_enclosure(work);
+            status = free_rolling__seek(tables, work, first, last, AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first));
+        }
+    }
     AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) = (double)false;
     if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0 && status <= layout__UNLOADED)
     {
@@ -2076,10 +2116,7 @@ static inline int64_t free_rolling__seek_falling(array_double_1d tables, array_d
 {
     double rate;
     rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
-    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW);
-    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH);
-    AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)false;
-    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)false;
+    turning__reopen_enclosure(work);
     if (AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0)
     {
         return free_rolling__leave_rest(tables, work, first, last, rate);
@@ -3468,7 +3505,7 @@ static OUT_OF_LINE int64_t settling__keep_slopes(array_double_1d work, int64_t i
 /* Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
  * rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
  *
- * A rail that stands at a jump of the forces stays there.
+ * A rail that stands at a jump of the forces stays there (``leave_jumps``).
  */
 static OUT_OF_LINE int64_t settling__settle_again(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {

@@ -70,9 +70,30 @@ def turn_compliant(tables: Tables, work: Work, index: int):
         return VALID
     status = settle_again(tables, work, index, height)
     if status > UNLOADED:
-        rest_rail(tables, work, index)
-        place_both(tables, work.inputs, work.sides, work.inputs.roll)
-        if not search_near(tables, work, index, nearest_start(tables.starts, work.inputs.lateral_shift)):
-            return OFF_PROFILE
-        status = settle_rail(tables, work, index, height)
+        status = settle_anew(tables, work, index)
     return status
+
+
+@seldom
+def settle_anew(tables: Tables, work: Work, index: int):
+    """A side of the wheelset that is solved, whose rail settles on its springs from rest on; the outcome."""
+    rest_rail(tables, work, index)
+    place_both(tables, work.inputs, work.sides, work.inputs.roll)
+    if not search_near(tables, work, index, nearest_start(tables.starts, work.inputs.lateral_shift)):
+        return OFF_PROFILE
+    return settle_rail(tables, work, index, work.inputs.vertical_shift)
+
+
+@seldom
+def leave_jumps(tables: Tables, work: Work, first: int, last: int):
+    """Let the rails of the sides ``first`` ... ``last`` that stand at a jump of their forces settle from rest on,
+    since with other creep forces they may stand elsewhere in balance; whether there were any, and the outcome."""
+    left = False
+    status = VALID
+    for index in range(first, last + 1):
+        settled = work.settled[index]
+        needed = is_sprung(tables, index) and is_needed(tables, work.inputs, index)
+        if needed and settled.standing and not settled.lifted:
+            left = True
+            status = max(status, settle_anew(tables, work, index))
+    return left, status

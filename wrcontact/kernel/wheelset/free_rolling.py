@@ -30,6 +30,7 @@ from ..creep.turning import (
     is_beyond,
     next_rate,
     note_torque,
+    reopen_enclosure,
     stand_in,
     stand_in_rate,
     widen_enclosure,
@@ -47,7 +48,7 @@ from ..layout import (
     Work,
 )
 from ..surface.rails import on_springs
-from .compliant import turn_compliant
+from .compliant import leave_jumps, turn_compliant
 from .forces import rub_patch
 from .requested import has_creep_forces, is_free, outer_torque
 from .rubbing import move_side, open_given_motion, rub_wheel, side_friction, write_side_wear
@@ -125,6 +126,11 @@ def turn(tables: Tables, work: Work, first: int, last: int):
     rolling.kept = False
     rolling.resting = True
     status = seek(tables, work, first, last, start)
+    if status <= UNLOADED and on_springs(tables):
+        left, status = leave_jumps(tables, work, first, last)
+        if left and status <= UNLOADED:
+            reopen_enclosure(turning)
+            status = seek(tables, work, first, last, turning.rates[first])
     rolling.resting = False
     if tables.parameters.friction_fall_rate > 0.0 and status <= UNLOADED:
         status = seek_falling(tables, work, first, last)
@@ -227,10 +233,7 @@ def seek_falling(tables: Tables, work: Work, first: int, last: int):
     """Seek the rate with falling friction, from the one with the friction of rest; the outcome."""
     turning = work.turning
     rate = turning.rates[first]
-    turning.low = turning.end_low
-    turning.high = turning.end_high
-    turning.low_known = False
-    turning.high_known = False
+    reopen_enclosure(turning)
     if turning.wanted != 0.0:
         return leave_rest(tables, work, first, last, rate)
     return seek(tables, work, first, last, rate)

@@ -71,7 +71,7 @@ def settle_again(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
     rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
 
-    A rail that stands at a jump of the forces stays there.
+    A rail that stands at a jump of the forces stays there (``leave_jumps``).
     """
     settling = work.settling
     settled = work.settled[index]
