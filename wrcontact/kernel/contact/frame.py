@@ -79,19 +79,18 @@ def open_frame(pair: Pair, frame: Frame, place: Place, y: float, aside: float, s
 
 
 def normal_gap(pair: Pair, frame: Frame, station: float, tolerance: float):
-    """Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
-    [m].
+    """Gap g along the contact normal [m], dg/ds [-] and d2g/ds2 [1/m] at ``station`` [m].
 
     NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
     """
     frame.place.node_count += 1.0
     rail_height, rail_rate, rail_bend, on_rail = trace_rail(pair, frame, station, tolerance)
-    wheel_height, wheel_rate, wheel_bend, curvature, on_wheel = trace_wheel(pair, frame, station, tolerance)
+    wheel_height, wheel_rate, wheel_bend, on_wheel = trace_wheel(pair, frame, station, tolerance)
     frame.station = station
     gap = wheel_height - rail_height + frame.raised
     if not on_rail or not on_wheel:
         gap = NO_GAP
-    return gap, wheel_rate - rail_rate, wheel_bend - rail_bend, curvature
+    return gap, wheel_rate - rail_rate, wheel_bend - rail_bend
 
 
 def is_yawed(frame: Frame) -> bool:
@@ -145,6 +144,8 @@ def open_contact_region(tables: Tables, frame: Frame, region: Region):
     region.wheel = frame.wheel.y
     region.bend = frame.bend
     region.curvature = frame.curvature
+    region.along = frame.plane.cos
+    region.along_bend = 0.0
     region.low = -BEYOND
     region.high = BEYOND
     incline_region(tables, frame, region, frame.plane.sin / frame.plane.cos)

@@ -31,8 +31,9 @@ from ..layout import RAIL, WHEEL, Frame, Pair, Place, inlined, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope, height_slope_bend
-from .curves import rail_abscissa
+from .curves import abscissa_at_arc
 from .frame import NO_GAP
+from .traces import first_abscissa
 
 #: The wheel's abscissa is found when Newton's last move is no longer than this [m], for deepest points and
 #: for nodes. The move is still made, and the overlap follows it to second order: what is left is rounding,
@@ -47,8 +48,6 @@ LINE_ITERATIONS: Final[int] = 20
 LINE_STEP: Final[float] = 4e-3
 #: Points of wheel and rail farther apart than this do not face each other [m].
 FARTHEST: Final[float] = 5e-3
-#: Over a longer way the wheel's abscissa per station is noted for the next estimate [m].
-LEAST_WAY: Final[float] = 1e-5
 #: A deepest point is located to this on the rail [m], so that differences of its place between poses are its
 #: derivatives; its depth, being second order, asks for less.
 DEEP_SHARP: Final[float] = 1e-13
@@ -103,6 +102,9 @@ def meet_wheel(pair: Pair, place: Place, abscissa: float, y: float, height: floa
             meeting.z = z + slope * move
             meeting.slope = slope + bend * move
             meeting.bend = bend
+            meeting.along = (1.0 - kappa * overlap) * sqrt(steep) * wheel_cos / stretch
+            meeting.along_bend = -outline_slope * wheel_cos * wheel_kappa / stretch
+            meeting.rail_slope = m
             return True
         move = max(min(move, LINE_STEP), -LINE_STEP)
         y += move
@@ -135,37 +137,39 @@ def mean_bend(pair: Pair, frame: Frame, y: float, bend: float):
 @seldom
 def pressed_gap(pair: Pair, frame: Frame, station: float):
     """How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
-    [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
-    pressed wheel."""
+    [m], with its derivatives [-, 1/m]: as ``normal_gap``, for the open frame of a pressed wheel."""
     frame.place.node_count += 1.0
     rail = pair.rail
-    way = station - frame.station
-    abscissa = rail_abscissa(pair, frame.traces[RAIL].abscissa, way)
+    abscissa = abscissa_at_arc(pair, frame.arc + station)
     gap = NO_GAP
     rate = 0.0
     bend = 0.0
-    curvature = 1.0
     if abscissa >= rail.start and abscissa <= rail.stop:
         trace = frame.traces[WHEEL]
-        estimate = trace.abscissa + way * trace.rate
+        estimate = first_abscissa(trace, station - frame.station)
         if meet_wheel(pair, frame.place, abscissa, estimate, frame.height, NODE_SHARP):
             meeting = frame.place.meeting
             gap = frame.raised + frame.depth - meeting.overlap
             rate = -meeting.rise
             bend = -meeting.rate
-            curvature = longitudinal_curvature(
-                pair.tables,
-                frame.place,
-                meeting.z,
-                meeting.slope,
-                mean_bend(pair, frame, meeting.wheel, meeting.bend),
-            )
-            if fabs(way) > LEAST_WAY:
-                trace.rate = (meeting.wheel - trace.abscissa) / way
             trace.abscissa = meeting.wheel
+            trace.rate = meeting.along
+            trace.bend = meeting.along_bend
             frame.traces[RAIL].abscissa = abscissa
             frame.station = station
-    return gap, rate, bend, curvature
+    return gap, rate, bend
+
+
+def met_curvature(pair: Pair, frame: Frame):
+    """The wheel's 1/R_x [1/m] at the point that a separation was last measured to."""
+    meeting = frame.place.meeting
+    return longitudinal_curvature(
+        pair.tables,
+        frame.place,
+        meeting.z,
+        meeting.slope,
+        mean_bend(pair, frame, meeting.wheel, meeting.bend),
+    )
 
 
 @seldom
@@ -218,6 +222,8 @@ def turning_point(
             if fabs(following - x) < DEEP_SHARP:
                 break
             before = fabs(meeting.rise)
+            way = (following - x) * stretch
+            y += way * (meeting.along + 0.5 * way * meeting.along_bend)
         elif fabs(x - met) < DEEP_SHARP:
             return x, False
         x = following

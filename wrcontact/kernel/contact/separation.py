@@ -16,11 +16,11 @@ not where the wheelset is.
 from math import sqrt
 
 from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame, Origin, Pair, seldom
-from ..surface.curvature import longitudinal_curvature
 from ..surface.tables import height_slope_bend
 from .frame import NO_GAP, normal_gap
 from .curves import curve_jet, move_across, move_to_station, within
-from .pressed import mean_bend, pressed_gap
+from .pressed import met_curvature, pressed_gap
+from .traces import note_point
 
 
 @seldom
@@ -106,23 +106,31 @@ def moved_separation(pair: Pair, frame: Frame, origin: Origin, station: float, k
     if not exists:
         gap = NO_GAP
     y = frame.traces[WHEEL].abscissa
-    z, slope, wheel_bend = height_slope_bend(pair.wheel, y)
-    wheel_bend = mean_bend(pair, frame, y, wheel_bend)
-    curvature = longitudinal_curvature(pair.tables, frame.place, z, slope, wheel_bend)
-    return gap, rate, bend, curvature
+    z, slope, second = height_slope_bend(pair.wheel, y)
+    note_point(frame.place.meeting, y, z, slope, second)
+    return gap, rate, bend
 
 
-def separation(pair: Pair, frame: Frame, origin: Origin, station: float, tolerance: float):
-    """Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m],
-    measured as chosen; NO_GAP where a profile has ended.
+def separation_jet(pair: Pair, frame: Frame, origin: Origin, station: float, tolerance: float):
+    """Undeformed distance g [m], dg/ds [-] and d2g/ds2 [1/m] at ``station`` [m], measured as chosen; NO_GAP
+    where a profile has ended.
 
     ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
     """
     kind = pair.tables.separation
     if kind == SEPARATION_NORMAL and not frame.pressed:
-        gap, rate, bend, curvature = normal_gap(pair, frame, station, tolerance)
+        gap, rate, bend = normal_gap(pair, frame, station, tolerance)
     elif kind == SEPARATION_NORMAL:
-        gap, rate, bend, curvature = pressed_gap(pair, frame, station)
+        gap, rate, bend = pressed_gap(pair, frame, station)
     else:
-        gap, rate, bend, curvature = moved_separation(pair, frame, origin, station, kind)
+        gap, rate, bend = moved_separation(pair, frame, origin, station, kind)
+    return gap, rate, bend
+
+
+def separation(pair: Pair, frame: Frame, origin: Origin, station: float, tolerance: float):
+    """:func:`separation_jet`, and the wheel's 1/R_x [1/m]."""
+    gap, rate, bend = separation_jet(pair, frame, origin, station, tolerance)
+    curvature = 0.0
+    if gap < NO_GAP:
+        curvature = met_curvature(pair, frame)
     return gap, rate, bend, curvature

@@ -10,9 +10,8 @@ small residual.
 from math import fabs
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Direction, Frame, Pair, Point, Profile, Trace
+from ..layout import RAIL, WHEEL, Direction, Frame, Meeting, Pair, Point, Profile, Region, Trace
 from ..surface.locus import outline_jet
-from ..surface.curvature import longitudinal_curvature
 from ..surface.tables import height_slope_bend
 
 #: A trace is extrapolated to second order over this distance at most [m].
@@ -29,6 +28,13 @@ def start_traces(frame: Frame, station: float, abscissa: float, y: float):
     frame.traces[WHEEL].abscissa = y
     frame.traces[WHEEL].rate = frame.plane.cos
     frame.traces[WHEEL].bend = 0.0
+
+
+def start_at_region(frame: Frame, region: Region):
+    """Let the traces begin at the smallest gap of a region."""
+    start_traces(frame, region.station, region.rail, region.wheel)
+    frame.traces[WHEEL].rate = region.along
+    frame.traces[WHEEL].bend = region.along_bend
 
 
 def first_abscissa(trace: Trace, away: float):
@@ -49,7 +55,7 @@ def trace_profile(
     tolerance: float,
 ):
     """Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope
-    there [-], its height [m], and whether it exists.
+    there [-], its height [m], its second derivative [1/m], and whether it exists.
 
     point : the profile's point at station zero.
     plane : inclination of the contact plane in the profile's coordinates.
@@ -85,6 +91,7 @@ def trace_profile(
         ordinate_bend,
         slope + move * bend,
         height + move * slope,
+        bend,
         exists,
     )
 
@@ -92,29 +99,37 @@ def trace_profile(
 def trace_rail(pair: Pair, frame: Frame, station: float, tolerance: float):
     """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and whether
     it exists."""
-    ordinate, rate, bend, slope, height, exists = trace_profile(
+    ordinate, rate, bend, slope, height, second, exists = trace_profile(
         frame, pair.rail, frame.rail, frame.plane, frame.traces[RAIL], station, tolerance
     )
     return ordinate, rate, bend, exists
 
 
 def trace_wheel(pair: Pair, frame: Frame, station: float, tolerance: float):
-    """Height of the wheel over the contact plane [m], its rate [-], bend [1/m] and the wheel's 1/R_x [1/m] at
-    ``station``; and whether it exists.
+    """Height of the wheel over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and whether
+    it exists.  The profile's point is the place's ``meeting``.
 
     Without yaw the outline is the profile, turned by the roll.
     """
     place = frame.place
     if not place.yawed:
         lifted = station - frame.lift * frame.plane.sin
-        ordinate, rate, bend, slope, z, exists = trace_profile(
+        ordinate, rate, bend, slope, z, second, exists = trace_profile(
             frame, pair.wheel, frame.wheel, frame.wheel_plane, frame.traces[WHEEL], lifted, tolerance
         )
         ordinate -= frame.lift * frame.plane.cos
-        curvature = longitudinal_curvature(pair.tables, place, z, slope, bend)
+        note_point(place.meeting, frame.traces[WHEEL].abscissa, z, slope, second)
     else:
-        ordinate, rate, bend, curvature, exists = trace_outline(pair, frame, station, tolerance)
-    return ordinate, rate, bend, curvature, exists
+        ordinate, rate, bend, exists = trace_outline(pair, frame, station, tolerance)
+    return ordinate, rate, bend, exists
+
+
+def note_point(meeting: Meeting, y: float, z: float, slope: float, bend: float):
+    """Note a point of the wheel's profile [m], with its slope [-] and second derivative [1/m]."""
+    meeting.wheel = y
+    meeting.z = z
+    meeting.slope = slope
+    meeting.bend = bend
 
 
 def trace_outline(pair: Pair, frame: Frame, station: float, tolerance: float):
@@ -159,6 +174,6 @@ def trace_outline(pair: Pair, frame: Frame, station: float, tolerance: float):
     trace.abscissa = y + move
     trace.rate = per_along * per_stretch
     trace.bend = ordinate_bend * sine * per_stretch
-    curvature = longitudinal_curvature(pair.tables, place, z + move * slope, slope + move * bend, bend)
+    note_point(place.meeting, y + move, z + move * slope, slope + move * bend, bend)
     ordinate = across * sine - up * cosine - excess * (rate - 0.5 * excess * ordinate_bend)
-    return ordinate, rate - excess * ordinate_bend, ordinate_bend, curvature, exists
+    return ordinate, rate - excess * ordinate_bend, ordinate_bend, exists

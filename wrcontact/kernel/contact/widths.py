@@ -5,12 +5,12 @@ from its width.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Contact, FirstWidths, Frame, Origin, Pair, Region
+from ..layout import RAIL, WHEEL, Contact, FirstWidths, Frame, Origin, Pair, Region, Regions
 from ..surface.locus import outline_x
 from .curves import open_origin
 from .frame import NO_GAP, is_yawed
-from .separation import separation
-from .traces import start_traces
+from .separation import separation_jet
+from .traces import start_at_region, start_traces
 
 #: Tolerance of the traces [m]: this share of the estimated half-width, or less; as that of nodes.
 TRACE_OF_WIDTH: Final[float] = 1e-2
@@ -57,7 +57,7 @@ def zone_width(
     chosen separation, with arcs in place of the chords whose length follows from this width.
     """
     limit = width_limit(region, direction)
-    start_traces(frame, region.station, region.rail, region.wheel)
+    start_at_region(frame, region)
     open_origin(pair, frame, origin, region, 0.0)
     tolerance = width_tolerance(estimate)
     root = sqrt(level)
@@ -75,9 +75,7 @@ def zone_width(
         near = PRESSED_SHARP
     for i in range(WIDTH_ITERATIONS):
         width = min(width, limit)
-        gap, rate, bend, curvature = separation(
-            pair, frame, origin, region.station + direction * width, tolerance
-        )
+        gap, rate, bend = separation_jet(pair, frame, origin, region.station + direction * width, tolerance)
         if gap >= NO_GAP:
             # beyond an end the traces are lost
             start_traces(frame, station, abscissa, y)
@@ -116,6 +114,13 @@ def keep_widths(first: FirstWidths, region: Region):
     first.penetration = region.width_penetration
     first.low = region.width_low
     first.high = region.width_high
+
+
+def keep_contact_widths(first: FirstWidths, regions: Regions, count: int):
+    """Note the half-widths of the region of a pressed wheel's contact point."""
+    for index in range(count):
+        if not regions[index].own:
+            keep_widths(first, regions[index])
 
 
 def start_widths(first: FirstWidths, region: Region):

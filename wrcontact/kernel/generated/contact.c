@@ -12,6 +12,8 @@ static OUT_OF_LINE double curves__panel_length(array_double_1d tables, array_dou
 static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double start, double stop);
 static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop);
 static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length);
+static inline double curves__arc_of_abscissa(array_double_1d tables, int64_t pair, double x);
+static inline double curves__abscissa_at_arc(array_double_1d tables, int64_t pair, double arc);
 static OUT_OF_LINE bool curves__move_arc(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double length);
 static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double chord);
 static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double station);
@@ -34,7 +36,7 @@ static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_d
 
 /* contact/frame.py */
 static inline void frame__open_frame(double* z_out, double* slope_out, double* y_track_out, double* rail_slope_out, double* mismatch_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double aside, double shift);
-static inline void frame__normal_gap(double* gap_out, double* out_1, double* out_2, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline void frame__normal_gap(double* gap_out, double* out_1, double* out_2, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 static inline bool frame__is_yawed(array_double_1d work);
 static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
 static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot);
@@ -69,7 +71,8 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_
 /* contact/pressed.py */
 static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance);
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend);
-static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
+static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
+static inline double pressed__met_curvature(array_double_1d tables, array_double_1d work, int64_t pair);
 static OUT_OF_LINE double pressed__limited(double step, double limit);
 static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign);
 
@@ -87,16 +90,19 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
 static OUT_OF_LINE void separation__vertical_rise(double* out_0, double* out_1, double* out_2, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
 static OUT_OF_LINE void separation__equidistant_rise(double* out_0, double* rate_out, double* out_2, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
 static OUT_OF_LINE void separation__depth_lost(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair);
-static OUT_OF_LINE void separation__moved_separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind);
+static OUT_OF_LINE void separation__moved_separation(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind);
+static inline void separation__separation_jet(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 static inline void separation__separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 
 /* contact/traces.py */
 static inline int64_t traces__start_traces(array_double_1d work, double station, double abscissa, double y);
+static inline int64_t traces__start_at_region(array_double_1d work, int64_t region);
 static inline double traces__first_abscissa(array_double_1d work, int64_t trace, double away);
-static inline void traces__trace_profile(double* out_0, double* out_1, double* ordinate_bend_out, double* out_3, double* out_4, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance);
+static inline void traces__trace_profile(double* out_0, double* out_1, double* ordinate_bend_out, double* out_3, double* out_4, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance);
 static inline void traces__trace_rail(double* ordinate_out, double* rate_out, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
-static inline void traces__trace_wheel(double* ordinate_out, double* rate_out, double* bend_out, double* curvature_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
-static inline void traces__trace_outline(double* ordinate_out, double* out_1, double* ordinate_bend_out, double* curvature_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline void traces__trace_wheel(double* ordinate_out, double* rate_out, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+static inline int64_t traces__note_point(array_double_1d work, int64_t meeting, double y, double z, double slope, double bend);
+static inline void traces__trace_outline(double* ordinate_out, double* out_1, double* ordinate_bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 
 /* contact/turning_cells.py */
 static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
@@ -113,8 +119,9 @@ static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables,
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
 static inline double widths__width_tolerance(double estimate);
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate);
-static inline int64_t widths__keep_widths(array_double_1d work, int64_t region);
-static inline int64_t widths__start_widths(array_double_1d work, int64_t region);
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t first, int64_t region);
+static inline int64_t widths__keep_contact_widths(array_double_1d work, int64_t first, int64_t count);
+static inline int64_t widths__start_widths(array_double_1d work, int64_t first, int64_t region);
 static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration);
 static inline double widths__side_curvature(double reached, double own, double mean);
 
@@ -312,32 +319,38 @@ static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pa
     return tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), stop) - tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), start);
 }
 
-/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
- *
- * The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
- * leaves rounding.
- */
+/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing. */
 static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length)
 {
-    int64_t rail, arcs, abscissae;
-    double arc, x, found, speed;
-    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    arcs = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC);
+    return curves__abscissa_at_arc(tables, pair, curves__arc_of_abscissa(tables, pair, start) + length);
+}
+
+/* The arc length [m] at which the table of abscissae has ``x`` [m].
+ *
+ * The other table is its inverse within 1e-8 m, and a step of Newton's method leaves rounding.
+ */
+static inline double curves__arc_of_abscissa(array_double_1d tables, int64_t pair, double x)
+{
+    double arc, found, rate;
+    arc = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), x);
+    tables__read_cubic_jet(&found, &rate, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc);
+    return arc + (x - found) / rate;
+}
+
+/* Abscissa [m] of the rail at an arc length from its start [m]; beyond an end, by what is missing. */
+static inline double curves__abscissa_at_arc(array_double_1d tables, int64_t pair, double arc)
+{
+    int64_t abscissae;
+    double x;
     abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
-    arc = tables__read_cubic(tables, arcs, start) + length;
+    x = tables__read_cubic(tables, abscissae, arc);
     if (arc < 0.0)
     {
-        x = AT(tables, rail + layout__PROFILE_START) + arc;
+        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + arc;
     }
     else if (arc * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
-        x = AT(tables, rail + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
-    }
-    else
-    {
-        x = tables__read_cubic(tables, abscissae, arc);
-        tables__read_cubic_jet(&found, &speed, tables, arcs, x);
-        x += (arc - found) / speed;
+        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
     }
     return x;
 }
@@ -804,18 +817,17 @@ static inline void frame__open_frame(double* z_out, double* slope_out, double* y
     *mismatch_out = mismatch;
 }
 
-/* Gap g along the contact normal [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station``
- * [m].
+/* Gap g along the contact normal [m], dg/ds [-] and d2g/ds2 [1/m] at ``station`` [m].
  *
  * NO_GAP where a profile has ended.  ``tolerance`` [m] is that of the stations of wheel and rail.
  */
-static inline void frame__normal_gap(double* gap_out, double* out_1, double* out_2, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void frame__normal_gap(double* gap_out, double* out_1, double* out_2, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
-    double rail_height, rail_rate, rail_bend, wheel_height, wheel_rate, wheel_bend, curvature, gap;
+    double rail_height, rail_rate, rail_bend, wheel_height, wheel_rate, wheel_bend, gap;
     bool on_rail, on_wheel;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT) += 1.0;
     traces__trace_rail(&rail_height, &rail_rate, &rail_bend, &on_rail, tables, work, pair, station, tolerance);
-    traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, &curvature, &on_wheel, tables, work, pair, station, tolerance);
+    traces__trace_wheel(&wheel_height, &wheel_rate, &wheel_bend, &on_wheel, tables, work, pair, station, tolerance);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
     gap = wheel_height - rail_height + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED);
     if (!on_rail || !on_wheel)
@@ -825,7 +837,6 @@ static inline void frame__normal_gap(double* gap_out, double* out_1, double* out
     *gap_out = gap;
     *out_1 = wheel_rate - rail_rate;
     *out_2 = wheel_bend - rail_bend;
-    *curvature_out = curvature;
 }
 
 /* Whether the wheel of the open frame is yawed. */
@@ -854,9 +865,9 @@ static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t regi
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 27; i_1 += 1)
+        for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1);
         }
     }
     return 0;
@@ -868,9 +879,9 @@ static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t regi
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 27; i_1 += 1)
+        for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1);
         }
     }
     return 0;
@@ -906,6 +917,8 @@ static inline int64_t frame__open_contact_region(array_double_1d work, array_dou
     AT(work, region + layout__REGION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y);
     AT(work, region + layout__REGION_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND);
     AT(work, region + layout__REGION_CURVATURE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE);
+    AT(work, region + layout__REGION_ALONG) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    AT(work, region + layout__REGION_ALONG_BEND) = 0.0;
     AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
     AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
     frame__incline_region(work, tables, region, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
@@ -1635,6 +1648,9 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
             AT(work, meeting + layout__MEETING_Z) = z + slope * move;
             AT(work, meeting + layout__MEETING_SLOPE) = slope + bend * move;
             AT(work, meeting + layout__MEETING_BEND) = bend;
+            AT(work, meeting + layout__MEETING_ALONG) = (1.0 - kappa * overlap) * sqrt(steep) * wheel_cos / stretch;
+            AT(work, meeting + layout__MEETING_ALONG_BEND) = -outline_slope * wheel_cos * wheel_kappa / stretch;
+            AT(work, meeting + layout__MEETING_RAIL_SLOPE) = m;
             return true;
         }
         move = double_max(double_min(move, pressed__LINE_STEP), -pressed__LINE_STEP);
@@ -1673,37 +1689,31 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_doubl
 }
 
 /* How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
- * [m], with its derivatives [-, 1/m] and the wheel's 1/R_x [1/m]: as ``normal_gap``, for the open frame of a
- * pressed wheel.
+ * [m], with its derivatives [-, 1/m]: as ``normal_gap``, for the open frame of a pressed wheel.
  */
-static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station)
+static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
     int64_t rail, trace, meeting;
-    double way, abscissa, gap, rate, bend, curvature, estimate;
+    double abscissa, gap, rate, bend, estimate;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT) += 1.0;
     rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
-    abscissa = curves__rail_abscissa(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), way);
+    abscissa = curves__abscissa_at_arc(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) + station);
     gap = frame__NO_GAP;
     rate = 0.0;
     bend = 0.0;
-    curvature = 1.0;
     if (abscissa >= AT(tables, rail + layout__PROFILE_START) && abscissa <= AT(tables, rail + layout__PROFILE_STOP))
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
+        estimate = traces__first_abscissa(work, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
         if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, estimate, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP))
         {
             meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
             gap = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) - AT(work, meeting + layout__MEETING_OVERLAP);
             rate = -AT(work, meeting + layout__MEETING_RISE);
             bend = -AT(work, meeting + layout__MEETING_RATE);
-            curvature = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), pressed__mean_bend(tables, work, pair, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND)));
-            if (fabs(way) > pressed__LEAST_WAY)
-            {
-                AT(work, trace + layout__TRACE_RATE) = (AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA)) / way;
-            }
             AT(work, trace + layout__TRACE_ABSCISSA) = AT(work, meeting + layout__MEETING_WHEEL);
+            AT(work, trace + layout__TRACE_RATE) = AT(work, meeting + layout__MEETING_ALONG);
+            AT(work, trace + layout__TRACE_BEND) = AT(work, meeting + layout__MEETING_ALONG_BEND);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
         }
@@ -1711,7 +1721,14 @@ static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, 
     *gap_out = gap;
     *rate_out = rate;
     *bend_out = bend;
-    *curvature_out = curvature;
+}
+
+/* The wheel's 1/R_x [1/m] at the point that a separation was last measured to. */
+static inline double pressed__met_curvature(array_double_1d tables, array_double_1d work, int64_t pair)
+{
+    int64_t meeting;
+    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
+    return curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), pressed__mean_bend(tables, work, pair, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND)));
 }
 
 /* ``step``, no longer than ``limit`` either way. */
@@ -1732,7 +1749,7 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
 static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
 {
     int64_t meeting, i;
-    double before, met, following, z_rail, slope, rail_bend, stretch, kappa, rate, move, rise;
+    double before, met, following, z_rail, slope, rail_bend, stretch, kappa, rate, move, way, rise;
     bool moved_low, moved_high;
     meeting = place + layout__PLACE_MEETING;
     before = 0.0;
@@ -1779,6 +1796,8 @@ static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array
                 break;
             }
             before = fabs(AT(work, meeting + layout__MEETING_RISE));
+            way = (following - x) * stretch;
+            y += way * (AT(work, meeting + layout__MEETING_ALONG) + 0.5 * way * AT(work, meeting + layout__MEETING_ALONG_BEND));
         }
         else if (fabs(x - met) < pressed__DEEP_SHARP)
         {
@@ -1865,24 +1884,24 @@ static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, in
     pressed_regions__press_frame(work, height, penetration, 0.0);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        for (i_2 = 0; i_2 < 27; i_2 += 1)
+        for (i_2 = 0; i_2 < 28; i_2 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2);
         }
         pressed_regions__press_frame(work, height, AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP), AT(work, region + layout__REGION_GAP));
         for (i_3 = 0; i_3 < layout__FRAME_SIZE; i_3 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
         }
     }
-    for (i_4 = 0; i_4 < 27; i_4 += 1)
+    for (i_4 = 0; i_4 < 28; i_4 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_4);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_4);
     }
     return 0;
 }
@@ -1930,12 +1949,13 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
 static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t count, contact, i_1, index, region, point, i_2, i_3;
-    double gap, rate, bend, curvature;
+    double gap, rate, bend;
     count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     contact = deep_points__deepest_entry(work);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) = curves__arc_of_abscissa(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * contact + layout__DEEP_POINT_RAIL));
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
@@ -1945,11 +1965,14 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
         if (index != contact || AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
         {
             pressed_regions__give_own_frame(tables, work, pair, region, point);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) = curves__arc_of_abscissa(tables, pair, AT(work, point + layout__DEEP_POINT_RAIL));
         }
         traces__start_traces(work, 0.0, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL));
-        pressed__pressed_gap(&gap, &rate, &bend, &curvature, tables, work, pair, 0.0);
+        pressed__pressed_gap(&gap, &rate, &bend, tables, work, pair, 0.0);
         AT(work, region + layout__REGION_BEND) = bend;
-        AT(work, region + layout__REGION_CURVATURE) = curvature;
+        AT(work, region + layout__REGION_CURVATURE) = pressed__met_curvature(tables, work, pair);
+        AT(work, region + layout__REGION_ALONG) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_ALONG);
+        AT(work, region + layout__REGION_ALONG_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_ALONG_BEND);
         AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
         AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
         if (index > 0)
@@ -1962,11 +1985,11 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
         }
         for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
-        for (i_3 = 0; i_3 < 27; i_3 += 1)
+        for (i_3 = 0; i_3 < 28; i_3 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3);
         }
     }
     if (count > 1)
@@ -2074,9 +2097,9 @@ static OUT_OF_LINE void separation__depth_lost(double* out_0, double* out_1, arr
 /* ``separation`` of any other kind than along the normal: with the wheel moved onto the rail at the
  * region's minimum.
  */
-static OUT_OF_LINE void separation__moved_separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind)
+static OUT_OF_LINE void separation__moved_separation(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, int64_t kind)
 {
-    double gap, rate, bend, lost, more, y, z, slope, wheel_bend, curvature;
+    double gap, rate, bend, lost, more, y, z, slope, second;
     bool exists;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT) += 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
@@ -2100,36 +2123,49 @@ static OUT_OF_LINE void separation__moved_separation(double* gap_out, double* ra
         gap = frame__NO_GAP;
     }
     y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
-    tables__height_slope_bend(&z, &slope, &wheel_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
-    wheel_bend = pressed__mean_bend(tables, work, pair, y, wheel_bend);
-    curvature = curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), z, slope, wheel_bend);
+    tables__height_slope_bend(&z, &slope, &second, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
+    traces__note_point(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING, y, z, slope, second);
     *gap_out = gap;
     *rate_out = rate;
     *bend_out = bend;
-    *curvature_out = curvature;
 }
 
-/* Undeformed distance g [m], dg/ds [-], d2g/ds2 [1/m] and the wheel's 1/R_x [1/m] at ``station`` [m],
- * measured as chosen; NO_GAP where a profile has ended.
+/* Undeformed distance g [m], dg/ds [-] and d2g/ds2 [1/m] at ``station`` [m], measured as chosen; NO_GAP
+ * where a profile has ended.
  *
  * ``tolerance`` is that of :func:`normal_gap`; all else is satisfied to MOVE_SHARP.
  */
-static inline void separation__separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void separation__separation_jet(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     int64_t kind;
-    double gap, rate, bend, curvature;
+    double gap, rate, bend;
     kind = (int64_t)AT(tables, layout__TABLES_SEPARATION);
     if (kind == layout__SEPARATION_NORMAL && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0))
     {
-        frame__normal_gap(&gap, &rate, &bend, &curvature, tables, work, pair, station, tolerance);
+        frame__normal_gap(&gap, &rate, &bend, tables, work, pair, station, tolerance);
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        pressed__pressed_gap(&gap, &rate, &bend, &curvature, tables, work, pair, station);
+        pressed__pressed_gap(&gap, &rate, &bend, tables, work, pair, station);
     }
     else
     {
-        separation__moved_separation(&gap, &rate, &bend, &curvature, tables, work, pair, station, kind);
+        separation__moved_separation(&gap, &rate, &bend, tables, work, pair, station, kind);
+    }
+    *gap_out = gap;
+    *rate_out = rate;
+    *bend_out = bend;
+}
+
+/* :func:`separation_jet`, and the wheel's 1/R_x [1/m]. */
+static inline void separation__separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+{
+    double gap, rate, bend, curvature;
+    separation__separation_jet(&gap, &rate, &bend, tables, work, pair, station, tolerance);
+    curvature = 0.0;
+    if (gap < frame__NO_GAP)
+    {
+        curvature = pressed__met_curvature(tables, work, pair);
     }
     *gap_out = gap;
     *rate_out = rate;
@@ -2162,6 +2198,15 @@ static inline int64_t traces__start_traces(array_double_1d work, double station,
     return 0;
 }
 
+/* Let the traces begin at the smallest gap of a region. */
+static inline int64_t traces__start_at_region(array_double_1d work, int64_t region)
+{
+    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, region + layout__REGION_ALONG);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = AT(work, region + layout__REGION_ALONG_BEND);
+    return 0;
+}
+
 /* Estimated profile abscissa [m] at a distance ``away`` from the station of the trace [m]. */
 static inline double traces__first_abscissa(array_double_1d work, int64_t trace, double away)
 {
@@ -2175,12 +2220,12 @@ static inline double traces__first_abscissa(array_double_1d work, int64_t trace,
 }
 
 /* Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope
- * there [-], its height [m], and whether it exists.
+ * there [-], its height [m], its second derivative [1/m], and whether it exists.
  *
  * point : the profile's point at station zero.
  * plane : inclination of the contact plane in the profile's coordinates.
  */
-static inline void traces__trace_profile(double* out_0, double* out_1, double* ordinate_bend_out, double* out_3, double* out_4, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance)
+static inline void traces__trace_profile(double* out_0, double* out_1, double* ordinate_bend_out, double* out_3, double* out_4, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance)
 {
     double u, excess, forward, height, slope, bend, along, rate, ordinate_bend, ordinate, move;
     bool exists;
@@ -2221,6 +2266,7 @@ static inline void traces__trace_profile(double* out_0, double* out_1, double* o
     *ordinate_bend_out = ordinate_bend;
     *out_3 = slope + move * bend;
     *out_4 = height + move * slope;
+    *bend_out = bend;
     *exists_out = exists;
 }
 
@@ -2229,49 +2275,58 @@ static inline void traces__trace_profile(double* out_0, double* out_1, double* o
  */
 static inline void traces__trace_rail(double* ordinate_out, double* rate_out, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
-    double ordinate, rate, bend, slope, height;
+    double ordinate, rate, bend, slope, height, second;
     bool exists;
-    traces__trace_profile(&ordinate, &rate, &bend, &slope, &height, &exists, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, tolerance);
+    traces__trace_profile(&ordinate, &rate, &bend, &slope, &height, &second, &exists, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, tolerance);
     *ordinate_out = ordinate;
     *rate_out = rate;
     *bend_out = bend;
     *exists_out = exists;
 }
 
-/* Height of the wheel over the contact plane [m], its rate [-], bend [1/m] and the wheel's 1/R_x [1/m] at
- * ``station``; and whether it exists.
+/* Height of the wheel over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and whether
+ * it exists.  The profile's point is the place's ``meeting``.
  *
  * Without yaw the outline is the profile, turned by the roll.
  */
-static inline void traces__trace_wheel(double* ordinate_out, double* rate_out, double* bend_out, double* curvature_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void traces__trace_wheel(double* ordinate_out, double* rate_out, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     int64_t place;
-    double lifted, ordinate, rate, bend, slope, z, curvature;
+    double lifted, ordinate, rate, bend, slope, z, second;
     bool exists;
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
     if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
         lifted = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-        traces__trace_profile(&ordinate, &rate, &bend, &slope, &z, &exists, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, tolerance);
+        traces__trace_profile(&ordinate, &rate, &bend, &slope, &z, &second, &exists, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, tolerance);
         ordinate -= AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-        curvature = curvature__longitudinal_curvature(work, tables, place, z, slope, bend);
+        traces__note_point(work, place + layout__PLACE_MEETING, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), z, slope, second);
     }
     else
     {
-        traces__trace_outline(&ordinate, &rate, &bend, &curvature, &exists, tables, work, pair, station, tolerance);
+        traces__trace_outline(&ordinate, &rate, &bend, &exists, tables, work, pair, station, tolerance);
     }
     *ordinate_out = ordinate;
     *rate_out = rate;
     *bend_out = bend;
-    *curvature_out = curvature;
     *exists_out = exists;
 }
 
+/* Note a point of the wheel's profile [m], with its slope [-] and second derivative [1/m]. */
+static inline int64_t traces__note_point(array_double_1d work, int64_t meeting, double y, double z, double slope, double bend)
+{
+    AT(work, meeting + layout__MEETING_WHEEL) = y;
+    AT(work, meeting + layout__MEETING_Z) = z;
+    AT(work, meeting + layout__MEETING_SLOPE) = slope;
+    AT(work, meeting + layout__MEETING_BEND) = bend;
+    return 0;
+}
+
 /* ``trace_wheel`` with yaw. */
-static inline void traces__trace_outline(double* ordinate_out, double* out_1, double* ordinate_bend_out, double* curvature_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
+static inline void traces__trace_outline(double* ordinate_out, double* out_1, double* ordinate_bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     int64_t wheel, place, trace, i;
-    double cosine, sine, left, above, y, excess, along, across, up, stretch, z, slope, bend, outline_slope, outline_rate, y_track, z_track, per_along, per_stretch, rate, ordinate_bend, move, curvature, ordinate;
+    double cosine, sine, left, above, y, excess, along, across, up, stretch, z, slope, bend, outline_slope, outline_rate, y_track, z_track, per_along, per_stretch, rate, ordinate_bend, move, ordinate;
     bool exists;
     wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
@@ -2319,12 +2374,11 @@ static inline void traces__trace_outline(double* ordinate_out, double* out_1, do
     AT(work, trace + layout__TRACE_ABSCISSA) = y + move;
     AT(work, trace + layout__TRACE_RATE) = per_along * per_stretch;
     AT(work, trace + layout__TRACE_BEND) = ordinate_bend * sine * per_stretch;
-    curvature = curvature__longitudinal_curvature(work, tables, place, z + move * slope, slope + move * bend, bend);
+    traces__note_point(work, place + layout__PLACE_MEETING, y + move, z + move * slope, slope + move * bend, bend);
     ordinate = across * sine - up * cosine - excess * (rate - 0.5 * excess * ordinate_bend);
     *ordinate_out = ordinate;
     *out_1 = rate - excess * ordinate_bend;
     *ordinate_bend_out = ordinate_bend;
-    *curvature_out = curvature;
     *exists_out = exists;
 }
 
@@ -2611,10 +2665,10 @@ static inline double widths__width_tolerance(double estimate)
  */
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate)
 {
-    double limit, tolerance, root, low, high, width, station, abscissa, y, near, gap, rate, bend, curvature, rise, following, sharp, square, newton;
+    double limit, tolerance, root, low, high, width, station, abscissa, y, near, gap, rate, bend, rise, following, sharp, square, newton;
     int64_t i;
     limit = widths__width_limit(work, region, direction);
-    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
+    traces__start_at_region(work, region);
     curves__open_origin(tables, work, pair, region, 0.0);
     tolerance = widths__width_tolerance(estimate);
     root = sqrt(level);
@@ -2637,7 +2691,7 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
     for (i = 0; i < widths__WIDTH_ITERATIONS; i += 1)
     {
         width = double_min(width, limit);
-        separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, AT(work, region + layout__REGION_STATION) + direction * width, tolerance);
+        separation__separation_jet(&gap, &rate, &bend, tables, work, pair, AT(work, region + layout__REGION_STATION) + direction * width, tolerance);
         if (gap >= frame__NO_GAP)
         {
             /* beyond an end the traces are lost */
@@ -2693,24 +2747,38 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
 }
 
 /* Note the half-widths of a region about the contact point. */
-static inline int64_t widths__keep_widths(array_double_1d work, int64_t region)
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t first, int64_t region)
 {
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    AT(work, first + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
+    AT(work, first + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
+    AT(work, first + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    return 0;
+}
+
+/* Note the half-widths of the region of a pressed wheel's contact point. */
+static inline int64_t widths__keep_contact_widths(array_double_1d work, int64_t first, int64_t count)
+{
+    int64_t index;
+    for (index = 0; index < count; index += 1)
+    {
+        if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_OWN) == 1.0))
+        {
+            widths__keep_widths(work, first, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
+        }
+    }
     return 0;
 }
 
 /* Let a region whose minimum lies within the ``first`` widths begin with them. */
-static inline int64_t widths__start_widths(array_double_1d work, int64_t region)
+static inline int64_t widths__start_widths(array_double_1d work, int64_t first, int64_t region)
 {
     double low, high;
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
-    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
-    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))
+    low = AT(work, first + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
+    high = AT(work, first + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
+    if (AT(work, first + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_HIGH))
     {
-        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION);
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, first + layout__FIRST_WIDTHS_PENETRATION);
         AT(work, region + layout__REGION_WIDTH_LOW) = low;
         AT(work, region + layout__REGION_WIDTH_HIGH) = high;
     }

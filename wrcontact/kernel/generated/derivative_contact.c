@@ -234,37 +234,51 @@ static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1,
 }
 
 /* Derivative of ``rail_abscissa``. */
-static inline void derivative_curves__rail_abscissa_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t)
+static inline void derivative_curves__rail_abscissa_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t)
 {
-    int64_t rail, arcs, abscissae;
-    double v1, arc, x, v2, found, speed, v3, v4;
-    lanes v1_t, arc_t, x_t, v2_t, found_t, speed_t;
-    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    arcs = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC);
+    double v2, v1;
+    lanes v2_t, v1_t, rates;
+    derivative_curves__arc_of_abscissa_t(&v2, &v2_t, tables, pair, start, start_t);
+    EACH_LANE each(rates) = each(v2_t) + each(length_t);
+    derivative_curves__abscissa_at_arc_t(&v1, &v1_t, tables, pair, v2 + length, rates);
+    *v1_out = v1;
+    EACH_LANE each(*v1_t_out) = each(v1_t);
+}
+
+/* Derivative of ``arc_of_abscissa``. */
+static inline void derivative_curves__arc_of_abscissa_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double x, lanes x_t)
+{
+    double v1, arc, found, rate, v2, v3;
+    lanes v1_t, arc_t, found_t, rate_t;
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), x, x_t);
+    EACH_LANE each(arc_t) = each(v1_t);
+    arc = v1;
+    derivative_tables__read_cubic_jet_t(&found, &found_t, &rate, &rate_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc, arc_t);
+    v2 = x - found;
+    v3 = v2 / rate;
+    *out_0 = arc + v3;
+    EACH_LANE each(*out_1) = each(arc_t) + (each(x_t) - each(found_t) - v3 * each(rate_t)) / rate;
+}
+
+/* Derivative of ``abscissa_at_arc``. */
+static inline void derivative_curves__abscissa_at_arc_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double arc, lanes arc_t)
+{
+    int64_t abscissae;
+    double v1, x;
+    lanes v1_t, x_t;
     abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, arcs, start, start_t);
-    EACH_LANE each(arc_t) = each(v1_t) + each(length_t);
-    arc = v1 + length;
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, abscissae, arc, arc_t);
+    EACH_LANE each(x_t) = each(v1_t);
+    x = v1;
     if (arc < 0.0)
     {
         EACH_LANE each(x_t) = each(arc_t);
-        x = AT(tables, rail + layout__PROFILE_START) + arc;
+        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + arc;
     }
     else if (arc * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
         EACH_LANE each(x_t) = each(arc_t);
-        x = AT(tables, rail + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
-    }
-    else
-    {
-        derivative_tables__read_cubic_t(&v2, &v2_t, tables, abscissae, arc, arc_t);
-        EACH_LANE each(x_t) = each(v2_t);
-        x = v2;
-        derivative_tables__read_cubic_jet_t(&found, &found_t, &speed, &speed_t, tables, arcs, x, x_t);
-        v3 = arc - found;
-        v4 = v3 / speed;
-        EACH_LANE each(x_t) = each(x_t) + (each(arc_t) - each(found_t) - v4 * each(speed_t)) / speed;
-        x = x + v4;
+        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
     }
     *x_out = x;
     EACH_LANE each(*x_t_out) = each(x_t);
@@ -615,16 +629,16 @@ static inline void derivative_frame__open_frame_t(double* z_out, lanes* z_t_out,
 }
 
 /* Derivative of ``normal_gap``. */
-static inline void derivative_frame__normal_gap_t(double* gap_out, lanes* gap_t_out, double* out_2, lanes* out_3, double* out_4, lanes* out_5, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_frame__normal_gap_t(double* gap_out, lanes* gap_t_out, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t k1;
-    double rail_height, rail_rate, rail_bend, wheel_height, wheel_rate, wheel_bend, curvature, gap;
-    lanes rail_height_t, rail_rate_t, rail_bend_t, wheel_height_t, wheel_rate_t, wheel_bend_t, curvature_t, gap_t;
+    double rail_height, rail_rate, rail_bend, wheel_height, wheel_rate, wheel_bend, gap;
+    lanes rail_height_t, rail_rate_t, rail_bend_t, wheel_height_t, wheel_rate_t, wheel_bend_t, gap_t;
     bool on_rail, on_wheel;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
     AT(work, k1) = AT(work, k1) + 1.0;
     derivative_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
-    derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, &curvature, &curvature_t, &on_wheel, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
+    derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, &on_wheel, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
     EACH_LANE each(gap_t) = each(wheel_height_t) - each(rail_height_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
@@ -640,8 +654,6 @@ static inline void derivative_frame__normal_gap_t(double* gap_out, lanes* gap_t_
     EACH_LANE each(*out_3) = each(wheel_rate_t) - each(rail_rate_t);
     *out_4 = wheel_bend - rail_bend;
     EACH_LANE each(*out_5) = each(wheel_bend_t) - each(rail_bend_t);
-    *curvature_out = curvature;
-    EACH_LANE each(*curvature_t_out) = each(curvature_t);
 }
 
 /* Derivative of ``locate_along_track``. */
@@ -666,10 +678,10 @@ static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, arra
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 27; i_1 += 1)
+        for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1);
         }
     }
     return 0;
@@ -681,10 +693,10 @@ static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, arra
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 27; i_1 += 1)
+        for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1);
         }
     }
     return 0;
@@ -740,6 +752,10 @@ static inline int64_t derivative_frame__open_contact_region_t(array_double_1d wo
     AT(work, region + layout__REGION_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND);
     EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
     AT(work, region + layout__REGION_CURVATURE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALONG)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    AT(work, region + layout__REGION_ALONG) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    RATE_AT(work_t, region + layout__REGION_ALONG_BEND) = all_lanes(0.0);
+    AT(work, region + layout__REGION_ALONG_BEND) = 0.0;
     RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
     AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
     RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
@@ -836,8 +852,8 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d table
 static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
 {
     int64_t meeting, wheel, i;
-    double z_rail, m, rail_bend, v1, v2, v3, cosine, v4, v5, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, v6, along, v7, v8, move, sharp, v9, overlap, v10, v11, v12, rise, v13, v14, v15, wheel_cos, v16, v17, v18, wheel_kappa, steep, v19, rest, v20, v21, v22, turn, v23, v24, v25, v26, v27, v28;
-    lanes z_rail_t, m_t, rail_bend_t, cosine_t, kappa_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, across_t, down_t, residual_t, along_t, move_t, sharp_t, overlap_t, rise_t, wheel_cos_t, wheel_kappa_t, steep_t, rest_t, turn_t, v26_t, v28_t;
+    double z_rail, m, rail_bend, v1, v2, v3, cosine, v4, v5, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, v6, along, v7, v8, move, sharp, v9, overlap, v10, v11, v12, rise, v13, v14, v15, wheel_cos, v16, v17, v18, wheel_kappa, steep, v19, rest, v20, v21, v22, turn, v23, v24, v25, v26, v27, v28, v29, v30, v31, v32, v33, v34, v35, v36, v37;
+    lanes z_rail_t, m_t, rail_bend_t, cosine_t, kappa_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, across_t, down_t, residual_t, along_t, move_t, sharp_t, overlap_t, rise_t, wheel_cos_t, wheel_kappa_t, steep_t, rest_t, turn_t, v35_t, v37_t;
     meeting = place + layout__PLACE_MEETING;
     RATE_AT(work_t, meeting + layout__MEETING_OVERLAP) = all_lanes(0.0);
     AT(work, meeting + layout__MEETING_OVERLAP) = 0.0;
@@ -931,25 +947,40 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
             AT(work, meeting + layout__MEETING_SLOPE) = slope + bend * move;
             EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_BEND)) = each(bend_t);
             AT(work, meeting + layout__MEETING_BEND) = bend;
+            v26 = 1.0 - kappa * overlap;
+            v27 = sqrt(steep);
+            v28 = v26 * v27;
+            v29 = v28 * wheel_cos;
+            v30 = v29 / stretch;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_ALONG)) = ((-(each(kappa_t) * overlap + kappa * each(overlap_t)) * v27 + v26 * derivative_rates__root_rate(v27, each(steep_t))) * wheel_cos + v28 * each(wheel_cos_t) - v30 * each(stretch_t)) / stretch;
+            AT(work, meeting + layout__MEETING_ALONG) = v30;
+            v31 = -outline_slope;
+            v32 = v31 * wheel_cos;
+            v33 = v32 * wheel_kappa;
+            v34 = v33 / stretch;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_ALONG_BEND)) = ((-each(outline_slope_t) * wheel_cos + v31 * each(wheel_cos_t)) * wheel_kappa + v32 * each(wheel_kappa_t) - v34 * each(stretch_t)) / stretch;
+            AT(work, meeting + layout__MEETING_ALONG_BEND) = v34;
+            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_RAIL_SLOPE)) = each(m_t);
+            AT(work, meeting + layout__MEETING_RAIL_SLOPE) = m;
             return true;
         }
-        v26 = move;
-        EACH_LANE each(v26_t) = each(move_t);
-        if (pressed__LINE_STEP < v26)
+        v35 = move;
+        EACH_LANE each(v35_t) = each(move_t);
+        if (pressed__LINE_STEP < v35)
         {
-            v26 = pressed__LINE_STEP;
-            v26_t = all_lanes(0.0);
+            v35 = pressed__LINE_STEP;
+            v35_t = all_lanes(0.0);
         }
-        v27 = -pressed__LINE_STEP;
-        v28 = v26;
-        EACH_LANE each(v28_t) = each(v26_t);
-        if (v27 > v28)
+        v36 = -pressed__LINE_STEP;
+        v37 = v35;
+        EACH_LANE each(v37_t) = each(v35_t);
+        if (v36 > v37)
         {
-            v28 = v27;
-            v28_t = all_lanes(0.0);
+            v37 = v36;
+            v37_t = all_lanes(0.0);
         }
-        EACH_LANE each(move_t) = each(v28_t);
-        move = v28;
+        EACH_LANE each(move_t) = each(v37_t);
+        move = v37;
         EACH_LANE each(y_t) = each(y_t) + each(move_t);
         y = y + move;
         if (!(y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
@@ -1006,18 +1037,17 @@ static inline void derivative_pressed__mean_bend_t(double* bend_out, lanes* bend
 }
 
 /* Derivative of ``pressed_gap``. */
-static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
+static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
     int64_t k1, rail, trace, meeting;
-    lanes way_t, v2_t, abscissa_t, gap_t, rate_t, bend_t, curvature_t, estimate_t, v5_t, v4_t;
-    double way, v2, abscissa, gap, rate, bend, curvature, estimate, v5, v4, v6, v7;
-    bool n3;
+    double v2, abscissa, gap, rate, bend, v3, estimate;
+    lanes v2_t, abscissa_t, gap_t, rate_t, bend_t, v3_t, estimate_t, rates, rates_2;
+    bool n4;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
     AT(work, k1) = AT(work, k1) + 1.0;
     rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    EACH_LANE each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
-    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), way, way_t);
+    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC)) + each(station_t);
+    derivative_curves__abscissa_at_arc_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) + station, rates);
     EACH_LANE each(abscissa_t) = each(v2_t);
     abscissa = v2;
     gap_t = all_lanes(0.0);
@@ -1026,15 +1056,15 @@ static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap
     rate = 0.0;
     bend_t = all_lanes(0.0);
     bend = 0.0;
-    curvature_t = all_lanes(0.0);
-    curvature = 1.0;
     if (abscissa >= AT(tables, rail + layout__PROFILE_START) && abscissa <= AT(tables, rail + layout__PROFILE_STOP))
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        EACH_LANE each(estimate_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(way_t) * AT(work, trace + layout__TRACE_RATE) + way * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
-        estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
-        n3 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP, all_lanes(0.0));
-        if (n3)
+        EACH_LANE each(rates_2) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+        derivative_traces__first_abscissa_t(&v3, &v3_t, work, work_t, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION), rates_2);
+        EACH_LANE each(estimate_t) = each(v3_t);
+        estimate = v3;
+        n4 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP, all_lanes(0.0));
+        if (n4)
         {
             meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
             EACH_LANE each(gap_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
@@ -1043,19 +1073,12 @@ static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap
             rate = -AT(work, meeting + layout__MEETING_RISE);
             EACH_LANE each(bend_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RATE));
             bend = -AT(work, meeting + layout__MEETING_RATE);
-            derivative_pressed__mean_bend_t(&v5, &v5_t, tables, work, work_t, pair, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND), RATE_AT(work_t, meeting + layout__MEETING_BEND));
-            derivative_curvature__longitudinal_curvature_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), RATE_AT(work_t, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE), v5, v5_t);
-            EACH_LANE each(curvature_t) = each(v4_t);
-            curvature = v4;
-            if (fabs(way) > pressed__LEAST_WAY)
-            {
-                v6 = AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA);
-                v7 = v6 / way;
-                EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = (each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) - each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) - v7 * each(way_t)) / way;
-                AT(work, trace + layout__TRACE_RATE) = v7;
-            }
             EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
             AT(work, trace + layout__TRACE_ABSCISSA) = AT(work, meeting + layout__MEETING_WHEEL);
+            EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = each(RATE_AT(work_t, meeting + layout__MEETING_ALONG));
+            AT(work, trace + layout__TRACE_RATE) = AT(work, meeting + layout__MEETING_ALONG);
+            EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = each(RATE_AT(work_t, meeting + layout__MEETING_ALONG_BEND));
+            AT(work, trace + layout__TRACE_BEND) = AT(work, meeting + layout__MEETING_ALONG_BEND);
             EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(abscissa_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
             EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
@@ -1068,8 +1091,19 @@ static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap
     EACH_LANE each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
     EACH_LANE each(*bend_t_out) = each(bend_t);
-    *curvature_out = curvature;
-    EACH_LANE each(*curvature_t_out) = each(curvature_t);
+}
+
+/* Derivative of ``met_curvature``. */
+static inline void derivative_pressed__met_curvature_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+{
+    int64_t meeting;
+    double v2, v1;
+    lanes v2_t, v1_t;
+    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
+    derivative_pressed__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND), RATE_AT(work_t, meeting + layout__MEETING_BEND));
+    derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), RATE_AT(work_t, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE), v2, v2_t);
+    *v1_out = v1;
+    EACH_LANE each(*v1_t_out) = each(v1_t);
 }
 
 /* Derivative of ``limited``. */
@@ -1102,8 +1136,8 @@ static inline void derivative_pressed__limited_t(double* step_out, lanes* step_t
 static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
 {
     int64_t meeting, i;
-    lanes before_t, met_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v11_t, rate_t, move_t, rise_t;
-    double before, met, v1, following, v3, z_rail, slope, rail_bend, v4, v5, stretch, v6, v7, v8, kappa, v9, v10, v11, rate, v12, v13, v14, move, rise;
+    lanes before_t, met_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v11_t, rate_t, move_t, way_t, rise_t;
+    double before, met, v1, following, v3, z_rail, slope, rail_bend, v4, v5, stretch, v6, v7, v8, kappa, v9, v10, v11, rate, v12, v13, v14, move, v15, way, v16, v17, rise;
     bool moved_low, moved_high, n2;
     meeting = place + layout__PLACE_MEETING;
     before_t = all_lanes(0.0);
@@ -1183,6 +1217,13 @@ static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t
             }
             EACH_LANE each(before_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
             before = fabs(AT(work, meeting + layout__MEETING_RISE));
+            v15 = following - x;
+            EACH_LANE each(way_t) = (each(following_t) - each(x_t)) * stretch + v15 * each(stretch_t);
+            way = v15 * stretch;
+            v16 = 0.5 * way;
+            v17 = AT(work, meeting + layout__MEETING_ALONG) + v16 * AT(work, meeting + layout__MEETING_ALONG_BEND);
+            EACH_LANE each(y_t) = each(y_t) + (each(way_t) * v17 + way * (each(RATE_AT(work_t, meeting + layout__MEETING_ALONG)) + (0.5 * each(way_t) * AT(work, meeting + layout__MEETING_ALONG_BEND) + v16 * each(RATE_AT(work_t, meeting + layout__MEETING_ALONG_BEND)))));
+            y = y + way * v17;
         }
         else if (fabs(x - met) < pressed__DEEP_SHARP)
         {
@@ -1353,15 +1394,18 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
 /* Derivative of ``gather_overlaps``. */
 static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
-    int64_t count, contact, i_1, index, region, point, i_2, i_3;
-    double gap, rate, bend, curvature, v1, v2;
-    lanes gap_t, rate_t, bend_t, curvature_t, v1_t, v2_t;
+    int64_t count, contact, i_1, index, region, point, k4, k5, i_2, i_3;
+    double v1, v2, gap, rate, bend, v3, v6, v7;
+    lanes v1_t, v2_t, gap_t, rate_t, bend_t, v3_t, v6_t, v7_t;
     count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     contact = deep_points__deepest_entry(work);
+    derivative_curves__arc_of_abscissa_t(&v1, &v1_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * contact + layout__DEEP_POINT_RAIL), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * contact + layout__DEEP_POINT_RAIL));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC)) = each(v1_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) = v1;
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
@@ -1371,38 +1415,48 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
         if (index != contact || AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
         {
             derivative_pressed_regions__give_own_frame_t(tables, work, work_t, pair, region, point);
+            derivative_curves__arc_of_abscissa_t(&v2, &v2_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC)) = each(v2_t);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) = v2;
         }
         derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
-        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
+        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(bend_t);
         AT(work, region + layout__REGION_BEND) = bend;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(curvature_t);
-        AT(work, region + layout__REGION_CURVATURE) = curvature;
+        derivative_pressed__met_curvature_t(&v3, &v3_t, tables, work, work_t, pair);
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(v3_t);
+        AT(work, region + layout__REGION_CURVATURE) = v3;
+        k4 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_ALONG;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALONG)) = each(RATE_AT(work_t, k4));
+        AT(work, region + layout__REGION_ALONG) = AT(work, k4);
+        k5 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_ALONG_BEND;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALONG_BEND)) = each(RATE_AT(work_t, k5));
+        AT(work, region + layout__REGION_ALONG_BEND) = AT(work, k5);
         RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
         AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
         RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
         AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
         if (index > 0)
         {
-            derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(v1_t);
-            AT(work, region + layout__REGION_LOW) = v1;
+            derivative_curves__rail_length_t(&v6, &v6_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(v6_t);
+            AT(work, region + layout__REGION_LOW) = v6;
         }
         if (index < count - 1)
         {
-            derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(v2_t);
-            AT(work, region + layout__REGION_HIGH) = v2;
+            derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(v7_t);
+            AT(work, region + layout__REGION_HIGH) = v7;
         }
         for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
-        for (i_3 = 0; i_3 < 27; i_3 += 1)
+        for (i_3 = 0; i_3 < 28; i_3 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3);
         }
     }
     if (count > 1)
@@ -1554,11 +1608,11 @@ static inline void derivative_separation__depth_lost_t(double* out_0, lanes* out
 }
 
 /* Derivative of ``moved_separation``. */
-static inline void derivative_separation__moved_separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind)
+static inline void derivative_separation__moved_separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind)
 {
     int64_t k1;
-    double gap, rate, bend, lost, more, y, z, slope, wheel_bend, v2, v3, curvature;
-    lanes gap_t, rate_t, bend_t, lost_t, more_t, y_t, z_t, slope_t, wheel_bend_t, v2_t, v3_t, curvature_t;
+    double gap, rate, bend, lost, more, y, z, slope, second;
+    lanes gap_t, rate_t, bend_t, lost_t, more_t, y_t, z_t, slope_t, second_t;
     bool exists;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
     AT(work, k1) = AT(work, k1) + 1.0;
@@ -1589,41 +1643,56 @@ static inline void derivative_separation__moved_separation_t(double* gap_out, la
     }
     EACH_LANE each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
-    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
-    derivative_pressed__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, y, y_t, wheel_bend, wheel_bend_t);
-    EACH_LANE each(wheel_bend_t) = each(v2_t);
-    wheel_bend = v2;
-    derivative_curvature__longitudinal_curvature_t(&v3, &v3_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
-    EACH_LANE each(curvature_t) = each(v3_t);
-    curvature = v3;
+    derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &second, &second_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
+    derivative_traces__note_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING, y, y_t, z, z_t, slope, slope_t, second, second_t);
     *gap_out = gap;
     EACH_LANE each(*gap_t_out) = each(gap_t);
     *rate_out = rate;
     EACH_LANE each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
     EACH_LANE each(*bend_t_out) = each(bend_t);
-    *curvature_out = curvature;
-    EACH_LANE each(*curvature_t_out) = each(curvature_t);
+}
+
+/* Derivative of ``separation_jet``. */
+static inline void derivative_separation__separation_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+{
+    int64_t kind;
+    double gap, rate, bend;
+    lanes gap_t, rate_t, bend_t;
+    kind = (int64_t)AT(tables, layout__TABLES_SEPARATION);
+    if (kind == layout__SEPARATION_NORMAL && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0))
+    {
+        derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
+    }
+    else if (kind == layout__SEPARATION_NORMAL)
+    {
+        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t);
+    }
+    else
+    {
+        derivative_separation__moved_separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, kind);
+    }
+    *gap_out = gap;
+    EACH_LANE each(*gap_t_out) = each(gap_t);
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``separation``. */
 static inline void derivative_separation__separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
-    int64_t kind;
-    double gap, rate, bend, curvature;
-    lanes gap_t, rate_t, bend_t, curvature_t;
-    kind = (int64_t)AT(tables, layout__TABLES_SEPARATION);
-    if (kind == layout__SEPARATION_NORMAL && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0))
+    double gap, rate, bend, curvature, v1;
+    lanes gap_t, rate_t, bend_t, curvature_t, v1_t;
+    derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
+    curvature_t = all_lanes(0.0);
+    curvature = 0.0;
+    if (gap < frame__NO_GAP)
     {
-        derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
-    }
-    else if (kind == layout__SEPARATION_NORMAL)
-    {
-        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t);
-    }
-    else
-    {
-        derivative_separation__moved_separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, kind);
+        derivative_pressed__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
+        EACH_LANE each(curvature_t) = each(v1_t);
+        curvature = v1;
     }
     *gap_out = gap;
     EACH_LANE each(*gap_t_out) = each(gap_t);
@@ -1661,6 +1730,17 @@ static inline int64_t derivative_traces__start_traces_t(array_double_1d work, ar
     return 0;
 }
 
+/* Derivative of ``start_at_region``. */
+static inline int64_t derivative_traces__start_at_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
+{
+    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = each(RATE_AT(work_t, region + layout__REGION_ALONG));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, region + layout__REGION_ALONG);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = each(RATE_AT(work_t, region + layout__REGION_ALONG_BEND));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = AT(work, region + layout__REGION_ALONG_BEND);
+    return 0;
+}
+
 /* Derivative of ``first_abscissa``. */
 static inline void derivative_traces__first_abscissa_t(double* u_out, lanes* u_t_out, array_double_1d work, array_lanes_1d work_t, int64_t trace, double away, lanes away_t)
 {
@@ -1680,7 +1760,7 @@ static inline void derivative_traces__first_abscissa_t(double* u_out, lanes* u_t
 }
 
 /* Derivative of ``trace_profile``. */
-static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* out_6, lanes* out_7, double* out_8, lanes* out_9, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* out_6, lanes* out_7, double* out_8, lanes* out_9, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     double v1, u, excess, forward, height, slope, bend, v2, v3, v4, v5, v6, v7, along, v8, rate, v9, v10, v11, ordinate_bend, v12, v13, ordinate, v14, move, v15, v16;
     lanes v1_t, u_t, excess_t, forward_t, height_t, slope_t, bend_t, v2_t, v3_t, along_t, rate_t, ordinate_bend_t, ordinate_t, move_t, rates;
@@ -1774,16 +1854,18 @@ static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_
     EACH_LANE each(*out_7) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
     *out_8 = height + move * slope;
     EACH_LANE each(*out_9) = each(height_t) + (each(move_t) * slope + move * each(slope_t));
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
     *exists_out = exists;
 }
 
 /* Derivative of ``trace_rail``. */
 static inline void derivative_traces__trace_rail_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
-    double ordinate, rate, bend, slope, height;
-    lanes ordinate_t, rate_t, bend_t, slope_t, height_t;
+    double ordinate, rate, bend, slope, height, second;
+    lanes ordinate_t, rate_t, bend_t, slope_t, height_t, second_t;
     bool exists;
-    derivative_traces__trace_profile_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &slope, &slope_t, &height, &height_t, &exists, tables, work, work_t, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
+    derivative_traces__trace_profile_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &slope, &slope_t, &height, &height_t, &second, &second_t, &exists, tables, work, work_t, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
     *ordinate_out = ordinate;
     EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
     *rate_out = rate;
@@ -1794,27 +1876,25 @@ static inline void derivative_traces__trace_rail_t(double* ordinate_out, lanes* 
 }
 
 /* Derivative of ``trace_wheel``. */
-static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t place;
-    lanes lifted_t, ordinate_t, rate_t, bend_t, slope_t, z_t, v1_t, curvature_t;
-    double lifted, ordinate, rate, bend, slope, z, v1, curvature;
+    lanes lifted_t, ordinate_t, rate_t, bend_t, slope_t, z_t, second_t;
+    double lifted, ordinate, rate, bend, slope, z, second;
     bool exists;
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
     if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
         EACH_LANE each(lifted_t) = each(station_t) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
         lifted = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-        derivative_traces__trace_profile_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &slope, &slope_t, &z, &z_t, &exists, tables, work, work_t, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
+        derivative_traces__trace_profile_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &slope, &slope_t, &z, &z_t, &second, &second_t, &exists, tables, work, work_t, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
         EACH_LANE each(ordinate_t) = each(ordinate_t) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
         ordinate = ordinate - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-        derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, bend, bend_t);
-        EACH_LANE each(curvature_t) = each(v1_t);
-        curvature = v1;
+        derivative_traces__note_point_t(work, work_t, place + layout__PLACE_MEETING, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), z, z_t, slope, slope_t, second, second_t);
     }
     else
     {
-        derivative_traces__trace_outline_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, &exists, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
+        derivative_traces__trace_outline_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &exists, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     }
     *ordinate_out = ordinate;
     EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
@@ -1822,17 +1902,29 @@ static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes*
     EACH_LANE each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
     EACH_LANE each(*bend_t_out) = each(bend_t);
-    *curvature_out = curvature;
-    EACH_LANE each(*curvature_t_out) = each(curvature_t);
     *exists_out = exists;
 }
 
+/* Derivative of ``note_point``. */
+static inline int64_t derivative_traces__note_point_t(array_double_1d work, array_lanes_1d work_t, int64_t meeting, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+{
+    EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) = each(y_t);
+    AT(work, meeting + layout__MEETING_WHEEL) = y;
+    EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_Z)) = each(z_t);
+    AT(work, meeting + layout__MEETING_Z) = z;
+    EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE)) = each(slope_t);
+    AT(work, meeting + layout__MEETING_SLOPE) = slope;
+    EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_BEND)) = each(bend_t);
+    AT(work, meeting + layout__MEETING_BEND) = bend;
+    return 0;
+}
+
 /* Derivative of ``trace_outline``. */
-static inline void derivative_traces__trace_outline_t(double* ordinate_out, lanes* ordinate_t_out, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* curvature_out, lanes* curvature_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_outline_t(double* ordinate_out, lanes* ordinate_t_out, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t wheel, place, trace, i;
-    lanes cosine_t, sine_t, left_t, above_t, v1_t, y_t, excess_t, along_t, across_t, up_t, stretch_t, z_t, slope_t, bend_t, outline_slope_t, outline_rate_t, v2_t, v3_t, y_track_t, z_track_t, per_along_t, per_stretch_t, rate_t, ordinate_bend_t, move_t, v16_t, curvature_t, ordinate_t, rates, rates_2, rates_3;
-    double cosine, sine, left, above, v1, y, excess, along, across, up, stretch, z, slope, bend, outline_slope, outline_rate, v2, v3, y_track, z_track, v4, v5, v6, per_along, v7, per_stretch, v8, rate, v9, v10, v11, v12, ordinate_bend, v13, v14, move, v15, v16, curvature, v17, v18, ordinate;
+    lanes cosine_t, sine_t, left_t, above_t, v1_t, y_t, excess_t, along_t, across_t, up_t, stretch_t, z_t, slope_t, bend_t, outline_slope_t, outline_rate_t, v2_t, v3_t, y_track_t, z_track_t, per_along_t, per_stretch_t, rate_t, ordinate_bend_t, move_t, ordinate_t, rates, rates_2, rates_3, rates_4;
+    double cosine, sine, left, above, v1, y, excess, along, across, up, stretch, z, slope, bend, outline_slope, outline_rate, v2, v3, y_track, z_track, v4, v5, v6, per_along, v7, per_stretch, v8, rate, v9, v10, v11, v12, ordinate_bend, v13, v14, move, v15, v16, v17, ordinate;
     bool exists;
     wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
@@ -1937,23 +2029,20 @@ static inline void derivative_traces__trace_outline_t(double* ordinate_out, lane
     v15 = ordinate_bend * sine;
     EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = (each(ordinate_bend_t) * sine + ordinate_bend * each(sine_t)) * per_stretch + v15 * each(per_stretch_t);
     AT(work, trace + layout__TRACE_BEND) = v15 * per_stretch;
-    EACH_LANE each(rates_2) = each(z_t) + (each(move_t) * slope + move * each(slope_t));
-    EACH_LANE each(rates_3) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
-    derivative_curvature__longitudinal_curvature_t(&v16, &v16_t, work, work_t, tables, place, z + move * slope, rates_2, slope + move * bend, rates_3, bend, bend_t);
-    EACH_LANE each(curvature_t) = each(v16_t);
-    curvature = v16;
-    v17 = 0.5 * excess;
-    v18 = rate - v17 * ordinate_bend;
-    EACH_LANE each(ordinate_t) = each(across_t) * sine + across * each(sine_t) - (each(up_t) * cosine + up * each(cosine_t)) - (each(excess_t) * v18 + excess * (each(rate_t) - (0.5 * each(excess_t) * ordinate_bend + v17 * each(ordinate_bend_t))));
-    ordinate = across * sine - up * cosine - excess * v18;
+    EACH_LANE each(rates_2) = each(y_t) + each(move_t);
+    EACH_LANE each(rates_3) = each(z_t) + (each(move_t) * slope + move * each(slope_t));
+    EACH_LANE each(rates_4) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
+    derivative_traces__note_point_t(work, work_t, place + layout__PLACE_MEETING, y + move, rates_2, z + move * slope, rates_3, slope + move * bend, rates_4, bend, bend_t);
+    v16 = 0.5 * excess;
+    v17 = rate - v16 * ordinate_bend;
+    EACH_LANE each(ordinate_t) = each(across_t) * sine + across * each(sine_t) - (each(up_t) * cosine + up * each(cosine_t)) - (each(excess_t) * v17 + excess * (each(rate_t) - (0.5 * each(excess_t) * ordinate_bend + v16 * each(ordinate_bend_t))));
+    ordinate = across * sine - up * cosine - excess * v17;
     *ordinate_out = ordinate;
     EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
     *out_2 = rate - excess * ordinate_bend;
     EACH_LANE each(*out_3) = each(rate_t) - (each(excess_t) * ordinate_bend + excess * each(ordinate_bend_t));
     *ordinate_bend_out = ordinate_bend;
     EACH_LANE each(*ordinate_bend_t_out) = each(ordinate_bend_t);
-    *curvature_out = curvature;
-    EACH_LANE each(*curvature_t_out) = each(curvature_t);
     *exists_out = exists;
 }
 
@@ -2000,13 +2089,13 @@ static inline void derivative_widths__width_tolerance_t(double* tolerance_out, l
 /* Derivative of ``zone_width``. */
 static inline void derivative_widths__zone_width_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
 {
-    double v1, limit, v2, tolerance, v3, root, low, high, width, station, abscissa, y, near, v4, gap, rate, bend, curvature, rise, following, sharp, v5, v6, square, v7, v8, v9, v10, v11, newton;
-    lanes v1_t, limit_t, v2_t, tolerance_t, root_t, low_t, high_t, width_t, station_t, abscissa_t, y_t, v4_t, gap_t, rate_t, bend_t, curvature_t, rise_t, following_t, square_t, newton_t, rates;
+    double v1, limit, v2, tolerance, v3, root, low, high, width, station, abscissa, y, near, v4, gap, rate, bend, rise, following, sharp, v5, v6, square, v7, v8, v9, v10, v11, newton;
+    lanes v1_t, limit_t, v2_t, tolerance_t, root_t, low_t, high_t, width_t, station_t, abscissa_t, y_t, v4_t, gap_t, rate_t, bend_t, rise_t, following_t, square_t, newton_t, rates;
     int64_t i;
     derivative_widths__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
     EACH_LANE each(limit_t) = each(v1_t);
     limit = v1;
-    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+    derivative_traces__start_at_region_t(work, work_t, region);
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
     derivative_widths__width_tolerance_t(&v2, &v2_t, estimate, estimate_t);
     EACH_LANE each(tolerance_t) = each(v2_t);
@@ -2049,7 +2138,7 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
         EACH_LANE each(width_t) = each(v4_t);
         width = v4;
         EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
-        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
+        derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
         if (gap >= frame__NO_GAP)
         {
             derivative_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
@@ -2130,32 +2219,46 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
 }
 
 /* Derivative of ``keep_widths``. */
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region)
 {
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
+    AT(work, first + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
+    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
+    AT(work, first + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
+    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
+    AT(work, first + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    return 0;
+}
+
+/* Derivative of ``keep_contact_widths``. */
+static inline int64_t derivative_widths__keep_contact_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count)
+{
+    int64_t index;
+    for (index = 0; index < count; index += 1)
+    {
+        if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_OWN) == 1.0))
+        {
+            derivative_widths__keep_widths_t(work, work_t, first, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
+        }
+    }
     return 0;
 }
 
 /* Derivative of ``start_widths``. */
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region)
 {
     lanes low_t, high_t;
     double low, high;
     RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION) = all_lanes(0.0);
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
-    EACH_LANE each(low_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
-    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
-    EACH_LANE each(high_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
-    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))
+    EACH_LANE each(low_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    low = AT(work, first + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
+    EACH_LANE each(high_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    high = AT(work, first + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
+    if (AT(work, first + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_HIGH))
     {
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
-        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION);
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION));
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, first + layout__FIRST_WIDTHS_PENETRATION);
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
         AT(work, region + layout__REGION_WIDTH_LOW) = low;
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
@@ -2346,11 +2449,11 @@ static inline void derivative_widths__width_rule_t(double* width_out, lanes* wid
 /* Derivative of ``width_jet``. */
 static inline void derivative_widths__width_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double width, lanes width_t, double tolerance, lanes tolerance_t)
 {
-    double gap, rate, bend, curvature;
-    lanes gap_t, rate_t, bend_t, curvature_t, rates;
-    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+    double gap, rate, bend;
+    lanes gap_t, rate_t, bend_t, rates;
+    derivative_traces__start_at_region_t(work, work_t, region);
     EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
+    derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
     *gap_out = gap;
     EACH_LANE each(*gap_t_out) = each(gap_t);
     *rate_out = rate;

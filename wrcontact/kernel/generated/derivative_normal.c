@@ -376,23 +376,23 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
     {
         by_penetration = true;
     }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, force_t, by_penetration);
         *penetration_out = penetration;
         EACH_LANE each(*penetration_t_out) = each(penetration_t);
         *count_out = count;
         *satisfied_out = satisfied;
         return;
     }
+    RATE_AT(work_t, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
+    AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (!by_penetration)
     {
         derivative_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, pair, force, force_t);
         EACH_LANE each(penetration_t) = each(v1_t);
         penetration = v1;
-        derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+        derivative_widths__keep_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     count = 0;
     satisfied = false;
@@ -409,7 +409,7 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
             *satisfied_out = false;
             return;
         }
-        derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, estimate, estimate_t, force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, estimate, estimate_t, force, force_t, by_penetration);
         if (penetration < analyn_contact__ESTIMATE_FACTOR * estimate && analyn_contact__ESTIMATE_FACTOR * penetration > estimate)
         {
             break;
@@ -422,21 +422,21 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
 }
 
 /* Derivative of ``solve_estimated``. */
-static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration)
+static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration)
 {
     int64_t n1, count, n2;
     double penetration;
     lanes penetration_t;
     bool satisfied;
-    n1 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, estimate, estimate_t);
+    n1 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, side, estimate, estimate_t);
     count = n1;
-    derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, estimate, estimate_t, by_penetration);
+    derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, side, count, force, force_t, estimate, estimate_t, by_penetration);
     if (!satisfied && count > 1)
     {
         derivative_deep_points__keep_deepest_t(work, work_t);
-        n2 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, estimate, estimate_t);
+        n2 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, side, estimate, estimate_t);
         count = n2;
-        derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, estimate, estimate_t, by_penetration);
+        derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, side, count, force, force_t, estimate, estimate_t, by_penetration);
     }
     *penetration_out = penetration;
     EACH_LANE each(*penetration_t_out) = each(penetration_t);
@@ -445,7 +445,7 @@ static inline void derivative_analyn_contact__solve_estimated_t(double* penetrat
 }
 
 /* Derivative of ``gather_regions``. */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t)
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t)
 {
     int64_t i, n1, count;
     for (i = 0; i < layout__REGION_LIMIT; i += 1)
@@ -457,14 +457,14 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
     count = n1;
     for (i = 0; i < count; i += 1)
     {
-        derivative_widths__start_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        derivative_widths__start_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     derivative_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
 }
 
 /* Derivative of ``solve_fine``. */
-static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration)
+static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration)
 {
     lanes start_t;
     double start, enlarge;
@@ -477,6 +477,10 @@ static inline void derivative_analyn_contact__solve_fine_t(double* penetration_o
     for (repeat = 0; repeat < analyn_contact__COVER_REPEATS; repeat += 1)
     {
         derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, all_lanes(0.0));
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
+        {
+            derivative_widths__keep_contact_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, count);
+        }
         derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
@@ -1955,7 +1959,7 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, arra
     double v1, gap, rate, bend, curvature, v2, v3;
     lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t, v3_t;
     int64_t n4, before, n5, after;
-    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+    derivative_traces__start_at_region_t(work, work_t, region);
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), v1, v1_t);
@@ -1984,17 +1988,24 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``turn_cosine``. */
-static inline void derivative_nodes__turn_cosine_t(double* v4_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
-    double height, slope, v1, v2, v3, v4;
-    lanes height_t, slope_t;
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-    v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-    v2 = 1.0 + slope * slope;
-    v3 = sqrt(v2);
-    v4 = v1 / v3;
-    *v4_out = v4;
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - v4 * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t))) / v3;
+    int64_t k1;
+    lanes slope_t, height_t;
+    double slope, height, v2, v3, v4, v5;
+    k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_RAIL_SLOPE;
+    EACH_LANE each(slope_t) = each(RATE_AT(work_t, k1));
+    slope = AT(work, k1);
+    if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
+    {
+        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    }
+    v2 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+    v3 = 1.0 + slope * slope;
+    v4 = sqrt(v3);
+    v5 = v2 / v4;
+    *v5_out = v5;
+    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t))) / v4;
 }
 
 /* Derivative of ``bring_nearer``. */
@@ -2058,7 +2069,7 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
     bool ended;
     double gap, next_rate, v1, v2, station;
     lanes gap_t, next_rate_t, station_t, rates;
-    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+    derivative_traces__start_at_region_t(work, work_t, region);
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
     k = 0;
@@ -2075,7 +2086,7 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             if (gap >= frame__NO_GAP && step > 1)
             {
                 step = 1;
-                derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+                derivative_traces__start_at_region_t(work, work_t, region);
                 derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
@@ -5360,7 +5371,7 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
                 AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - 1) + layout__TRACED_STATION_JOINED) = (double)(apart < strip_surfaces__TOUCHING * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)));
             }
             derivative_frame__enter_plane_t(work, work_t, region, index);
-            derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+            derivative_traces__start_at_region_t(work, work_t, region);
             derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
             v1 = AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START);
             v2 = (double)(strip_surfaces__ZONE_STATIONS - 1) + 2.0 * strip_surfaces__INSET;

@@ -18,9 +18,9 @@ static inline void derivative_analyn__penetrations_rule_t(double* penetration_ou
 static inline void derivative_analyn_contact__analyn_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count);
 static inline void derivative_analyn_contact__solve_analyn_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration);
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t);
-static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration);
+static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration);
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t);
+static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration);
 
 /* derivative_at_height.py */
 static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
@@ -115,7 +115,9 @@ static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, ar
 static inline void derivative_curves__panel_length_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double low, lanes low_t, double high, lanes high_t);
 static inline void derivative_curves__arc_length_t(double* total_out, lanes* total_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double start, lanes start_t, double stop, lanes stop_t);
 static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t);
-static inline void derivative_curves__rail_abscissa_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t);
+static inline void derivative_curves__rail_abscissa_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t);
+static inline void derivative_curves__arc_of_abscissa_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double x, lanes x_t);
+static inline void derivative_curves__abscissa_at_arc_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double arc, lanes arc_t);
 static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double station, lanes station_t);
 static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double length, lanes length_t);
 static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double chord, lanes chord_t);
@@ -204,7 +206,7 @@ static inline int64_t derivative_forces__add_vector_t(array_double_1d work, arra
 
 /* derivative_frame.py */
 static inline void derivative_frame__open_frame_t(double* z_out, lanes* z_t_out, double* slope_out, lanes* slope_t_out, double* y_track_out, lanes* y_track_t_out, double* rail_slope_out, lanes* rail_slope_t_out, double* mismatch_out, lanes* mismatch_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t);
-static inline void derivative_frame__normal_gap_t(double* gap_out, lanes* gap_t_out, double* out_2, lanes* out_3, double* out_4, lanes* out_5, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
+static inline void derivative_frame__normal_gap_t(double* gap_out, lanes* gap_t_out, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
 static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count);
 static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t slot);
 static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
@@ -302,7 +304,7 @@ static inline void derivative_node_patches__peak_square_t(double* square_out, la
 /* derivative_nodes.py */
 static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double spacing, lanes spacing_t);
 static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t);
-static inline void derivative_nodes__turn_cosine_t(double* v4_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
+static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
 static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes);
 static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t);
@@ -356,7 +358,8 @@ static inline void derivative_powers__cube_root_rule_t(double* root_out, lanes* 
 /* derivative_pressed.py */
 static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t);
 static inline void derivative_pressed__mean_bend_t(double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t);
-static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
+static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
+static inline void derivative_pressed__met_curvature_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
 static inline void derivative_pressed__limited_t(double* step_out, lanes* step_t_out, double step, lanes step_t, double limit, lanes limit_t);
 static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t);
 static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t);
@@ -441,7 +444,8 @@ static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, 
 static inline void derivative_separation__vertical_rise_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
 static inline void derivative_separation__equidistant_rise_t(double* out_0, lanes* out_1, double* rate_out, lanes* rate_t_out, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
 static inline void derivative_separation__depth_lost_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
-static inline void derivative_separation__moved_separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind);
+static inline void derivative_separation__moved_separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind);
+static inline void derivative_separation__separation_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
 static inline void derivative_separation__separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
 
 /* derivative_shared_power.py */
@@ -580,11 +584,13 @@ static inline void derivative_tables__height_slope_bend_t(double* out_0, lanes* 
 
 /* derivative_traces.py */
 static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_lanes_1d work_t, double station, lanes station_t, double abscissa, lanes abscissa_t, double y, lanes y_t);
+static inline int64_t derivative_traces__start_at_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
 static inline void derivative_traces__first_abscissa_t(double* u_out, lanes* u_t_out, array_double_1d work, array_lanes_1d work_t, int64_t trace, double away, lanes away_t);
-static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* out_6, lanes* out_7, double* out_8, lanes* out_9, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t);
+static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* out_6, lanes* out_7, double* out_8, lanes* out_9, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t);
 static inline void derivative_traces__trace_rail_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
-static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
-static inline void derivative_traces__trace_outline_t(double* ordinate_out, lanes* ordinate_t_out, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* curvature_out, lanes* curvature_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
+static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
+static inline int64_t derivative_traces__note_point_t(array_double_1d work, array_lanes_1d work_t, int64_t meeting, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
+static inline void derivative_traces__trace_outline_t(double* ordinate_out, lanes* ordinate_t_out, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
 
 /* derivative_tractions.py */
 static inline void derivative_tractions__shape_place_t(double* out_0, lanes* out_1, double axis_ratio, lanes axis_ratio_t);
@@ -627,8 +633,9 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
 static inline void derivative_widths__width_limit_t(double* limit_out, lanes* limit_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t);
 static inline void derivative_widths__width_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double estimate, lanes estimate_t);
 static inline void derivative_widths__zone_width_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t);
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region);
+static inline int64_t derivative_widths__keep_contact_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count);
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region);
 static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double local_penetration, lanes local_penetration_t);
 static inline void derivative_widths__side_curvature_t(double* curvature_out, lanes* curvature_t_out, double reached, lanes reached_t, double own, lanes own_t, double mean, lanes mean_t);
 static inline void derivative_widths__width_rule_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t);

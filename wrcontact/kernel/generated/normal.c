@@ -17,9 +17,9 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
 static inline void analyn_contact__analyn_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t analyn_contact__fill_from_analyn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t count);
 static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
-static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration);
-static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration);
-static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration);
+static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double estimate, double force, bool by_penetration);
+static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration);
+static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t count, double force, double penetration, bool by_penetration);
 
 /* normal/auto_contact.py */
 static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
@@ -591,19 +591,19 @@ static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t
     {
         by_penetration = true;
     }
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, by_penetration);
+        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, side, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, by_penetration);
         *penetration_out = penetration;
         *count_out = count;
         *satisfied_out = satisfied;
         return;
     }
+    AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (!by_penetration)
     {
         penetration = estimate__first_penetration(tables, work, pair, force);
-        widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+        widths__keep_widths(work, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     count = 0;
     satisfied = false;
@@ -618,7 +618,7 @@ static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t
             *satisfied_out = false;
             return;
         }
-        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, estimate, force, by_penetration);
+        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, side, estimate, force, by_penetration);
         if (penetration < analyn_contact__ESTIMATE_FACTOR * estimate && analyn_contact__ESTIMATE_FACTOR * penetration > estimate)
         {
             break;
@@ -632,19 +632,19 @@ static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t
 /* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
  * value: whether the force is satisfied.
  */
-static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration)
+static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double estimate, double force, bool by_penetration)
 {
     int64_t count;
     double penetration;
     bool satisfied;
-    count = analyn_contact__gather_regions(tables, work, pair, estimate);
-    analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, count, force, estimate, by_penetration);
+    count = analyn_contact__gather_regions(tables, work, pair, side, estimate);
+    analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, side, count, force, estimate, by_penetration);
     if (!satisfied && count > 1)
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         deep_points__keep_deepest(work);
-        count = analyn_contact__gather_regions(tables, work, pair, estimate);
-        analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, count, force, estimate, by_penetration);
+        count = analyn_contact__gather_regions(tables, work, pair, side, estimate);
+        analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, side, count, force, estimate, by_penetration);
     }
     *penetration_out = penetration;
     *count_out = count;
@@ -654,7 +654,7 @@ static inline void analyn_contact__solve_estimated(double* penetration_out, int6
 /* Open the regions where the wheel overlaps its rail, with their first local penetrations; their
  * number.
  */
-static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration)
+static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration)
 {
     int64_t i, count;
     for (i = 0; i < layout__REGION_LIMIT; i += 1)
@@ -664,7 +664,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
     count = pressed_regions__gather_overlaps(tables, work, pair);
     for (i = 0; i < count; i += 1)
     {
-        widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        widths__start_widths(work, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     estimate__start_penetrations(work, count, penetration);
     return count;
@@ -673,7 +673,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
 /* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
  * the force is satisfied.
  */
-static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration)
+static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t count, double force, double penetration, bool by_penetration)
 {
     double start, enlarge;
     bool satisfied;
@@ -684,6 +684,10 @@ static inline void analyn_contact__solve_fine(double* penetration_out, bool* sat
     for (repeat = 0; repeat < analyn_contact__COVER_REPEATS; repeat += 1)
     {
         nodes__prepare_regions(tables, work, pair, count, enlarge);
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
+        {
+            widths__keep_contact_widths(work, side + layout__SIDE_SEARCH_WIDTHS, count);
+        }
         analyn__solve_penetrations(&penetration, &satisfied, work, tables, count, force, start, by_penetration);
         if (!satisfied)
         {
@@ -1681,7 +1685,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
 {
     double gap, rate, bend, curvature;
     int64_t before, after;
-    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
+    traces__start_at_region(work, region);
     curves__open_origin(tables, work, pair, region, AT(work, region + layout__REGION_SPACING));
     separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, AT(work, region + layout__REGION_STATION), nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
     AT(work, nodes + layout__NODES_GAP + 128 + 0) = 0.0;
@@ -1701,8 +1705,12 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
 /* Cosine of the angle between the rail's normal at the present trace and that of the open frame. */
 static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    double height, slope;
-    tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    double slope, height;
+    slope = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_RAIL_SLOPE);
+    if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
+    {
+        tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+    }
     return (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / sqrt(1.0 + slope * slope);
 }
 
@@ -1761,7 +1769,7 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
     int64_t stride, window, k, traced, step, left, passed, start, at;
     bool ended;
     double gap, next_rate, station;
-    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
+    traces__start_at_region(work, region);
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
     k = 0;
@@ -1779,7 +1787,7 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             {
                 /* a profile ends within this stretch: node by node from here */
                 step = 1;
-                traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
+                traces__start_at_region(work, region);
                 nodes__trace_node(&gap, &next_rate, tables, work, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
@@ -4145,7 +4153,7 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
                 AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - 1) + layout__TRACED_STATION_JOINED) = (double)(apart < strip_surfaces__TOUCHING * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)));
             }
             frame__enter_plane(work, region, index);
-            traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
+            traces__start_at_region(work, region);
             curves__open_origin(tables, work, pair, region, 0.0);
             AT(work, zone + layout__STRIP_ZONE_SPACING) = (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)) / ((double)(strip_surfaces__ZONE_STATIONS - 1) + 2.0 * strip_surfaces__INSET);
             for (i = 0; i < strip_surfaces__ZONE_STATIONS; i += 1)

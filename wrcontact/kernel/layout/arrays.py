@@ -14,7 +14,6 @@ from .contact import (
     CubicTable,
     CurvatureTable,
     DeepPoints,
-    FirstWidths,
     Frame,
     KeptFrames,
     Origin,
@@ -272,7 +271,6 @@ class Contact:
     coarse: bool  # whether an approximate penetration is enough
     following: bool  # whether deepest points may be followed from the trial before
     frame: Frame
-    first_widths: FirstWidths
     regions: Regions
     nodes: NodesOfRegions
     strips: SolvedStrips

@@ -12,7 +12,7 @@ from typing import Final
 from ..contact.curves import open_origin
 from ..contact.frame import BEYOND, NO_GAP, enter_plane, is_yawed, leave_plane
 from ..contact.separation import separation
-from ..contact.traces import start_traces
+from ..contact.traces import start_at_region
 from ..contact.widths import measure_widths
 from ..layout import (
     LATERAL_ADAPTIVE,
@@ -21,6 +21,7 @@ from ..layout import (
     NODE_MIDDLE,
     RAIL,
     SEPARATION_EQUIDISTANT_CHORD,
+    SEPARATION_NORMAL,
     SEPARATION_VERTICAL,
     WHEEL,
     Contact,
@@ -98,7 +99,7 @@ def lay_nodes(
     Where the lateral curvature is a prepared one, it is kept in nodes.B for
     :func:`node_coefficients.weigh_nodes`.
     """
-    start_traces(contact.frame, region.station, region.rail, region.wheel)
+    start_at_region(contact.frame, region)
     open_origin(pair, contact.frame, contact.origin, region, region.spacing)
     gap, rate, bend, curvature = separation(
         pair, contact.frame, contact.origin, region.station, trace_tolerance(region.spacing)
@@ -118,7 +119,9 @@ def lay_nodes(
 
 def turn_cosine(pair: Pair, frame: Frame):
     """Cosine of the angle between the rail's normal at the present trace and that of the open frame."""
-    height, slope = height_slope(pair.rail, frame.traces[RAIL].abscissa)
+    slope = frame.place.meeting.rail_slope
+    if not frame.pressed or pair.tables.separation != SEPARATION_NORMAL:
+        height, slope = height_slope(pair.rail, frame.traces[RAIL].abscissa)
     return (frame.plane.cos + slope * frame.plane.sin) / sqrt(1.0 + slope * slope)
 
 
@@ -162,7 +165,7 @@ def lay_side_nodes(
     Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
     slope there.
     """
-    start_traces(contact.frame, region.station, region.rail, region.wheel)
+    start_at_region(contact.frame, region)
     stride = node_stride(pair.tables)
     window = window_nodes(pair.tables)
     k = 0
@@ -177,7 +180,7 @@ def lay_side_nodes(
             if gap >= NO_GAP and step > 1:
                 # a profile ends within this stretch: node by node from here
                 step = 1
-                start_traces(contact.frame, region.station, region.rail, region.wheel)
+                start_at_region(contact.frame, region)
                 gap, next_rate = trace_node(pair, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP:
                 ended = True

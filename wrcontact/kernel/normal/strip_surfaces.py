@@ -10,7 +10,7 @@ from typing import Final
 from ..contact.curves import open_origin
 from ..contact.frame import NO_GAP, enter_plane, is_yawed, leave_plane
 from ..contact.separation import separation
-from ..contact.traces import start_traces
+from ..contact.traces import start_at_region
 from ..contact.widths import zone_width
 from ..layout import (
     LOAD_VERTICAL,
@@ -131,7 +131,7 @@ def trace_zones(pair: Pair, contact: Contact, count: int):
                 apart = zone.start - problem.zones[index - 1].stop
                 problem.traced[first - 1].joined = apart < TOUCHING * (zone.stop - zone.start)
             enter_plane(contact.frame, contact.frames, region, index)
-            start_traces(contact.frame, region.station, region.rail, region.wheel)
+            start_at_region(contact.frame, region)
             open_origin(pair, contact.frame, contact.origin, region, 0.0)
             zone.spacing = (zone.stop - zone.start) / (float(ZONE_STATIONS - 1) + 2.0 * INSET)
             for i in range(ZONE_STATIONS):
