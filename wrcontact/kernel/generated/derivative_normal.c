@@ -1956,9 +1956,9 @@ static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, la
 /* Derivative of ``lay_nodes``. */
 static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t)
 {
-    double v1, gap, rate, bend, curvature, v2, v3;
-    lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t, v3_t;
-    int64_t n4, before, n5, after;
+    double v1, gap, rate, bend, curvature, v2;
+    lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t;
+    int64_t n3, before, n4, after;
     derivative_traces__start_at_region_t(work, work_t, region);
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
@@ -1967,32 +1967,30 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, arra
     AT(work, nodes + layout__NODES_GAP + 128 + 0) = 0.0;
     EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + 0)) = 0.5 * each(curvature_t);
     AT(work, nodes + layout__NODES_A + 128 + 0) = 0.5 * curvature;
-    derivative_nodes__turn_cosine_t(&v2, &v2_t, tables, work, work_t, pair);
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + 0)) = each(v2_t);
-    AT(work, nodes + layout__NODES_TURN + 128 + 0) = v2;
+    derivative_nodes__note_turn_t(tables, work, work_t, pair, nodes, 0);
     if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + 0)) = each(v3_t);
-        AT(work, nodes + layout__NODES_B + 128 + 0) = v3;
+        derivative_curvature__relative_curvature_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + 0)) = each(v2_t);
+        AT(work, nodes + layout__NODES_B + 128 + 0) = v2;
     }
-    n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -1, low_reach, low_reach_t, rate, rate_t);
-    before = n4;
+    n3 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -1, low_reach, low_reach_t, rate, rate_t);
+    before = n3;
     RATE_AT(work_t, region + layout__REGION_FIRST) = all_lanes(0.0);
     AT(work, region + layout__REGION_FIRST) = (double)(-before);
-    n5 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, 1, high_reach, high_reach_t, rate, rate_t);
-    after = n5;
+    n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, 1, high_reach, high_reach_t, rate, rate_t);
+    after = n4;
     RATE_AT(work_t, region + layout__REGION_LAST) = all_lanes(0.0);
     AT(work, region + layout__REGION_LAST) = (double)after;
     return 0;
 }
 
-/* Derivative of ``turn_cosine``. */
-static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+/* Derivative of ``note_turn``. */
+static inline int64_t derivative_nodes__note_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t at)
 {
     int64_t k1;
-    lanes slope_t, height_t;
-    double slope, height, v2, v3, v4, v5;
+    lanes slope_t, height_t, cosine_t;
+    double slope, height, v2, v3, v4, cosine, v5, v6;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_RAIL_SLOPE;
     EACH_LANE each(slope_t) = each(RATE_AT(work_t, k1));
     slope = AT(work, k1);
@@ -2000,12 +1998,18 @@ static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1,
     {
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
-    v2 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-    v3 = 1.0 + slope * slope;
-    v4 = sqrt(v3);
-    v5 = v2 / v4;
-    *v5_out = v5;
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t))) / v4;
+    v2 = 1.0 + slope * slope;
+    v3 = sqrt(v2);
+    v4 = 1.0 / v3;
+    EACH_LANE each(cosine_t) = -v4 * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t)) / v3;
+    cosine = v4;
+    v5 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(cosine_t) * v5 + cosine * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
+    AT(work, nodes + layout__NODES_TURN + 128 + at) = cosine * v5;
+    v6 = slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + at)) = each(cosine_t) * v6 + cosine * (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+    AT(work, nodes + layout__NODES_TILT + 128 + at) = cosine * v6;
+    return 0;
 }
 
 /* Derivative of ``bring_nearer``. */
@@ -2033,8 +2037,8 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 /* Derivative of ``trace_node``. */
 static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
-    double v1, station, v2, gap, rate, bend, curvature, v3, v4;
-    lanes station_t, v2_t, gap_t, rate_t, bend_t, curvature_t, v3_t, v4_t;
+    double v1, station, v2, gap, rate, bend, curvature, v3;
+    lanes station_t, v2_t, gap_t, rate_t, bend_t, curvature_t, v3_t;
     v1 = (double)at;
     EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
     station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v1;
@@ -2046,14 +2050,12 @@ static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_
         AT(work, nodes + layout__NODES_GAP + 128 + at) = gap - AT(work, region + layout__REGION_GAP);
         EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + at)) = 0.5 * each(curvature_t);
         AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * curvature;
-        derivative_nodes__turn_cosine_t(&v3, &v3_t, tables, work, work_t, pair);
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(v3_t);
-        AT(work, nodes + layout__NODES_TURN + 128 + at) = v3;
+        derivative_nodes__note_turn_t(tables, work, work_t, pair, nodes, at);
         if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
-            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(v4_t);
-            AT(work, nodes + layout__NODES_B + 128 + at) = v4;
+            derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(v3_t);
+            AT(work, nodes + layout__NODES_B + 128 + at) = v3;
         }
     }
     *gap_out = gap;
@@ -2205,6 +2207,7 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
     }
     derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, count);
     derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_TURN, start, stop, count);
+    derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_TILT, start, stop, count);
     return 0;
 }
 
@@ -2247,6 +2250,8 @@ static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work,
     AT(work, nodes + layout__NODES_A + 128 + at) = AT(work, nodes + layout__NODES_A + 128 + one);
     EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + one));
     AT(work, nodes + layout__NODES_TURN + 128 + at) = AT(work, nodes + layout__NODES_TURN + 128 + one);
+    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + one));
+    AT(work, nodes + layout__NODES_TILT + 128 + at) = AT(work, nodes + layout__NODES_TILT + 128 + one);
     return 0;
 }
 
@@ -2415,7 +2420,7 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
     }
     else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0)
     {
-        derivative_strip_contact__coarse_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, force, force_t);
+        derivative_strip_contact__coarse_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t);
     }
     else
     {
@@ -2436,12 +2441,9 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
 /* Derivative of ``mean_normal``. */
 static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
 {
-    double v1, arc, total, cosines, sines, x, v2, step, height, slope, v3, v4, v5, cosine, v6, weight, v7, v9, v8, v10, v11, v12;
-    lanes v1_t, arc_t, total_t, cosines_t, sines_t, x_t, step_t, height_t, slope_t, cosine_t, weight_t, v8_t, v12_t, rates;
-    int64_t direction, last, k;
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL));
-    EACH_LANE each(arc_t) = each(v1_t);
-    arc = v1;
+    lanes total_t, cosines_t, sines_t, weight_t, turn_t, tilt_t, share_t, v9_t;
+    double total, cosines, sines, v1, weight, turn, tilt, v2, v3, v4, share, v5, v6, v7, v8, v9;
+    int64_t direction, last, k, at;
     total_t = all_lanes(0.0);
     total = 0.0;
     cosines_t = all_lanes(0.0);
@@ -2450,11 +2452,6 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
     sines = 0.0;
     for (direction = -1; direction < 2; direction += 2)
     {
-        EACH_LANE each(x_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
-        x = AT(work, region + layout__REGION_RAIL);
-        v2 = (double)direction;
-        EACH_LANE each(step_t) = v2 * each(RATE_AT(work_t, region + layout__REGION_SPACING));
-        step = v2 * AT(work, region + layout__REGION_SPACING);
         last = (int64_t)AT(work, region + layout__REGION_LAST);
         if (direction < 0)
         {
@@ -2462,15 +2459,10 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
         }
         for (k = 0; k < last + 1; k += 1)
         {
-            derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x, x_t);
-            v3 = 1.0 + slope * slope;
-            v4 = sqrt(v3);
-            v5 = 1.0 / v4;
-            EACH_LANE each(cosine_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
-            cosine = v5;
-            v6 = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + direction * k);
-            EACH_LANE each(weight_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + direction * k)) * v6 + AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * (each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + direction * k)));
-            weight = AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * v6;
+            at = direction * k;
+            v1 = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + at);
+            EACH_LANE each(weight_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + at)) * v1 + AT(work, nodes + layout__NODES_LINE + 128 + at) * (each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + at)));
+            weight = AT(work, nodes + layout__NODES_LINE + 128 + at) * v1;
             if (weight <= 0.0)
             {
                 break;
@@ -2482,31 +2474,36 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             }
             EACH_LANE each(total_t) = each(total_t) + each(weight_t);
             total = total + weight;
-            EACH_LANE each(cosines_t) = each(cosines_t) + (each(weight_t) * cosine + weight * each(cosine_t));
-            cosines = cosines + weight * cosine;
-            v7 = weight * slope;
-            EACH_LANE each(sines_t) = each(sines_t) + ((each(weight_t) * slope + weight * each(slope_t)) * cosine + v7 * each(cosine_t));
-            sines = sines + v7 * cosine;
-            v9 = (double)(k + 1);
-            EACH_LANE each(rates) = each(arc_t) + each(step_t) * v9;
-            derivative_tables__read_cubic_t(&v8, &v8_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc + step * v9, rates);
-            EACH_LANE each(x_t) = each(v8_t);
-            x = v8;
+            EACH_LANE each(turn_t) = each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at));
+            turn = AT(work, nodes + layout__NODES_TURN + 128 + at);
+            EACH_LANE each(tilt_t) = each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + at));
+            tilt = AT(work, nodes + layout__NODES_TILT + 128 + at);
+            v2 = turn * turn + tilt * tilt;
+            v3 = sqrt(v2);
+            v4 = weight / v3;
+            EACH_LANE each(share_t) = (each(weight_t) - v4 * derivative_rates__root_rate(v3, each(turn_t) * turn + turn * each(turn_t) + (each(tilt_t) * tilt + tilt * each(tilt_t)))) / v3;
+            share = v4;
+            v5 = turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+            EACH_LANE each(cosines_t) = each(cosines_t) + (each(share_t) * v5 + share * (each(turn_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (each(tilt_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + tilt * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
+            cosines = cosines + share * v5;
+            v6 = tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+            EACH_LANE each(sines_t) = each(sines_t) + (each(share_t) * v6 + share * (each(tilt_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + tilt * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(turn_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + turn * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
+            sines = sines + share * v6;
         }
     }
     if (total > 0.0)
     {
-        v10 = cosines / total;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v10 * each(total_t)) / total;
-        AT(work, region + layout__REGION_COS) = v10;
-        v11 = sines / total;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v11 * each(total_t)) / total;
-        AT(work, region + layout__REGION_SIN) = v11;
+        v7 = cosines / total;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v7 * each(total_t)) / total;
+        AT(work, region + layout__REGION_COS) = v7;
+        v8 = sines / total;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v8 * each(total_t)) / total;
+        AT(work, region + layout__REGION_SIN) = v8;
         if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), RATE_AT(work_t, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v12_t);
-            AT(work, region + layout__REGION_SHARE) = v12;
+            derivative_rails__upright_share_t(&v9, &v9_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), RATE_AT(work_t, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v9_t);
+            AT(work, region + layout__REGION_SHARE) = v9;
         }
     }
     return 0;
@@ -2756,7 +2753,7 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
     by_penetration = isfinite(prescribed);
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
+        n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair, side);
         count = n1;
         derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
         derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, force_t, by_penetration);
@@ -2772,6 +2769,7 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
         derivative_estimate__first_penetration_t(&v3, &v3_t, tables, work, work_t, pair, force, force_t);
         EACH_LANE each(estimate_t) = each(v3_t);
         estimate = v3;
+        derivative_widths__keep_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         derivative_strip_contact__sink_strips_t(&penetration, &penetration_t, &count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, false);
         if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
         {
@@ -2839,7 +2837,7 @@ static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes
             *count_out = 0;
             return;
         }
-        n2 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
+        n2 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair, side);
         count = n2;
         if (by_penetration)
         {
@@ -2863,13 +2861,13 @@ static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes
 }
 
 /* Derivative of ``coarse_contact``. */
-static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
+static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t)
 {
     int64_t n1, count;
     double v2, penetration;
     lanes v2_t, penetration_t;
     bool satisfied;
-    n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
+    n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair, side);
     count = n1;
     derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
     derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, strip_contact__FIRST_SWEEPS, force, force_t, false);
@@ -2892,15 +2890,23 @@ static inline void derivative_strip_contact__coarse_contact_t(double* penetratio
 }
 
 /* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side)
 {
-    int64_t n1, count, deepest;
+    int64_t n1, count, deepest, index;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
+    for (index = 0; index < count; index += 1)
+    {
+        derivative_widths__start_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
+    }
     derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH));
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
+    {
+        derivative_widths__keep_contact_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, count);
+    }
     derivative_strip_surfaces__trace_zones_t(tables, work, work_t, pair, count);
     return count;
 }
@@ -5195,8 +5201,8 @@ static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d ta
 /* Derivative of ``measure_zone``. */
 static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, lanes deepest_t)
 {
-    double v1, v2, level, v3, bend, v4, v5, v6, estimate, v7, high, v8, low;
-    lanes v2_t, level_t, v3_t, bend_t, estimate_t, v7_t, high_t, v8_t, low_t;
+    double v1, v2, level, v3, bend, v4, v5, v6, high, low, v7, v8, grown, v9, v10;
+    lanes v2_t, level_t, v3_t, bend_t, high_t, low_t, grown_t, v9_t, v10_t;
     EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)) = each(RATE_AT(work_t, region + layout__REGION_OFFSET)) + each(RATE_AT(work_t, region + layout__REGION_STATION));
     AT(work, zone + layout__STRIP_ZONE_MIDDLE) = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
     EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE));
@@ -5229,16 +5235,40 @@ static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d 
         v4 = 2.0 * level;
         v5 = v4 / bend;
         v6 = sqrt(v5);
-        EACH_LANE each(estimate_t) = derivative_rates__root_rate(v6, (2.0 * each(level_t) - v5 * each(bend_t)) / bend);
-        estimate = v6;
+        EACH_LANE each(high_t) = derivative_rates__root_rate(v6, (2.0 * each(level_t) - v5 * each(bend_t)) / bend);
+        high = v6;
+        low_t = all_lanes(0.0);
+        low = 0.0;
+        if (AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0)
+        {
+            v7 = level / AT(work, region + layout__REGION_WIDTH_PENETRATION);
+            v8 = sqrt(v7);
+            EACH_LANE each(grown_t) = derivative_rates__root_rate(v8, (each(level_t) - v7 * each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION))) / AT(work, region + layout__REGION_WIDTH_PENETRATION));
+            grown = v8;
+            EACH_LANE each(high_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) * grown + AT(work, region + layout__REGION_WIDTH_HIGH) * each(grown_t);
+            high = AT(work, region + layout__REGION_WIDTH_HIGH) * grown;
+            EACH_LANE each(low_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) * grown + AT(work, region + layout__REGION_WIDTH_LOW) * each(grown_t);
+            low = AT(work, region + layout__REGION_WIDTH_LOW) * grown;
+        }
         RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = all_lanes(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
-        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), level, level_t, estimate, estimate_t);
-        EACH_LANE each(high_t) = each(v7_t);
-        high = v7;
-        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), level, level_t, high, high_t);
-        EACH_LANE each(low_t) = each(v8_t);
-        low = v8;
+        derivative_widths__width_rule_t(&v9, &v9_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), level, level_t, high, high_t);
+        EACH_LANE each(high_t) = each(v9_t);
+        high = v9;
+        if (!(low > 0.0))
+        {
+            EACH_LANE each(low_t) = each(high_t);
+            low = high;
+        }
+        derivative_widths__width_rule_t(&v10, &v10_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), level, level_t, low, low_t);
+        EACH_LANE each(low_t) = each(v10_t);
+        low = v10;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(level_t);
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = level;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
+        AT(work, region + layout__REGION_WIDTH_HIGH) = high;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
+        AT(work, region + layout__REGION_WIDTH_LOW) = low;
         EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) + each(high_t);
         AT(work, zone + layout__STRIP_ZONE_STOP) = AT(work, zone + layout__STRIP_ZONE_STOP) + high;
         EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) - each(low_t);

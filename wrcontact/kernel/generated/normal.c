@@ -74,7 +74,7 @@ static inline int64_t nodes__window_nodes(array_double_1d tables);
 static inline int64_t nodes__node_stride(array_double_1d tables);
 static inline double nodes__trace_tolerance(double spacing);
 static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach);
-static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline int64_t nodes__note_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t at);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
@@ -105,8 +105,8 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
 static inline void strip_contact__strip_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration);
 static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables);
-static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double force);
-static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force);
+static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
 static inline int64_t strip_contact__start_runs(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t sweeps, double force, bool by_penetration);
 
@@ -1690,7 +1690,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, AT(work, region + layout__REGION_STATION), nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
     AT(work, nodes + layout__NODES_GAP + 128 + 0) = 0.0;
     AT(work, nodes + layout__NODES_A + 128 + 0) = 0.5 * curvature;
-    AT(work, nodes + layout__NODES_TURN + 128 + 0) = nodes__turn_cosine(tables, work, pair);
+    nodes__note_turn(tables, work, pair, nodes, 0);
     if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
         AT(work, nodes + layout__NODES_B + 128 + 0) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
@@ -1702,16 +1702,21 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     return 0;
 }
 
-/* Cosine of the angle between the rail's normal at the present trace and that of the open frame. */
-static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair)
+/* Note at node ``at`` cosine and sine of the angle from the open frame's normal to the rail's at the present
+ * trace.
+ */
+static inline int64_t nodes__note_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t at)
 {
-    double slope, height;
+    double slope, height, cosine;
     slope = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_RAIL_SLOPE);
     if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
         tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
-    return (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / sqrt(1.0 + slope * slope);
+    cosine = 1.0 / sqrt(1.0 + slope * slope);
+    AT(work, nodes + layout__NODES_TURN + 128 + at) = cosine * (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    AT(work, nodes + layout__NODES_TILT + 128 + at) = cosine * (slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    return 0;
 }
 
 /* Let the gap rise less where a region turns.
@@ -1748,7 +1753,7 @@ static inline void nodes__trace_node(double* gap_out, double* rate_out, array_do
     {
         AT(work, nodes + layout__NODES_GAP + 128 + at) = gap - AT(work, region + layout__REGION_GAP);
         AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * curvature;
-        AT(work, nodes + layout__NODES_TURN + 128 + at) = nodes__turn_cosine(tables, work, pair);
+        nodes__note_turn(tables, work, pair, nodes, at);
         if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
             AT(work, nodes + layout__NODES_B + 128 + at) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
@@ -1881,6 +1886,7 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
     }
     nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, count);
     nodes__fill_straight(work, nodes + layout__NODES_TURN, start, stop, count);
+    nodes__fill_straight(work, nodes + layout__NODES_TILT, start, stop, count);
     return 0;
 }
 
@@ -1920,6 +1926,7 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
     }
     AT(work, nodes + layout__NODES_A + 128 + at) = AT(work, nodes + layout__NODES_A + 128 + one);
     AT(work, nodes + layout__NODES_TURN + 128 + at) = AT(work, nodes + layout__NODES_TURN + 128 + one);
+    AT(work, nodes + layout__NODES_TILT + 128 + at) = AT(work, nodes + layout__NODES_TILT + 128 + one);
     return 0;
 }
 
@@ -2075,7 +2082,7 @@ static inline void normal_contact__solve_normal(double* penetration_out, int64_t
     }
     else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0)
     {
-        strip_contact__coarse_contact(&penetration, &count, &satisfied, tables, work, pair, force);
+        strip_contact__coarse_contact(&penetration, &count, &satisfied, tables, work, pair, side, force);
     }
     else
     {
@@ -2119,21 +2126,16 @@ static inline double normal_contact__residual_rate(array_double_1d tables)
 
 /* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
  * local penetration [m].
- *
- * The nodes lie along the rail.
  */
 static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration)
 {
-    double arc, total, cosines, sines, x, step, height, slope, cosine, weight;
-    int64_t direction, last, k;
-    arc = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), AT(work, region + layout__REGION_RAIL));
+    double total, cosines, sines, weight, turn, tilt, share;
+    int64_t direction, last, k, at;
     total = 0.0;
     cosines = 0.0;
     sines = 0.0;
     for (direction = -1; direction < 2; direction += 2)
     {
-        x = AT(work, region + layout__REGION_RAIL);
-        step = (double)direction * AT(work, region + layout__REGION_SPACING);
         last = (int64_t)AT(work, region + layout__REGION_LAST);
         if (direction < 0)
         {
@@ -2141,9 +2143,8 @@ static inline int64_t patch_places__mean_normal(array_double_1d tables, array_do
         }
         for (k = 0; k < last + 1; k += 1)
         {
-            tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x);
-            cosine = 1.0 / sqrt(1.0 + slope * slope);
-            weight = AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * (local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + direction * k));
+            at = direction * k;
+            weight = AT(work, nodes + layout__NODES_LINE + 128 + at) * (local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + at));
             if (weight <= 0.0)
             {
                 break;
@@ -2153,9 +2154,11 @@ static inline int64_t patch_places__mean_normal(array_double_1d tables, array_do
                 weight *= 0.5;
             }
             total += weight;
-            cosines += weight * cosine;
-            sines += weight * slope * cosine;
-            x = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc + step * (double)(k + 1));
+            turn = AT(work, nodes + layout__NODES_TURN + 128 + at);
+            tilt = AT(work, nodes + layout__NODES_TILT + 128 + at);
+            share = weight / sqrt(turn * turn + tilt * tilt);
+            cosines += share * (turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+            sines += share * (tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
         }
     }
     if (total > 0.0)
@@ -2349,7 +2352,7 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
     by_penetration = isfinite(prescribed);
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        count = strip_contact__open_zones(tables, work, pair);
+        count = strip_contact__open_zones(tables, work, pair, side);
         strip_contact__start_runs(tables, work, pair);
         penetration = strip_contact__sweep_strips(tables, work, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, by_penetration);
     }
@@ -2360,6 +2363,7 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
     else
     {
         estimate = estimate__first_penetration(tables, work, pair, force);
+        widths__keep_widths(work, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
         if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
         {
@@ -2423,7 +2427,7 @@ static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out,
             *count_out = 0;
             return;
         }
-        count = strip_contact__open_zones(tables, work, pair);
+        count = strip_contact__open_zones(tables, work, pair, side);
         if (by_penetration)
         {
             break;
@@ -2483,12 +2487,12 @@ static inline bool strip_contact__agrees_with_levels(array_double_1d work, array
 /* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
  * and without patches: about a per cent off.
  */
-static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double force)
+static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force)
 {
     int64_t count;
     double penetration;
     bool satisfied;
-    count = strip_contact__open_zones(tables, work, pair);
+    count = strip_contact__open_zones(tables, work, pair, side);
     strip_contact__start_runs(tables, work, pair);
     penetration = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, force, false);
     if (!(penetration > 0.0))
@@ -2506,13 +2510,21 @@ static inline void strip_contact__coarse_contact(double* penetration_out, int64_
 }
 
 /* Open the regions where the wheel overlaps its rail, and trace both there; how many regions. */
-static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair)
+static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
 {
-    int64_t count, deepest;
+    int64_t count, deepest, index;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     count = pressed_regions__gather_overlaps(tables, work, pair);
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
+    for (index = 0; index < count; index += 1)
+    {
+        widths__start_widths(work, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
+    }
     strip_surfaces__find_zones(tables, work, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH));
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
+    {
+        widths__keep_contact_widths(work, side + layout__SIDE_SEARCH_WIDTHS, count);
+    }
     strip_surfaces__trace_zones(tables, work, pair, count);
     return count;
 }
@@ -4060,7 +4072,7 @@ static inline int64_t strip_surfaces__find_zones(array_double_1d tables, array_d
 /* The zone of a region whose frame is open; without width where nothing overlaps. */
 static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest)
 {
-    double level, bend, estimate, high, low;
+    double level, bend, high, low, grown;
     AT(work, zone + layout__STRIP_ZONE_MIDDLE) = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
     AT(work, zone + layout__STRIP_ZONE_START) = AT(work, zone + layout__STRIP_ZONE_MIDDLE);
     AT(work, zone + layout__STRIP_ZONE_STOP) = AT(work, zone + layout__STRIP_ZONE_MIDDLE);
@@ -4069,10 +4081,24 @@ static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array
     if (level > 0.0)
     {
         bend = double_max(AT(work, region + layout__REGION_BEND), AT(work, region + layout__REGION_CURVATURE));
-        estimate = sqrt(2.0 * level / bend);
+        high = sqrt(2.0 * level / bend);
+        low = 0.0;
+        if (AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0)
+        {
+            grown = sqrt(level / AT(work, region + layout__REGION_WIDTH_PENETRATION));
+            high = AT(work, region + layout__REGION_WIDTH_HIGH) * grown;
+            low = AT(work, region + layout__REGION_WIDTH_LOW) * grown;
+        }
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
-        high = widths__zone_width(tables, work, pair, region, 1.0, level, estimate);
-        low = widths__zone_width(tables, work, pair, region, -1.0, level, high);
+        high = widths__zone_width(tables, work, pair, region, 1.0, level, high);
+        if (!(low > 0.0))
+        {
+            low = high;
+        }
+        low = widths__zone_width(tables, work, pair, region, -1.0, level, low);
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = level;
+        AT(work, region + layout__REGION_WIDTH_HIGH) = high;
+        AT(work, region + layout__REGION_WIDTH_LOW) = low;
         AT(work, zone + layout__STRIP_ZONE_STOP) += high;
         AT(work, zone + layout__STRIP_ZONE_START) -= low;
     }

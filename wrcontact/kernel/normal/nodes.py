@@ -106,7 +106,7 @@ def lay_nodes(
     )
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
-    nodes.turn[0] = turn_cosine(pair, contact.frame)
+    note_turn(pair, contact.frame, nodes, 0)
     if pair.tables.lateral != LATERAL_ADAPTIVE:
         nodes.B[0] = relative_curvature(
             pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
@@ -117,12 +117,15 @@ def lay_nodes(
     region.last = after
 
 
-def turn_cosine(pair: Pair, frame: Frame):
-    """Cosine of the angle between the rail's normal at the present trace and that of the open frame."""
+def note_turn(pair: Pair, frame: Frame, nodes: Nodes, at: int):
+    """Note at node ``at`` cosine and sine of the angle from the open frame's normal to the rail's at the present
+    trace."""
     slope = frame.place.meeting.rail_slope
     if not frame.pressed or pair.tables.separation != SEPARATION_NORMAL:
         height, slope = height_slope(pair.rail, frame.traces[RAIL].abscissa)
-    return (frame.plane.cos + slope * frame.plane.sin) / sqrt(1.0 + slope * slope)
+    cosine = 1.0 / sqrt(1.0 + slope * slope)
+    nodes.turn[at] = cosine * (frame.plane.cos + slope * frame.plane.sin)
+    nodes.tilt[at] = cosine * (slope * frame.plane.cos - frame.plane.sin)
 
 
 def bring_nearer(region: Region, nodes: Nodes):
@@ -148,7 +151,7 @@ def trace_node(pair: Pair, contact: Contact, region: Region, nodes: Nodes, at: i
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
-        nodes.turn[at] = turn_cosine(pair, contact.frame)
+        note_turn(pair, contact.frame, nodes, at)
         if pair.tables.lateral != LATERAL_ADAPTIVE:
             nodes.B[at] = relative_curvature(
                 pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
@@ -242,6 +245,7 @@ def fill_between(
         nodes.gap[start + inward * i] = gap
     fill_straight(nodes.A, start, stop, count)
     fill_straight(nodes.turn, start, stop, count)
+    fill_straight(nodes.tilt, start, stop, count)
 
 
 def end_region(region: Region, direction: int, station: float):
@@ -265,6 +269,7 @@ def extrapolate_node(nodes: Nodes, at: int, direction: int):
         nodes.gap[at] = nodes.gap[one]
     nodes.A[at] = nodes.A[one]
     nodes.turn[at] = nodes.turn[one]
+    nodes.tilt[at] = nodes.tilt[one]
 
 
 def zone_share(tables: Tables, A: float, side: float):

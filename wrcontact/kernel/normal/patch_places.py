@@ -22,37 +22,33 @@ from ..layout import (
     SideSearch,
 )
 from ..surface.rails import on_track, upright_share
-from ..surface.tables import height_slope, read_cubic
+from ..surface.tables import height_slope
 
 
 def mean_normal(pair: Pair, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
     """Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
-    local penetration [m].
-
-    The nodes lie along the rail.
-    """
-    arc = read_cubic(pair.rail_arc, region.rail)
+    local penetration [m]."""
+    plane = frame.plane
     total = 0.0
     cosines = 0.0
     sines = 0.0
     for direction in range(-1, 2, 2):
-        x = region.rail
-        step = float(direction) * region.spacing
         last = region.last
         if direction < 0:
             last = -region.first
         for k in range(last + 1):
-            height, slope = height_slope(pair.rail, x)
-            cosine = 1.0 / sqrt(1.0 + slope * slope)
-            weight = nodes.line[direction * k] * (local_penetration - nodes.rise[direction * k])
+            at = direction * k
+            weight = nodes.line[at] * (local_penetration - nodes.rise[at])
             if weight <= 0.0:
                 break
             if k == 0:
                 weight *= 0.5
             total += weight
-            cosines += weight * cosine
-            sines += weight * slope * cosine
-            x = read_cubic(pair.rail_at_arc, arc + step * float(k + 1))
+            turn = nodes.turn[at]
+            tilt = nodes.tilt[at]
+            share = weight / sqrt(turn * turn + tilt * tilt)
+            cosines += share * (turn * plane.cos - tilt * plane.sin)
+            sines += share * (tilt * plane.cos + turn * plane.sin)
     if total > 0.0:
         region.cos = cosines / total
         region.sin = sines / total

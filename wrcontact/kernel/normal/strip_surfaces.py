@@ -70,10 +70,20 @@ def measure_zone(pair: Pair, contact: Contact, region: Region, zone: StripZone, 
     level = zone.depth - min(SHALLOW * deepest, OWN_SHALLOW * zone.depth)
     if level > 0.0:
         bend = max(region.bend, region.curvature)
-        estimate = sqrt(2.0 * level / bend)
+        high = sqrt(2.0 * level / bend)
+        low = 0.0
+        if region.width_penetration > 0.0:
+            grown = sqrt(level / region.width_penetration)
+            high = region.width_high * grown
+            low = region.width_low * grown
         contact.frame.blur = 0.0
-        high = zone_width(pair, contact.frame, contact.origin, region, 1.0, level, estimate)
-        low = zone_width(pair, contact.frame, contact.origin, region, -1.0, level, high)
+        high = zone_width(pair, contact.frame, contact.origin, region, 1.0, level, high)
+        if not low > 0.0:
+            low = high
+        low = zone_width(pair, contact.frame, contact.origin, region, -1.0, level, low)
+        region.width_penetration = level
+        region.width_high = high
+        region.width_low = low
         zone.stop += high
         zone.start -= low
 
