@@ -77,7 +77,8 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
 static inline int64_t nodes__note_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t at);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at);
-static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
+static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate, double y, double slope);
+static inline int64_t nodes__set_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, int64_t inner, int64_t outer, double z, double slope, double bend);
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
 static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station);
@@ -1683,7 +1684,7 @@ static inline double nodes__trace_tolerance(double spacing)
  */
 static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach)
 {
-    double gap, rate, bend, curvature;
+    double gap, rate, bend, curvature, y, slope;
     int64_t before, after;
     traces__start_at_region(work, region);
     curves__open_origin(tables, work, pair, region, AT(work, region + layout__REGION_SPACING));
@@ -1695,9 +1696,11 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     {
         AT(work, nodes + layout__NODES_B + 128 + 0) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
-    before = nodes__lay_side_nodes(tables, work, pair, region, nodes, -1, low_reach, rate);
+    y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_WHEEL);
+    slope = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_SLOPE);
+    before = nodes__lay_side_nodes(tables, work, pair, region, nodes, -1, low_reach, rate, y, slope);
     AT(work, region + layout__REGION_FIRST) = (double)(-before);
-    after = nodes__lay_side_nodes(tables, work, pair, region, nodes, 1, high_reach, rate);
+    after = nodes__lay_side_nodes(tables, work, pair, region, nodes, 1, high_reach, rate, y, slope);
     AT(work, region + layout__REGION_LAST) = (double)after;
     return 0;
 }
@@ -1741,18 +1744,21 @@ static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, 
     return 0;
 }
 
-/* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
- * [-].
+/* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate [-].
+ * A is left out where that is averaged.
  */
 static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
-    double station, gap, rate, bend, curvature;
+    double station, gap, rate, bend;
     station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (double)at;
-    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, station, nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
+    separation__separation_jet(&gap, &rate, &bend, tables, work, pair, station, nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
     if (gap < frame__NO_GAP)
     {
         AT(work, nodes + layout__NODES_GAP + 128 + at) = gap - AT(work, region + layout__REGION_GAP);
-        AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * curvature;
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) == 0.0)
+        {
+            AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * pressed__met_curvature(tables, work, pair);
+        }
         nodes__note_turn(tables, work, pair, nodes, at);
         if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
@@ -1763,17 +1769,25 @@ static inline void nodes__trace_node(double* gap_out, double* rate_out, array_do
     *rate_out = rate;
 }
 
-/* Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
- * risen above ``reach`` [m] or the bound is passed.
+/* Nodes in ``direction`` from the minimum, where the gap has this ``rate`` and the wheel's profile the
+ * ``slope`` at its abscissa ``y`` [m]; how many until the gap has risen above ``reach`` [m] or the bound is
+ * passed.
  *
  * Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
- * slope there.
+ * slope there.  With yaw the wheel's second derivative is part of A.  Taken at a point it would jump when a
+ * joint of the profile passes a node; so it is averaged from the traced node before to the one after.
  */
-static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
+static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate, double y, double slope)
 {
-    int64_t stride, window, k, traced, step, left, passed, start, at;
-    bool ended;
-    double gap, next_rate, station;
+    int64_t meeting, inner, stride, window, k, traced, step, left, passed, start, at;
+    bool blurred, ended;
+    double inner_y, inner_slope, last_z, gap, next_rate, bend, station;
+    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
+    blurred = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) > 0.0;
+    inner = 0;
+    inner_y = y;
+    inner_slope = slope;
+    last_z = 0.0;
     traces__start_at_region(work, region);
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
@@ -1798,12 +1812,32 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             if (gap >= frame__NO_GAP)
             {
                 ended = true;
+                if (blurred && traced > 0)
+                {
+                    bend = (slope - inner_slope) / (y - inner_y);
+                    nodes__set_curvature(tables, work, pair, nodes, direction, inner, traced, last_z, slope, bend);
+                }
                 nodes__end_region(work, region, direction, AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (double)(direction * k));
             }
             else
             {
                 start = direction * traced;
                 nodes__fill_between(work, nodes, start, start + direction * step, step, AT(work, region + layout__REGION_SPACING), rate, next_rate);
+                if (!blurred)
+                {
+                    nodes__fill_straight(work, nodes + layout__NODES_A, start, start + direction * step, step);
+                }
+                else if (traced > 0)
+                {
+                    bend = (AT(work, meeting + layout__MEETING_SLOPE) - inner_slope) / (AT(work, meeting + layout__MEETING_WHEEL) - inner_y);
+                    nodes__set_curvature(tables, work, pair, nodes, direction, inner, traced, last_z, slope, bend);
+                    inner = traced;
+                    inner_y = y;
+                    inner_slope = slope;
+                }
+                y = AT(work, meeting + layout__MEETING_WHEEL);
+                slope = AT(work, meeting + layout__MEETING_SLOPE);
+                last_z = AT(work, meeting + layout__MEETING_Z);
                 rate = next_rate;
                 traced += step;
             }
@@ -1832,11 +1866,29 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             passed = k;
         }
     }
+    if (blurred && traced > 0 && !ended)
+    {
+        bend = (slope - inner_slope) / (y - inner_y);
+        nodes__set_curvature(tables, work, pair, nodes, direction, inner, traced, last_z, slope, bend);
+    }
     if (passed == 0)
     {
         passed = k - window;
     }
     return passed;
+}
+
+/* A of a traced node, ``outer`` nodes away in ``direction``, where the wheel's profile has height ``z`` [m],
+ * ``slope`` [-] and a mean second derivative ``bend`` [1/m]; and of those up to the traced node before.
+ */
+static inline int64_t nodes__set_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, int64_t inner, int64_t outer, double z, double slope, double bend)
+{
+    int64_t start, stop;
+    start = direction * inner;
+    stop = direction * outer;
+    AT(work, nodes + layout__NODES_A + 128 + stop) = 0.5 * curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), z, slope, bend);
+    nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, outer - inner);
+    return 0;
 }
 
 /* Values at the ``count`` - 1 nodes between ``start`` and ``stop``, on a straight line. */
@@ -1857,7 +1909,7 @@ static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values,
     return 0;
 }
 
-/* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
+/* Gap (cubic of Hermite) and turn (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
  * ``stop``, with their slopes.
  *
  * Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of
@@ -1884,7 +1936,6 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
         gap = double_max(low + x * (rise + rest * (rest * forward - x * backward)), 0.0);
         AT(work, nodes + layout__NODES_GAP + 128 + (start + inward * i)) = gap;
     }
-    nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, count);
     nodes__fill_straight(work, nodes + layout__NODES_TURN, start, stop, count);
     nodes__fill_straight(work, nodes + layout__NODES_TILT, start, stop, count);
     return 0;

@@ -11,7 +11,8 @@ from typing import Final
 
 from ..contact.curves import open_origin
 from ..contact.frame import BEYOND, NO_GAP, enter_plane, is_yawed, leave_plane
-from ..contact.separation import separation
+from ..contact.pressed import met_curvature
+from ..contact.separation import separation, separation_jet
 from ..contact.traces import start_at_region
 from ..contact.widths import measure_widths
 from ..layout import (
@@ -34,7 +35,7 @@ from ..layout import (
     Regions,
     Tables,
 )
-from ..surface.curvature import relative_curvature
+from ..surface.curvature import longitudinal_curvature, relative_curvature
 from ..surface.tables import height_slope
 from .coefficients import FLOOR, table_value, weigh_nodes
 from .patch_places import mean_normal
@@ -111,9 +112,11 @@ def lay_nodes(
         nodes.B[0] = relative_curvature(
             pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
         )
-    before = lay_side_nodes(pair, contact, region, nodes, -1, low_reach, rate)
+    y = contact.frame.place.meeting.wheel
+    slope = contact.frame.place.meeting.slope
+    before = lay_side_nodes(pair, contact, region, nodes, -1, low_reach, rate, y, slope)
     region.first = -before
-    after = lay_side_nodes(pair, contact, region, nodes, 1, high_reach, rate)
+    after = lay_side_nodes(pair, contact, region, nodes, 1, high_reach, rate, y, slope)
     region.last = after
 
 
@@ -142,15 +145,16 @@ def bring_nearer(region: Region, nodes: Nodes):
 
 
 def trace_node(pair: Pair, contact: Contact, region: Region, nodes: Nodes, at: int):
-    """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
-    [-]."""
+    """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate [-].
+    A is left out where that is averaged."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend, curvature = separation(
+    gap, rate, bend = separation_jet(
         pair, contact.frame, contact.origin, station, trace_tolerance(region.spacing)
     )
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
-        nodes.A[at] = 0.5 * curvature
+        if contact.frame.blur == 0.0:
+            nodes.A[at] = 0.5 * met_curvature(pair, contact.frame)
         note_turn(pair, contact.frame, nodes, at)
         if pair.tables.lateral != LATERAL_ADAPTIVE:
             nodes.B[at] = relative_curvature(
@@ -160,14 +164,30 @@ def trace_node(pair: Pair, contact: Contact, region: Region, nodes: Nodes, at: i
 
 
 def lay_side_nodes(
-    pair: Pair, contact: Contact, region: Region, nodes: Nodes, direction: int, reach: float, rate: float
+    pair: Pair,
+    contact: Contact,
+    region: Region,
+    nodes: Nodes,
+    direction: int,
+    reach: float,
+    rate: float,
+    y: float,
+    slope: float,
 ):
-    """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
-    risen above ``reach`` [m] or the bound is passed.
+    """Nodes in ``direction`` from the minimum, where the gap has this ``rate`` and the wheel's profile the
+    ``slope`` at its abscissa ``y`` [m]; how many until the gap has risen above ``reach`` [m] or the bound is
+    passed.
 
     Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
-    slope there.
+    slope there.  With yaw the wheel's second derivative is part of A.  Taken at a point it would jump when a
+    joint of the profile passes a node; so it is averaged from the traced node before to the one after.
     """
+    meeting = contact.frame.place.meeting
+    blurred = contact.frame.blur > 0.0
+    inner = 0
+    inner_y = y
+    inner_slope = slope
+    last_z = 0.0
     start_at_region(contact.frame, region)
     stride = node_stride(pair.tables)
     window = window_nodes(pair.tables)
@@ -187,10 +207,24 @@ def lay_side_nodes(
                 gap, next_rate = trace_node(pair, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP:
                 ended = True
+                if blurred and traced > 0:
+                    bend = (slope - inner_slope) / (y - inner_y)
+                    set_curvature(pair, contact.frame, nodes, direction, inner, traced, last_z, slope, bend)
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
             else:
                 start = direction * traced
                 fill_between(nodes, start, start + direction * step, step, region.spacing, rate, next_rate)
+                if not blurred:
+                    fill_straight(nodes.A, start, start + direction * step, step)
+                elif traced > 0:
+                    bend = (meeting.slope - inner_slope) / (meeting.wheel - inner_y)
+                    set_curvature(pair, contact.frame, nodes, direction, inner, traced, last_z, slope, bend)
+                    inner = traced
+                    inner_y = y
+                    inner_slope = slope
+                y = meeting.wheel
+                slope = meeting.slope
+                last_z = meeting.z
                 rate = next_rate
                 traced += step
         k += 1
@@ -206,9 +240,31 @@ def lay_side_nodes(
             passed = k
         elif station > region.high or station < region.low:
             passed = k
+    if blurred and traced > 0 and not ended:
+        bend = (slope - inner_slope) / (y - inner_y)
+        set_curvature(pair, contact.frame, nodes, direction, inner, traced, last_z, slope, bend)
     if passed == 0:
         passed = k - window
     return passed
+
+
+def set_curvature(
+    pair: Pair,
+    frame: Frame,
+    nodes: Nodes,
+    direction: int,
+    inner: int,
+    outer: int,
+    z: float,
+    slope: float,
+    bend: float,
+):
+    """A of a traced node, ``outer`` nodes away in ``direction``, where the wheel's profile has height ``z`` [m],
+    ``slope`` [-] and a mean second derivative ``bend`` [1/m]; and of those up to the traced node before."""
+    start = direction * inner
+    stop = direction * outer
+    nodes.A[stop] = 0.5 * longitudinal_curvature(pair.tables, frame.place, z, slope, bend)
+    fill_straight(nodes.A, start, stop, outer - inner)
 
 
 def fill_straight(values: NodeRun, start: int, stop: int, count: int):
@@ -224,7 +280,7 @@ def fill_straight(values: NodeRun, start: int, stop: int, count: int):
 def fill_between(
     nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float, stop_rate: float
 ):
-    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
+    """Gap (cubic of Hermite) and turn (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
     ``stop``, with their slopes.
 
     Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of
@@ -243,7 +299,6 @@ def fill_between(
         rest = 1.0 - x
         gap = max(low + x * (rise + rest * (rest * forward - x * backward)), 0.0)
         nodes.gap[start + inward * i] = gap
-    fill_straight(nodes.A, start, stop, count)
     fill_straight(nodes.turn, start, stop, count)
     fill_straight(nodes.tilt, start, stop, count)
 
