@@ -1704,8 +1704,8 @@ static const double elastic__FARTHEST = 1.0;
 static const double elastic__SINGULAR = 0.02;
 
 /* wheelset/enclosing.py */
-static const double enclosing__ELASTIC_SHARP = 1e-13;
-static const double enclosing__NOT_LAST = 1e-10;
+static const double enclosing__ELASTIC_SHARP = 1e-12;
+static const double enclosing__NOT_LAST = 1e-09;
 static const double enclosing__SAME_GAP = 1e-09;
 static const double enclosing__LONGEST_MOVE = 0.0002;
 static const double enclosing__LEAST_LEVER = 0.01;
