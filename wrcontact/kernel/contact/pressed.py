@@ -85,7 +85,7 @@ def meet_wheel(pair: Pair, place: Place, abscissa: float, y: float, height: floa
             sharp = LINE_JOINT
         if fabs(move) < sharp:
             overlap = (down - m * across) * cosine
-            if not fabs(overlap) < FARTHEST:
+            if not (fabs(overlap) < FARTHEST and y >= wheel.start and y <= wheel.stop):
                 return False
             rise = (outline_slope - m) / (1.0 + m * outline_slope)
             # the angle between both curves changes by the wheel's curvature over its own arc less the rail's

@@ -1629,7 +1629,7 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
         if (fabs(move) < sharp)
         {
             overlap = (down - m * across) * cosine;
-            if (!(fabs(overlap) < pressed__FARTHEST))
+            if (!(fabs(overlap) < pressed__FARTHEST && y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
             {
                 return false;
             }

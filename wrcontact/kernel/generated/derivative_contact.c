@@ -901,7 +901,7 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
             v9 = down - m * across;
             EACH_LANE each(overlap_t) = (each(down_t) - (each(m_t) * across + m * each(across_t))) * cosine + v9 * each(cosine_t);
             overlap = v9 * cosine;
-            if (!(fabs(overlap) < pressed__FARTHEST))
+            if (!(fabs(overlap) < pressed__FARTHEST && y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
             {
                 return false;
             }

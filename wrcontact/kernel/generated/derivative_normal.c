@@ -540,6 +540,8 @@ static inline void derivative_auto_contact__auto_contact_t(double* penetration_o
         EACH_LANE each(load_t) = each(v3_t);
         load = v3;
         derivative_pressed_regions__raise_wheel_t(work, work_t, sunk);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
+        AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
         derivative_strip_contact__strip_contact_t(&found, &found_t, &strip_count, &solved, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
         if (solved)
         {
@@ -568,6 +570,8 @@ static inline void derivative_auto_contact__auto_contact_t(double* penetration_o
             return;
         }
         derivative_pressed_regions__raise_wheel_t(work, work_t, sunk);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
+        AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
         derivative_analyn_contact__analyn_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     else if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)

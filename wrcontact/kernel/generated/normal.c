@@ -751,6 +751,8 @@ static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int6
     {
         load = auto_contact__total_load(work, count);
         pressed_regions__raise_wheel(work, sunk);
+        /* as if strips or ANALYN were by themselves */
+        AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
         strip_contact__strip_contact(&found, &strip_count, &solved, tables, work, pair, side, force, prescribed);
         if (solved)
         {
@@ -769,6 +771,7 @@ static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int6
             return;
         }
         pressed_regions__raise_wheel(work, sunk);
+        AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
         analyn_contact__analyn_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
     }
     else if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
