@@ -29,6 +29,14 @@ ANSWERS = [
         "contact/test_overlap.py",
         "wrcontact/kernel/contact/pressed.py",
     ),
+    (
+        "wheel_beyond_end",
+        "if not (fabs(overlap) < FARTHEST and y >= wheel.start and y <= wheel.stop):",
+        "if not fabs(overlap) < FARTHEST:",
+        "a patch goes on beyond the end of the wheel's profile",
+        "search/test_rigid.py",
+        "wrcontact/kernel/contact/pressed.py",
+    ),
     # --- loads that are too large or too small
     (
         "deep_wheel",

@@ -179,6 +179,24 @@ def test_a_wheel_that_sinks_over_the_end_of_its_profile_is_off_it(model):
     assert beyond.status == wrcontact.Status.OFF_PROFILE
 
 
+@pytest.mark.parametrize("left", [1e-3, 1e-4])
+@pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
+def test_a_patch_ends_where_the_wheels_profile_ends(model, left):
+    """The inner half of a patch grows like the root of the penetration; the outer one has ``left`` [m]."""
+    gauge, end = 1.54, 60e-3  # [m]
+
+    def patch(gauge):
+        system = wrcontact.ContactSystem(gauge=gauge, normal_model=model)
+        wheel = system.evaluate(normal_force=10e3, side="right").right
+        return wheel, wheel.patches[0]
+
+    whole, far = patch(gauge)
+    cut, near = patch(gauge + 2 * (end - whole.contact.y_wheel - left))
+    inner = 0.5 * far.width * math.sqrt(cut.penetration / whole.penetration)
+    assert near.width < 1.02 * inner + left
+    assert cut.penetration > whole.penetration and cut.area < whole.area
+
+
 @pytest.mark.parametrize(
     "rail, inclination, shift, yaw, force",
     [
