@@ -39,7 +39,7 @@ from ..kernel import layout
 from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
 from ..methods.words import PROPOSAL
 from ..system import ContactSystem
-from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
+from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused, refused
 from .resources import packed_profile
 
 INPUTS, LOAD = layout.INPUT_COUNT, layout.IN_NORMAL_FORCE
@@ -113,17 +113,14 @@ class Session:
         variables = [_variable(reference, type) for reference in references]
         for variable, value in zip(variables, values, strict=True):
             if self.life.phase == TERMINATED:
-                raise Refused(f"{variable.name} cannot be set: the simulation has been terminated")
+                raise refused("terminated", variable.name)
             if variable.causality == OUTPUT:
-                raise Refused(f"{variable.name} is an output and cannot be set")
+                raise refused("output", variable.name)
             if value is None:
-                raise Refused(f"{variable.name} is a NULL pointer; permitted are texts")
+                raise refused("null", variable.name)
             present = self.parameters.get(variable.name)
             if self.life.locked and variable.causality == PARAMETER and value != present:
-                raise Refused(
-                    f"{variable.name} is fixed at {present!r} after initialisation and cannot "
-                    f"become {value!r}"
-                )
+                raise refused("fixed", variable.name, repr(present), repr(value))
         return variables
 
     def _set_parameter(self, variable, value):
@@ -373,7 +370,7 @@ def _variable(reference, type):
         raise Refused(f"value reference {reference} does not exist; they run from 0 to {max(BY_REFERENCE)}")
     variable = BY_REFERENCE[reference]
     if variable.type != type:
-        raise Refused(f"{variable.name} is of type {variable.type}, not {type}")
+        raise refused("type", variable.name, variable.type, type)
     return variable
 
 
@@ -386,9 +383,7 @@ def _check_readable(references):
     """Whether the list, read before the initialisation, holds no output."""
     for reference in references:
         if BY_REFERENCE[reference].causality == OUTPUT:
-            raise Refused(
-                f"{BY_REFERENCE[reference].name} is an output and cannot be read before the initialisation"
-            )
+            raise refused("unread", BY_REFERENCE[reference].name)
 
 
 def _as_slice(places):
@@ -401,9 +396,9 @@ def _as_slice(places):
 def _read_snapshot(saved):
     """Header and numbers of a snapshot, or :class:`Refused` with the reason."""
     if not saved.startswith(STATE_FORMAT):
-        raise Refused("the saved state is not one of this version; the present state is kept")
+        raise refused("other_state")
     if hashlib.sha256(saved[STATE_BODY:]).digest() != saved[len(STATE_FORMAT) : STATE_BODY]:
-        raise Refused("the saved state is damaged (its checksum differs); the present state is kept")
+        raise refused("damaged_state")
     line, _, numbers = saved[STATE_BODY:].partition(b"\n")
     header = json.loads(line)
     if header["build"] != BUILD:
