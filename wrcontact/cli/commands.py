@@ -163,7 +163,7 @@ def build(
 
     Example: wrcontact build --native --wheel my_wheel.csv --rail 54E1 --output fmus
     """
-    from ..fmu.command import built
+    from ..fmu.build import built
     from ..fmu.settings import settings_of
 
     if platforms and not native:
