@@ -6,7 +6,6 @@ nothing.
 
 import json
 from dataclasses import dataclass, replace
-from hashlib import sha256
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from ..profiles.catalogue import standard_name, standard_profile
 from ..profiles.files import prepared_profile, prepared_text
 from ..profiles.profile import Profile
 from ..results.columns import output_names, selected
+from ..storage.hashes import content_hash
 from ..system import ContactSystem
 from ..version import __version__
 from .grid import checked_axes, checked_inputs, row_of, words_of
@@ -49,7 +49,7 @@ class Question:
         hashes."""
         parameters = {
             **self.system.parameters,
-            **{kind: content_hash(getattr(self.system, kind)) for kind in PROFILES},
+            **{kind: profile_hash(getattr(self.system, kind)) for kind in PROFILES},
         }
         return {
             "version": __version__,
@@ -62,7 +62,7 @@ class Question:
     def profiles(self):
         """{hash: text} of the profiles."""
         found = (getattr(self.system, kind) for kind in PROFILES)
-        return {content_hash(profile): prepared_text(profile) for profile in found}
+        return {profile_hash(profile): prepared_text(profile) for profile in found}
 
 
 def asked(system, axes, outputs, fixed):
@@ -84,9 +84,9 @@ def asked(system, axes, outputs, fixed):
     return Question(system, axes, fixed, outputs, names)
 
 
-def content_hash(profile):
+def profile_hash(profile):
     """SHA-256 of what a profile computes with, in hexadecimal digits; its name is no part of it."""
-    return sha256(prepared_text(replace(profile, name="")).encode()).hexdigest()
+    return content_hash(prepared_text(replace(profile, name="")))
 
 
 def system_of(record, profiles):
