@@ -252,7 +252,7 @@ def test_a_given_shift_replaces_the_one_from_the_shape(tmp_path):
             dict(select=0),
             "select is 0; permitted are the number of a profile in the file, from 1, and its name",
         ),
-        (dict(select=2), "contains one profile; select is 2; permitted is None"),
+        (dict(select=2), "contains one profile; select is 2 and cannot be given"),
     ],
 )
 def test_options_that_are_not_permitted_are_refused(tmp_path, options, sentence):

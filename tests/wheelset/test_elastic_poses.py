@@ -215,9 +215,7 @@ def test_a_load_that_no_depth_carries_is_told():
 
 @pytest.mark.parametrize("mode", ["elastic", "compliant"])
 def test_a_penetration_is_refused(mode):
-    with pytest.raises(
-        ValueError, match=f"penetration is given; permitted with the contact_mode .*{mode}.* is none"
-    ):
+    with pytest.raises(ValueError, match="penetration can be prescribed with the contact_mode 'rigid' only"):
         system(contact_mode=mode).evaluate(penetration=5e-5)
 
 

@@ -71,7 +71,7 @@ def read_points(text, extension, kind, select=None):
     if extension in (".whe", ".rai") or text.lstrip()[:12].strip().lower() in FIRST.values():
         return vampire_points(text.lstrip(), kind, select)
     if select is not None:
-        raise Refusal(f"contains one profile; select is {select!r}; permitted is None")
+        raise Refusal(f"contains one profile; select is {select!r} and cannot be given")
     if extension in (".prw", ".prr") or re.search(r"^[ \t]*point\.begin", text, re.MULTILINE | re.IGNORECASE):
         return simpack_points(text, kind)
     if extension in (".whl", ".ban"):

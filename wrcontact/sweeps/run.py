@@ -99,7 +99,7 @@ def _check(store, block, client, workers):
     if client is not None and store is None:
         raise ValueError("store is None; permitted with a client is a folder")
     if client is not None and workers is not None:
-        raise ValueError(f"workers is {workers}; permitted with a client is None")
+        raise ValueError(f"workers is {workers}; it cannot be given with a client")
     if client is not None and not hasattr(client, "wait_for_workers"):
         raise ValueError(f"client is {client!r}; permitted is a dask.distributed.Client")
 
