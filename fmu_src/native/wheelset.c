@@ -33,12 +33,12 @@ static int initialise(wheelset *self)
     return 0;
 }
 
-wheelset *wheelset_new(wheelset_tell *tell, void *owner, bool exchange)
+wheelset *wheelset_new(wheelset_log *log, void *owner, bool exchange)
 {
     wheelset *self = calloc(1, sizeof *self);
     if (!self)
         return NULL;
-    self->tell = tell;
+    self->log = log;
     self->owner = owner;
     self->core.exchange = exchange;
     self->workspace = calloc(MODEL_WORK, sizeof(double));
@@ -134,7 +134,7 @@ int wheelset_exit(wheelset *self)
         return 1;
     self->core.locked = 1;
     wheelset_refresh(self);
-    self->core.told = 0;
+    self->core.logged = 0;
     self->core.phase = self->core.exchange ? PHASE_EVENT : PHASE_RUNNING;
     wheelset_accept(self);
     return 0;
@@ -214,9 +214,9 @@ int wheelset_step(wheelset *self, double time, double size)
                                sentence_shortest(size, first, sizeof first), sentence_shortest(time, second, sizeof second),
                                sentence_shortest(self->core.stop, third, sizeof third));
     wheelset_refresh(self);
-    if (self->core.status != 0.0 && !self->core.told)
-        wheelset_tell_status(self);
-    self->core.told = 0;
+    if (self->core.status != 0.0 && !self->core.logged)
+        wheelset_log_status(self);
+    self->core.logged = 0;
     self->core.time = time + size;
     return 0;
 }

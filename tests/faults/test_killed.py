@@ -116,7 +116,7 @@ def test_a_build_that_is_killed(tmp_path, fmus, compiled, rounds):
     assert [file.read_bytes() for file in again] == [file.read_bytes() for file in fmus.values()]
 
 
-def test_a_helper_that_is_killed_is_told_in_a_sentence():
+def test_a_helper_that_is_killed_is_reported_in_a_sentence():
     with pytest.raises(Refused, match="the process that runs the FMU ended before it returned its results"):
         apart(os._exit, 9)
 

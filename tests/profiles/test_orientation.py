@@ -210,7 +210,7 @@ def test_an_ambiguous_shape_is_reported(tmp_path):
     z = z + 0.8 * np.exp(-(((y + 12.0) / 4.0) ** 2))
     _, said = read(tmp_path, miniprof(y, -z), "rail", "own.ban")
     assert "the gauge side cannot be found from the shape; the smaller y is used" in said
-    assert "its head is not symmetric, so its shape does not tell whether it is already inclined" in said
+    assert "its head is not symmetric, so its shape does not show whether it is already inclined" in said
 
 
 def test_a_new_upright_rail_says_nothing(tmp_path):

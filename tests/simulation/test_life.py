@@ -23,7 +23,7 @@ ARGUMENTS = {"set_up": (0.0, 1.0), "step": (0.0, 1e-3)}
 
 def brought_to(phase, start=0.0, stop=1.0):
     """A session in a phase of its life."""
-    session = Session(tell=None)
+    session = Session(log=None)
     session.set_up(start, stop)
     for call in ("enter", "leave", "terminate")[: PHASES.index(phase)]:
         getattr(session, call)()
@@ -86,7 +86,7 @@ def test_steps_up_to_the_stop_with_the_rounding_of_a_sum():
         (-3.0, 1.0),
     ):
         session.step(time, size)
-    unlimited = Session(tell=None)
+    unlimited = Session(log=None)
     unlimited.start()
     unlimited.step(0.0, 1e6)
     unlimited.step()

@@ -246,7 +246,7 @@ def test_inputs_without_meaning_are_refused(name, words):
 
 
 @pytest.mark.parametrize("name", ["left.force.z", "force_z"])
-def test_an_unknown_output_is_told_by_the_wheel_s_own_names(name):
+def test_an_unknown_output_is_refused_by_the_wheel_s_own_names(name):
     with pytest.raises(ValueError) as refusal:
         WheelContact(side="left").derivatives(of=[name], by=["yaw"], vertical_shift_input=2e-4)
     assert str(refusal.value) == (

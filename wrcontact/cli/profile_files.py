@@ -1,4 +1,4 @@
-"""Options such as ``--rail-mirror-y``, which tell how a file of points is read."""
+"""Options such as ``--rail-mirror-y``, which say how a file of points is read."""
 
 from typing import Annotated
 

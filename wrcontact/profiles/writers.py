@@ -79,7 +79,7 @@ def _miniprof(profile, y, z):
     if profile.kind == "wheel" and abs(height) > LEVEL:
         raise ValueError(
             f"the profile {profile.name} is {height:.4g} mm high at its running circle, which MiniProf's format does "
-            "not tell; permitted are wheels with height 0 there"
+            "not show; permitted are wheels with height 0 there"
         )
     shift = BACK if profile.kind == "wheel" else 0.0
     return f"Name={profile.name}\nColumnDef=X,Y\n\n{columns(y + shift, -z)}"

@@ -66,17 +66,17 @@ class Session:
 
     Outputs are computed when they are first read after a change of the inputs, and then kept: a step with
     unchanged inputs costs nothing.  A physical situation is reported by ``status`` and by one call of
-    ``tell``.  A wrong call or value raises :class:`Refused`; then nothing has changed.
+    ``log``.  A wrong call or value raises :class:`Refused`; then nothing has changed.
 
     Parameters
     ----------
     resources : folder with profile files, or None.
-    tell : called with one sentence for every step whose status is not 0.
+    log : called with one sentence for every step whose status is not 0.
     """
 
-    def __init__(self, resources=None, tell=print):
+    def __init__(self, resources=None, log=print):
         self.resources = resources
-        self.tell = tell
+        self.log = log
         self.evaluations = 0
         self.reset()
 
@@ -90,8 +90,8 @@ class Session:
         self._stale = True  # an input has changed since the last evaluation
         self._balanced = False  # the equilibrium is that of the inputs
         self._balance = None  # a stepper that finds it
-        self._told = False  # this step's status has been reported
-        self._remarked = False  # an unusual load has been reported
+        self._logged = False  # this step's status has been logged
+        self._remarked = False  # an unusual load has been logged
         self._asked = self._places = None  # the references of the last request for Reals, and their indices
         self._inputs = self._input_places = None  # the last list that was set, if all are inputs
         self._asked_integers = self._integer_places = None  # the same for Integers
@@ -153,7 +153,7 @@ class Session:
         self.initialise()
         self.life.phase = RUNNING
         self._refresh()
-        self._told = False
+        self._logged = False
 
     def start(self):
         """Enter initialisation mode and leave it."""
@@ -245,9 +245,9 @@ class Session:
         time = self.life.time if time is None else time
         self.life.check_step(time, size)
         self._refresh()
-        if self.status and not self._told:
-            self._tell()
-        self._told = False
+        if self.status and not self._logged:
+            self._log_status()
+        self._logged = False
         self.life.time = time + size
 
     @property
@@ -277,16 +277,16 @@ class Session:
         if self.parameters["contact_mode"] != "compliant":
             self._find_equilibrium()  # which costs nothing
         if outcome:
-            self._tell()
+            self._log_status()
 
     def _remark_load(self):
-        """Tell once of a load that is permitted but not usual, as after an error in its unit."""
+        """Log once a load that is permitted but not usual, as after an error in its unit."""
         load = float(self._values[LOAD])
         if self._remarked or not 0.0 < load < math.inf or USUAL_LOAD[0] <= load <= USUAL_LOAD[1]:
             return
         if self.parameters["contact_mode"] != "compliant":
             self._remarked = True
-            self.tell(str(UnusualValueWarning("normal_force", load, "N", USUAL_LOAD)))
+            self.log(str(UnusualValueWarning("normal_force", load, "N", USUAL_LOAD)))
 
     def _find_equilibrium(self):
         """Height and roll at which the load is carried; where there are none the last ones stay."""
@@ -301,17 +301,17 @@ class Session:
             outcome, found = self._balance.step(), self._balance.outputs
         if outcome <= outcomes.Status.UNLOADED:
             values[EQUILIBRIUM:FIRST_OUTPUT] = found[layout.OUT_VERTICAL_SHIFT], found[layout.OUT_ROLL]
-        elif self.status <= outcomes.Status.UNLOADED:  # otherwise the step has told why
-            self.tell("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
+        elif self.status <= outcomes.Status.UNLOADED:  # otherwise the step has logged why
+            self.log("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
         self._balanced = True
 
-    def _tell(self):
-        self.tell(
+    def _log_status(self):
+        self.log(
             outcomes.explain(
                 self.status, self._values[:INPUTS], self.parameters["contact_mode"] == "compliant", held=True
             )
         )
-        self._told = True
+        self._logged = True
 
     # --- saved states ----------------------------------------------------------------------------
 
@@ -325,7 +325,7 @@ class Session:
             "life": self.life.saved(),
             "stale": self._stale,
             "balanced": self._balanced,
-            "told": self._told,
+            "logged": self._logged,
         }
         arrays = self._arrays(stepper)
         body = json.dumps(header).encode() + b"\n" + np.concatenate(arrays).astype("<f8").tobytes()
@@ -349,7 +349,7 @@ class Session:
         self.parameters, self._stepper = header["parameters"], stepper
         self._built_with = dict(self.parameters) if stepper is not None else None
         self.life = Life(*header["life"])
-        self._stale, self._told, self._balanced = header["stale"], header["told"], header["balanced"]
+        self._stale, self._logged, self._balanced = header["stale"], header["logged"], header["balanced"]
 
     def _arrays(self, stepper):
         """What a saved state holds of the session and its ``stepper``, which may be None."""

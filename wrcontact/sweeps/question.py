@@ -80,7 +80,7 @@ def asked(system, axes, outputs, fixed):
         outputs = tuple(outputs)
     width = len(system.stepper().outputs)
     names = output_names(selected("both", outputs, width).places, width)
-    warn_of_inputs(given_inputs((), {**axes, **fixed}), system._told)
+    warn_of_inputs(given_inputs((), {**axes, **fixed}), system._warned)
     return Question(system, axes, fixed, outputs, names)
 
 

@@ -83,7 +83,7 @@ def sweep(
     place = _place(question, store, block)
     task = Task(question, place)
     missing = task.missing()
-    with _told(progress, task.states(missing)) as advance:
+    with _reported(progress, task.states(missing)) as advance:
         if client is not None:
             solve_on_cluster(task, client, advance)
         elif len(missing):
@@ -115,7 +115,7 @@ def _place(question, store, block):
 
 
 @contextmanager
-def _told(progress, total):
+def _reported(progress, total):
     """Tells of the ``total`` states that are to be computed; yields a function for the numbers of states that
     are done, and of those without a result."""
     done = bad = 0

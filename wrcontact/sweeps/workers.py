@@ -93,16 +93,16 @@ def solve_on_cluster(task, client, advance):
     not finished when it dies is done by another one."""
     left = task.missing()
     while len(left):
-        lost, told = _solve_once(task, client, left, advance)
+        lost, reported = _solve_once(task, client, left, advance)
         before, left = left, task.missing() if lost else ()
         if lost:  # some of these may have been written
-            advance(task.states(before) - task.states(left) - told, 0)
+            advance(task.states(before) - task.states(left) - reported, 0)
 
 
 def _solve_once(task, client, corners, advance):
     """Give every block at ``corners`` to a worker once; the number of blocks that were lost, since all
-    workers that had the task have died, and of the states that were told of."""
-    distributed, lost, told = needed("distributed", "client", "cluster"), 0, 0
+    workers that had the task have died, and of the states that were reported."""
+    distributed, lost, reported = needed("distributed", "client", "cluster"), 0, 0
     shipped = _shipped(task, client)
     futures = client.map(_solve, corners.tolist(), task=shipped, pure=False, batch_size=BATCH)
     try:
@@ -114,14 +114,14 @@ def _solve_once(task, client, corners, advance):
                 continue
             future.release()  # or it would be done again where its worker dies
             advance(states, wrong)
-            told += states
+            reported += states
     except distributed.KilledWorker:
         raise RuntimeError(
             "several workers have died with the same block; permitted are workers that have the memory for it"
         ) from None
     finally:
         client.cancel([future for future in futures if future.status == "pending"])
-    return lost, told
+    return lost, reported
 
 
 def _shipped(task, client):
