@@ -366,7 +366,7 @@ def test_snapshot_before_initialisation(session):
     saved = session.snapshot()
     session.start()
     session.restore(saved)
-    assert not session.life.locked
+    assert not session.machine.locked
     session.set_reals([REFERENCE["gauge"]], [1.6])
     session.start()
     assert FakeSystem.made[-1]["gauge"] == 1.6

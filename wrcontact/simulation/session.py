@@ -1,7 +1,7 @@
 """The life cycle of one simulated wheelset, independent of FMI.
 
 Set values, initialise, step, read. Values are addressed by value reference, as in FMI 2.0;
-:mod:`.life` says which call is permitted when::
+:mod:`.fmi_state_machine` says which call is permitted when::
 
     session = Session()
     session.set_reals([REFERENCE["rail_inclination"]], [1 / 20])
@@ -39,7 +39,15 @@ from ..kernel import layout
 from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
 from ..methods.words import PROPOSAL
 from ..system import ContactSystem
-from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused, refused
+from .fmi_state_machine import (
+    INITIALISING,
+    INSTANTIATED,
+    RUNNING,
+    TERMINATED,
+    FmiStateMachine,
+    Refused,
+    refused,
+)
 from .resources import packed_profile
 
 INPUTS, LOAD = layout.INPUT_COUNT, layout.IN_NORMAL_FORCE
@@ -83,7 +91,7 @@ class Session:
     def reset(self):
         """Back to the start values, before initialisation."""
         self.parameters = {name: variable.start for name, variable in PARAMETERS.items()}
-        self.life = Life()
+        self.machine = FmiStateMachine()
         self._built_with = None  # the parameters that the stepper was built with
         self._stepper = None
         self._values = START.copy()  # by place in the table; strings live in ``parameters``
@@ -112,14 +120,14 @@ class Session:
         """The variables of a list, if every one of them can be set to its value."""
         variables = [_variable(reference, type) for reference in references]
         for variable, value in zip(variables, values, strict=True):
-            if self.life.phase == TERMINATED:
+            if self.machine.phase == TERMINATED:
                 raise refused("terminated", variable.name)
             if variable.causality == OUTPUT:
                 raise refused("output", variable.name)
             if value is None:
                 raise refused("null", variable.name)
             present = self.parameters.get(variable.name)
-            if self.life.locked and variable.causality == PARAMETER and value != present:
+            if self.machine.locked and variable.causality == PARAMETER and value != present:
                 raise refused("fixed", variable.name, repr(present), repr(value))
         return variables
 
@@ -131,7 +139,7 @@ class Session:
 
     def set_up(self, start, stop=None):
         """Times of the first and of the last instant [s]; without ``stop`` there is no last one."""
-        self.life.set_up(start, stop)
+        self.machine.set_up(start, stop)
 
     def initialise(self):
         """Build the contact system for the present parameters; :class:`Refused` if one is wrong."""
@@ -143,15 +151,15 @@ class Session:
 
     def enter(self):
         """Enter initialisation mode, where outputs can be read and parameters can still be set."""
-        self.life.check_enter()
+        self.machine.check_enter()
         self.initialise()
-        self.life.phase = INITIALISING
+        self.machine.phase = INITIALISING
 
     def leave(self):
         """Leave it: compute the outputs of the first instant, and fix the parameters."""
-        self.life.check_leave()
+        self.machine.check_leave()
         self.initialise()
-        self.life.phase = RUNNING
+        self.machine.phase = RUNNING
         self._refresh()
         self._logged = False
 
@@ -162,7 +170,7 @@ class Session:
 
     def terminate(self):
         """End the simulation: values can be read, and nothing else."""
-        self.life.terminate()
+        self.machine.terminate()
 
     def _build(self, parameters):
         """The kernel, prepared for these parameters."""
@@ -185,7 +193,7 @@ class Session:
     def set_reals(self, references, values):
         """Set inputs and, before initialisation, parameters, all of them or none."""
         present = self._values
-        if references != self._inputs or self.life.phase == TERMINATED:
+        if references != self._inputs or self.machine.phase == TERMINATED:
             self._settable(references, values, REAL)
             self._input_places = [_place(reference, REAL) for reference in references]
             only_inputs = all(place < INPUTS for place in self._input_places)
@@ -202,7 +210,7 @@ class Session:
         if references != self._asked:
             self._places = _as_slice([_place(reference, REAL) for reference in references])
             self._asked = list(references)
-        if self.life.phase == INSTANTIATED:
+        if self.machine.phase == INSTANTIATED:
             _check_readable(references)
         self._refresh()
         if not self._balanced and any(reference in BALANCE for reference in references):
@@ -218,7 +226,7 @@ class Session:
         if references != self._asked_integers:
             self._integer_places = [_place(reference, INTEGER) for reference in references]
             self._asked_integers = list(references)
-        if self.life.phase == INSTANTIATED:
+        if self.machine.phase == INSTANTIATED:
             _check_readable(references)
         self._refresh()
         values = self._values
@@ -242,13 +250,13 @@ class Session:
     def step(self, time=None, size=0.0):
         """Update the outputs for a step of ``size`` [s] that begins at ``time`` [s], by default at the end of
         the last one; a status other than 0 is reported once per step."""
-        time = self.life.time if time is None else time
-        self.life.check_step(time, size)
+        time = self.machine.time if time is None else time
+        self.machine.check_step(time, size)
         self._refresh()
         if self.status and not self._logged:
             self._log_status()
         self._logged = False
-        self.life.time = time + size
+        self.machine.time = time + size
 
     @property
     def status(self):
@@ -259,7 +267,7 @@ class Session:
         """Evaluate if an input has changed since the last time; before initialisation there is nothing to
         evaluate."""
         if self._stale and self._stepper is not None:
-            if not self.life.locked:
+            if not self.machine.locked:
                 self.initialise()
             self._evaluate()
 
@@ -322,7 +330,7 @@ class Session:
             "build": BUILD,
             "parameters": self.parameters,
             "built": stepper is not None,
-            "life": self.life.saved(),
+            "machine": self.machine.saved(),
             "stale": self._stale,
             "balanced": self._balanced,
             "logged": self._logged,
@@ -348,7 +356,7 @@ class Session:
             self._balance = None
         self.parameters, self._stepper = header["parameters"], stepper
         self._built_with = dict(self.parameters) if stepper is not None else None
-        self.life = Life(*header["life"])
+        self.machine = FmiStateMachine(*header["machine"])
         self._stale, self._logged, self._balanced = header["stale"], header["logged"], header["balanced"]
 
     def _arrays(self, stepper):

@@ -23,7 +23,7 @@ def refused(reason, *values):
     return Refused(REFUSALS[reason] % values)
 
 
-class Life:
+class FmiStateMachine:
     """Phase, time [s] and stopTime [s] of a simulation; what is refused changes nothing."""
 
     def __init__(self, phase=INSTANTIATED, time=0.0, stop=math.inf):
