@@ -24,12 +24,12 @@ from .grid import checked_axes, checked_inputs, row_of, words_of
 
 #: Keywords of profiles, which are attributes of a system, too.
 PROFILES = ("wheel", "rail", "left_wheel", "left_rail")
-#: Differences between two questions that a sentence names.
+#: Differences between two specifications that a sentence names.
 MOST = 3
 
 
 @dataclass(frozen=True)
-class Question:
+class SweepSpecification:
     """``axes`` are arrays and ``fixed`` are numbers by keyword; ``outputs`` is the argument of
     :meth:`~wrcontact.ContactSystem.evaluate_many`, and ``names`` are those of the outputs that it means."""
 
@@ -66,7 +66,7 @@ class Question:
 
 
 def asked(system, axes, outputs, fixed):
-    """The checked :class:`Question`; ValueError or TypeError, in a sentence, if it is none."""
+    """The checked :class:`SweepSpecification`; ValueError or TypeError, in a sentence, if it is none."""
     if not isinstance(system, ContactSystem):
         raise ValueError(f"system is {system!r}; permitted is a ContactSystem")
     for name, function in functions_in(system.parameters).items():
@@ -81,7 +81,7 @@ def asked(system, axes, outputs, fixed):
     width = len(system.stepper().outputs)
     names = output_names(selected("both", outputs, width).places, width)
     warn_of_inputs(given_inputs((), {**axes, **fixed}), system._warned)
-    return Question(system, axes, fixed, outputs, names)
+    return SweepSpecification(system, axes, fixed, outputs, names)
 
 
 def profile_hash(profile):
@@ -102,15 +102,15 @@ def system_of(record, profiles):
     return ContactSystem(**parameters)
 
 
-# --- two questions ------------------------------------------------------------------------------------------
+# --- two specifications ------------------------------------------------------------------------------------------
 
 
-def differences(question, kept, axes):
-    """How a question differs from the ``kept`` record of another one with these ``axes`` {keyword: (n,)}, as
+def differences(specification, kept, axes):
+    """How a specification differs from the ``kept`` record of another one with these ``axes`` {keyword: (n,)}, as
     clauses; of many differences the first ones."""
-    own = json.loads(json.dumps(question.record()))
+    own = json.loads(json.dumps(specification.record()))
     return [
-        *_other_axes(question.axes, axes, own, kept),
+        *_other_axes(specification.axes, axes, own, kept),
         *_other_inputs(own, kept, axes),
         *_other_outputs(own, kept),
         *_other_parameters(own, kept),
