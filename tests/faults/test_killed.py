@@ -14,7 +14,7 @@ from tests.helpers.command_line import start
 from tests.helpers.faults import assert_files_are_whole, building, cli, loaded_cli, needs_linux, parts_in
 from tests.helpers.fmus import needs_compiler
 from wrcontact.cli.demo import apart
-from wrcontact.cli.door import Refused
+from wrcontact.cli.errors import Refused
 from wrcontact.fmu import native
 from wrcontact.kernel.binding.compiler import linked
 from wrcontact.storage.atomic import SILENT, write_atomically

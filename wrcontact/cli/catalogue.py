@@ -10,7 +10,7 @@ from rich.table import Table
 from ..methods.words import did_you_mean
 from ..profiles.catalogue import every_profile, standard_name, standard_profile
 from ..profiles.standards import PATTERNS, names, standards
-from .door import Refused, check_file, sentences
+from .errors import Refused, check_file, sentences
 from .pictures import PICTURES
 from .report import console
 

@@ -27,7 +27,7 @@ from ..interface.variables import (
     select,
 )
 from ..progress import working
-from .door import Refused, sentences
+from .errors import Refused, sentences
 from .report import console
 from .tables import write_table
 

@@ -13,7 +13,7 @@ from ..sweeps.grid import checked_axes
 from ..sweeps.run import sweep
 from ..workers import dask_client
 from .adding import adding, option
-from .door import Refused, sentences
+from .errors import Refused, sentences
 from .groups import GRID
 from .typed import typed
 

@@ -11,7 +11,7 @@ import typer
 
 from ..methods.numbers import check_choice
 from .adding import adding, option
-from .door import Refused, check_file, sentences
+from .errors import Refused, check_file, sentences
 from .options import POSE, SYSTEM, name_of, option_of
 
 PICTURES, FILMS = (".png", ".svg", ".pdf"), (".gif", ".mp4")

@@ -16,7 +16,7 @@ from ..interface.variables import INTEGER, VARIABLES
 from ..results.convert import columns_of, data_variables, labels_of, name_of_input, needed
 from ..storage.atomic import open_atomically
 from .adding import adding, option
-from .door import Refused
+from .errors import Refused
 
 INTEGERS = {v.name for v in VARIABLES if v.type == INTEGER}
 #: Rows of a group in a Parquet file, at least.

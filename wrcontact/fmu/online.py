@@ -12,7 +12,7 @@ from ..profiles.standards import FILE
 from ..progress import tracked
 
 PACKAGE = Path(__file__).resolve().parent.parent
-#: What a simulation never reads: doors for people, studies, results for other programs, and compilers.
+#: What a simulation never reads: commands, pictures, studies, results for other programs, and compilers.
 LEFT_OUT = (
     "__init__.py",
     "cli",

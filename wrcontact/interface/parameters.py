@@ -205,7 +205,7 @@ class Parameter:
     ----------
     name : the keyword.
     meaning : words for the user.
-    default : in Python; ``start`` for doors where None cannot be said.
+    default : in Python; ``start`` where None cannot be given (FMUs, command line).
     number : its :class:`~wrcontact.methods.numbers.Number`; None for profiles and methods.
     family : its :class:`~wrcontact.methods.method.Family`; None but for methods.
     fmu_name : its name in an FMU, "" where an FMU does not have it.
