@@ -78,6 +78,22 @@ ASKED = [
         "wrcontact/track/irregularities.py",
     ),
     (
+        "climb_feet",
+        "return (FOOT * a * b",
+        "return (a * b",
+        "a climb distance in feet is given as one in metres",
+        CLIMBING,
+        "wrcontact/results/climbing.py",
+    ),
+    (
+        "climb_attack",
+        "attack = 1e3 * np.maximum(attack, 0.0)",
+        "attack = 1e3 * abs(attack)",
+        "a wheel that rolls away from its rail climbs it",
+        CLIMBING,
+        "wrcontact/results/climbing.py",
+    ),
+    (
         "track_waves_per_metre",
         "f ** np.array(powers)[piece] / (2.0 * np.pi)",
         "f ** np.array(powers)[piece]",

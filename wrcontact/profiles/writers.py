@@ -26,6 +26,11 @@ def saved_text(profile, path):
     ending = os.path.splitext(os.fspath(path))[1].lower()
     if ending == ".json":
         return prepared_text(profile)
+    if ending in UNKNOWN:
+        raise ValueError(
+            f"path is {os.fspath(path)!r}, a file of {UNKNOWN[ending]}, whose form no public text describes; permitted is a "
+            f"file that ends in .json, {', '.join(FORMATS)}"
+        )
     if ending not in FORMATS:
         raise ValueError(
             f"path is {os.fspath(path)!r}; permitted is a file that ends in .json, {', '.join(FORMATS)}"
@@ -90,6 +95,8 @@ def _gensys(profile, y, z):
     return f"# {profile.name}\n{columns(-y[::-1], z[::-1])}"
 
 
+#: Endings of programs whose files are not written, since their form was not found in a public text.
+UNKNOWN = {".wpf": "Universal Mechanism", ".rpf": "Universal Mechanism", ".kpfr": "GENSYS's contact functions"}
 #: Kind, None for both, and writer by ending.
 FORMATS = {
     ".csv": (None, _plain),
