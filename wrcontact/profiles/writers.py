@@ -96,7 +96,11 @@ def _gensys(profile, y, z):
 
 
 #: Endings of programs whose files are not written, since their form was not found in a public text.
-UNKNOWN = {".wpf": "Universal Mechanism", ".rpf": "Universal Mechanism", ".kpfr": "GENSYS's contact functions"}
+UNKNOWN = {
+    ".wpf": "Universal Mechanism",
+    ".rpf": "Universal Mechanism",
+    ".kpfr": "GENSYS's contact functions",
+}
 #: Kind, None for both, and writer by ending.
 FORMATS = {
     ".csv": (None, _plain),
