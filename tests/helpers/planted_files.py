@@ -299,11 +299,11 @@ FILED = [
     ),
     (
         "fewer_jumps",
-        '"jump_count": max(jumps)',
-        '"jump_count": min(jumps)',
+        "return max(counts)",
+        "return min(counts)",
         "the jumps of a pair are those of the side with fewer",
         FLEET,
-        "wrcontact/fleet/table.py",
+        "wrcontact/conditioning/measures.py",
     ),
     (
         "fleet_mark",

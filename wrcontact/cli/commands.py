@@ -20,7 +20,7 @@ from ..version import __version__
 from .catalogue import profiles
 from .door import Door, Refused, check_file, check_folder, sentences
 from .export import export
-from .grids import grid_options, refuse_beside_axes, sweeps_grids, write_grid
+from .grids import grid_options, refuse_beside_axes, shifts_of, sweeps_grids, write_grid
 from .help import Command, with_all
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
 from .pictures import PICTURES, draws
@@ -36,7 +36,6 @@ from .report import (
     sweep_columns,
     sweep_outputs,
 )
-from .shifts import shifts_of
 from .tables import writes_tables
 from .typed import Typed, remark_lines, typed
 from .wear import wear

@@ -11,8 +11,8 @@ from ..methods.numbers import check_choice
 from ..status import Status
 from ..system import ContactSystem
 from .door import Refused, check_file, check_folder, sentences
+from .grids import shifts_of
 from .profile_files import Smoothing
-from .shifts import shifts_of
 from .typed import typed
 
 TARGETS = ("contact", "table")

@@ -8,6 +8,7 @@ import numpy as np
 from ..conditioning.conformal import NEAR, TURN, WIDE
 from ..conditioning.conicity import AMPLITUDES, Swing
 from ..conditioning.curves import merged_jumps
+from ..conditioning.measures import MOVES
 from ..conditioning.text import differing_left
 from ..conventions import SIDES
 from .lines import SHIFTS, draw_lines
@@ -128,13 +129,11 @@ def draw_radii(panel, report):
 def draw_angles(panel, report):
     """Contact angles of both wheels [deg] against the lateral shift."""
     _head(panel, "angles", "Contact angles, to the flange +")
-    shift = report.curves.lateral_shift / MM
+    shift, angle = report.curves.lateral_shift / MM, MOVES["contact_angle"]
     for side, stroke in zip(SIDES, ("-", (0, (5, 1.5)))):
-        angle = getattr(report.curves, side).contact_angle / DEGREE
-        panel.plot(
-            *_broken(report, shift, angle, side), color=SIDE_COLOUR[side], linestyle=stroke, label=side
-        )
-    _shift_axis(panel, "deg")
+        curve = _broken(report, shift, angle.shown(report.curves, side), side)
+        panel.plot(*curve, color=SIDE_COLOUR[side], linestyle=stroke, label=side)
+    _shift_axis(panel, angle.shown_unit)
     panel.legend(loc="best")
 
 
@@ -169,24 +168,25 @@ def draw_moves(panel, report, of="right"):
     """Rate of the contact position of one side on wheel and rail, per lateral shift; logarithmic, linear near
     zero."""
     _head(panel, "moves", f"Rate of the {of} contact per lateral shift")
-    shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
-    rates = (side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")
-    for rate, colour, words in rates:
-        panel.plot(*_broken(report, shift, np.abs(rate), of), color=colour, label=words)
+    shift = report.curves.lateral_shift / MM
+    for name, colour in (("wheel_rate", WHEEL_COLOUR), ("rail_rate", RAIL_COLOUR)):
+        rate = np.abs(MOVES[name].shown(report.curves, of))
+        panel.plot(*_broken(report, shift, rate, of), color=colour, label=MOVES[name].heading)
     _mark_jumps(panel, report, (of,))
-    _shift_axis(panel, "mm / mm", rates=True)
+    _shift_axis(panel, MOVES["wheel_rate"].shown_unit, rates=True)
     panel.legend(loc="best")
 
 
 def draw_roll_rate(panel, report):
     """Rate of the roll, per lateral shift; logarithmic, linear near zero."""
     _head(panel, "roll rate", "Roll per lateral shift")
-    shift, rate = report.curves.lateral_shift / MM, np.abs(report.curves.roll_rate)
+    roll = MOVES["roll_rate"]
+    shift, rate = report.curves.lateral_shift / MM, np.abs(roll.shown(report.curves, None))
     for side in SIDE_COLOUR:
         shift, rate = _broken(report, shift, rate, side)
     panel.plot(shift, rate, color=INK)
     _mark_jumps(panel, report, SIDE_COLOUR)
-    _shift_axis(panel, "mrad / mm", rates=True)
+    _shift_axis(panel, roll.shown_unit, rates=True)
 
 
 def draw_distance(panel, report):
