@@ -78,6 +78,14 @@ ASKED = [
         "wrcontact/track/irregularities.py",
     ),
     (
+        "free_curvature_side",
+        "return (left - right) / (y_right * left - y_left * right)",
+        "return (right - left) / (y_right * left - y_left * right)",
+        "a free wheelset rolls freely in the curve to the other side",
+        "conditioning/test_check.py",
+        "wrcontact/conditioning/curves.py",
+    ),
+    (
         "climb_feet",
         "return (FOOT * a * b",
         "return (a * b",
