@@ -24,6 +24,7 @@ _ELSEWHERE = {
         (
             "FlangeClimb",
             "GuidingReport",
+            "climb_distance_limit",
             "climb_distances",
             "flange_climb",
             "guiding_report",

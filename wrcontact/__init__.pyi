@@ -69,6 +69,7 @@ from .methods.tangential import Polach as Polach
 from .methods.tangential import HalfspaceRolling as HalfspaceRolling
 from .results.climbing import FlangeClimb as FlangeClimb
 from .results.climbing import GuidingReport as GuidingReport
+from .results.climbing import climb_distance_limit as climb_distance_limit
 from .results.climbing import climb_distances as climb_distances
 from .results.climbing import flange_climb as flange_climb
 from .results.climbing import guiding_report as guiding_report

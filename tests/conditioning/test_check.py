@@ -106,7 +106,7 @@ def test_the_table_of_a_cone_has_closed_forms():
     roll turns both contact angles by as much, one up and one down."""
     text = table_text(wrcontact.check(ContactSystem("cone20")))
     comments = [line for line in text.splitlines() if line.startswith("#")]
-    assert comments[0].startswith("# cone20 on UIC60: gauge 1435 mm, inclination 1:40") and len(comments) == 7
+    assert comments[0].startswith("# cone20 on UIC60: gauge 1435 mm, inclination 1:40") and len(comments) == 8
     heads, *rows = csv.reader(line for line in text.splitlines() if not line.startswith("#"))
     read = dict(zip(heads, np.array([[float(cell or "nan") for cell in row] for row in rows]).T))
     shift = read["lateral_shift [mm]"]
@@ -123,12 +123,34 @@ def test_the_table_of_a_cone_has_closed_forms():
         np.testing.assert_allclose(radius, 460 - y / 20, atol=1e-6)
     difference = read["right.rolling_radius [mm]"] - read["left.rolling_radius [mm]"]
     np.testing.assert_allclose(difference, read["radius_difference [mm]"], atol=1e-6)
+    tangents = [np.tan(np.radians(read[f"{side}.contact_angle [deg]"])) for side in ("right", "left")]
+    np.testing.assert_allclose(read["delta_tan_gamma [1]"], tangents[0] - tangents[1], atol=1e-8)
+    # Redtenbacher: along a curve of radius r e / (difference of the radii), to the left if the right wheel is larger
+    apart = 1.5 + 1e-3 * (read["right.contact.y_wheel [mm]"] + read["left.contact.y_wheel [mm]"])
+    mean = 0.5e-3 * (read["right.rolling_radius [mm]"] + read["left.rolling_radius [mm]"])
+    np.testing.assert_allclose(
+        read["free_curvature [1/m]"], -1e-3 * difference / (mean * apart), rtol=1e-3, atol=1e-9
+    )
 
 
 def test_a_cell_without_a_value_is_empty(uic60):
     """The rolling radius difference of the outermost shifts has no oscillation around it."""
     last = table_text(uic60).splitlines()[-1]
     assert last.startswith("15,") and last.endswith(",,")
+
+
+def test_a_wheelset_rolls_freely_in_the_curve_of_its_place(uic60):
+    """Both wheels touch without longitudinal creepage where the track bends as much, and only there."""
+    curves = uic60.curves
+    system = ContactSystem(tangential_model="fastsim", normal_model="hertz")
+    for shift in (-5.5e-3, -2e-3, 1e-3, 5.5e-3):
+        at = int(np.argmin(np.abs(curves.lateral_shift - shift)))
+        bend = float(curves.free_curvature[at])
+        assert bend * shift < 0.0
+        for curvature, free in ((bend, True), (0.0, False)):
+            state = system.evaluate(shift, speed=10.0, track_curvature=curvature)
+            slip = state.right.patches[0].creepage.x - state.left.patches[0].creepage.x
+            assert abs(slip) < 1e-7 if free else abs(slip) > 1e-3, (shift, curvature, slip)
 
 
 @pytest.mark.full  # README's command installs none of the tables' packages

@@ -42,6 +42,17 @@ def test_what_is_written_is_read_back(tmp_path, name, ending):
     )
 
 
+@pytest.mark.parametrize("name", ["60E1", "R65", "CHN60"])
+def test_a_head_is_the_same_between_its_points(tmp_path, name):
+    """A cubic spline swings where arcs meet, by less than 1 nm where points are close."""
+    rail = standard_profile(name)
+    rail.save(tmp_path / "a.prr")
+    found = Profile.from_file(tmp_path / "a.prr", "rail", smoothing=0.0, file_inclination=0.0)
+    y = np.linspace(rail.start, rail.stop, 40001)[1:-1]
+    apart = (found.height(y) - rail.height(y)) / np.hypot(1.0, rail.slope(y))
+    np.testing.assert_allclose(apart, 0.0, atol=1e-9)
+
+
 def test_points_are_close_and_include_the_joints():
     wheel = standard_profile("S1002")
     y, z = points(wheel)

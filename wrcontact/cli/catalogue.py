@@ -8,7 +8,7 @@ from rich import box
 from rich.table import Table
 
 from ..methods.words import did_you_mean
-from ..profiles.catalogue import every_profile, standard_name, standard_profile
+from ..profiles.catalogue import every_profile, standard_name, standard_profile, told_missing
 from ..profiles.standards import PATTERNS, names, standards
 from .errors import Refused, check_file, sentences
 from .pictures import PICTURES
@@ -61,6 +61,9 @@ def _profile(name):
     """The profile of this name, a rail or a wheel."""
     known = standard_name(name)
     if known is None:
+        told = next(filter(None, (told_missing(name, kind) for kind in KINDS)), None)
+        if told:
+            raise Refused(f"NAME is {name!r}{told}")
         every = (*names("rail"), *names("wheel"), *PATTERNS)
         raise Refused(
             f"{name!r} is no standard profile; `wrcontact profiles` lists them{did_you_mean(name, every)}"
@@ -84,7 +87,10 @@ def _list():
         sizes = "any h 28 ... 32 mm, e 28.5 ... 32.5 mm, outer slope 6.7 ... 15 %"
         row = _row(standards()["en13715"])
         table.add_row(name, "wheel", *row[:-1], sizes)
-    console().print(table)
+    out = console()
+    out.print(table)
+    lost = ", ".join(name for kind in KINDS for name in standards()["missing"][kind])
+    out.print(f"No public source with enough numbers was found of {lost}.", soft_wrap=True)
 
 
 def _row(entry):

@@ -114,6 +114,11 @@ def _table(system, pose, shifts, yaws, output):
     """Write the table of contacts."""
     from ..export import contact_table, write_contact_table
 
+    if output.suffix.lower() == ".kpfr":
+        raise Refused(
+            f"--output is {str(output)!r}, a file of GENSYS, whose columns no public text describes; permitted is a file that "
+            "ends in .csv"
+        )
     if output.suffix.lower() != ".csv":
         raise Refused(f"--output is {str(output)!r}; permitted is a file that ends in .csv")
     check_file(output)

@@ -140,6 +140,7 @@ CONICITIES = by_name(
     Measure("amplitude", "m", "amplitude", 0, lambda conicity: conicity.amplitude, significant=3),
     Measure("level", "1", "without\nroll", 3, lambda conicity: conicity.level, significant=3),
     Measure("rolled", "1", "with\nroll", 3, lambda conicity: conicity.rolled, significant=3),
+    Measure("regressed", "1", "by\nregression", 3, lambda conicity: conicity.regressed, significant=3),
     Measure(
         "wavelength", "m", "wavelength", 1, lambda conicity: conicity.wavelength, instead="m", significant=3
     ),
@@ -248,6 +249,14 @@ PAIR = by_name(
         3,
         lambda report: float(report.conicity.rolled[2]),
         "equivalent conicity at 3 mm amplitude, with roll",
+    ),
+    Measure(
+        "conicity_3mm_regressed",
+        "1",
+        "conicity at 3 mm, by regression",
+        3,
+        lambda report: float(report.conicity.regressed[2]),
+        "equivalent conicity at 3 mm amplitude by linear regression",
     ),
     Measure(
         "nonlinearity",

@@ -20,6 +20,7 @@ from .curves import (
     Curves,
     SideCurves,
     find_jumps,
+    free_curvature,
     geometry,
     jump_distance,
     radius_difference,
@@ -212,6 +213,8 @@ def _curves(rolling, level, shifts, table, jumps):
         jump_distance(jumps, shifts),
         table.right.rolling_radius - table.left.rolling_radius,
         radius_difference(level, shifts),
+        np.tan(table.right.contact_angle) - np.tan(table.left.contact_angle),
+        free_curvature(table),
         **sides,
     )
 

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from ..conditioning.conformal import NEAR, TURN, WIDE
-from ..conditioning.conicity import AMPLITUDES, Swing
+from ..conditioning.conicity import AMPLITUDES, Swing, regressed_conicity
 from ..conditioning.curves import merged_jumps
 from ..conditioning.measures import MOVES
 from ..conditioning.text import differing_left
@@ -149,6 +149,9 @@ def draw_conicity(panel, report):
             shown += [*values, *dots]
             panel.plot(FINE_AMPLITUDES / MM, values, color=colour, label=words)
             panel.plot(AMPLITUDES / MM, dots, "o", color=colour, markersize=3.5)
+            if name == "level":
+                values = regressed_conicity(*curve, FINE_AMPLITUDES)
+                panel.plot(FINE_AMPLITUDES / MM, values, ":", color=colour, label="by regression")
     limits = 1.1 * np.nanmin(shown), 1.1 * np.nanmax(shown)
     panel.set(xlim=(0, AMPLITUDES[-1] / MM + 0.2), ylim=limits, xlabel="amplitude [mm]", ylabel="tan γ")
     _legend(panel)

@@ -19,6 +19,12 @@ from .zones import Arc, Polynomial, joined, lifted, mirror_zone, moved_across
 FILE = Path(__file__).with_name("standards.json")
 #: A designation of EN 13715: tread, height and thickness of the flange [mm], outer slope [%].
 DESIGNATION = re.compile(r"(s1002|1-40|1/40)/h([\d.]+)/e([\d.]+)/([\d.]+)%?")
+#: What is meant to be one.
+DESIGNATED = re.compile(r"([^/]+|1/40)/\s*h\s*\d.*", re.IGNORECASE)
+#: What may stand between the letters of a name.
+LOOSE = r"[\s_-]*"
+#: Letters of GOST's names in Latin ones.
+CYRILLIC = str.maketrans("рогст", "pogst")
 #: How it is written, and what may stand in it.
 PATTERNS = ("S1002/h28/e32.5/6.7%", "1-40/h28/e32.5/6.7%")
 HEIGHTS, THICKNESSES, SLOPES = (28.0, 32.0), (28.5, 32.5), (6.7, 15.0)
@@ -49,13 +55,22 @@ def _known():
 
 
 def compared(name):
-    """``name`` without what has no meaning in it: case, blanks, underscores and hyphens."""
-    return re.sub(r"[\s_-]", "", name.lower())
+    """``name`` without what has no meaning in it: case, blanks, underscores and hyphens, and the letters of GOST."""
+    return re.sub(r"[\s_-]", "", name.lower()).translate(CYRILLIC)
 
 
-def is_missing(name):
-    """Whether ``name`` is a profile of which no public source with enough numbers was found."""
-    return compared(name) in map(compared, standards()["missing"])
+def missing_name(name, kind):
+    """The profile of this ``kind`` that ``name`` means, "GOST" of "a GOST wheel", of which no public source with enough
+    numbers was found; None if it means none of these."""
+    asked = name.lower().translate(CYRILLIC)
+    means = [
+        one
+        for one in standards()["missing"][kind]
+        if compared(one) == compared(name)
+        or len(one) > 2
+        and re.search(rf"(?<!\d){LOOSE.join(one.lower())}(?!\d)", asked)
+    ]
+    return max(means, key=len, default=None)
 
 
 def known_name(name):

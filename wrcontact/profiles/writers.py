@@ -13,6 +13,9 @@ from ..conventions import MILLIMETRE as MM
 from .files import prepared_text
 
 SPACING = 0.1  # [mm]
+#: Points beside a joint where the curvature jumps, so that a spline does not swing there [mm], but none beside a corner, a
+#: larger step of the slope: a spline would only be sharper.
+NEAR_JOINT, CORNER = np.array([0.01, 0.03]), 1e-6
 SEEN = 401  # places of a zone between which its length is straight
 #: Distance of the running circle from the back of the flange [mm], from which MiniProf counts.
 BACK = 70.0
@@ -26,6 +29,11 @@ def saved_text(profile, path):
     ending = os.path.splitext(os.fspath(path))[1].lower()
     if ending == ".json":
         return prepared_text(profile)
+    if ending in UNKNOWN:
+        raise ValueError(
+            f"path is {os.fspath(path)!r}, a file of {UNKNOWN[ending]}, whose form no public text describes; permitted is a "
+            f"file that ends in .json, {', '.join(FORMATS)}"
+        )
     if ending not in FORMATS:
         raise ValueError(
             f"path is {os.fspath(path)!r}; permitted is a file that ends in .json, {', '.join(FORMATS)}"
@@ -42,14 +50,18 @@ def saved_text(profile, path):
 def points(profile):
     """Points y and z (n,) [mm] on the whole ``profile``."""
     found = []
-    for zone in profile.zones:
+    corners = [abs(joint.slope_step) > CORNER for joint in profile.joints]
+    for zone, first, last in zip(profile.zones, [True, *corners], [*corners, True]):
         # near vertical ends even steps of an angle see the length
         turn = np.linspace(0.0, math.pi, SEEN)
         y = zone.start + 0.5 * (zone.stop - zone.start) * (1.0 - np.cos(turn))
         y = np.clip(y, profile.start / MM, profile.stop / MM)
         z = profile.height(y * MM) / MM
         length = np.append(0.0, np.cumsum(np.hypot(np.diff(y), np.diff(z))))
-        found.append(np.interp(np.linspace(0.0, length[-1], math.ceil(length[-1] / SPACING) + 1), length, y))
+        along = np.linspace(0.0, length[-1], math.ceil(length[-1] / SPACING) + 1)
+        beside = NEAR_JOINT[NEAR_JOINT < 0.5 * length[-1]]
+        more = ([] if first else beside, [] if last else length[-1] - beside)
+        found.append(np.interp(np.sort(np.concatenate([along, *more])), length, y))
     y = np.unique(np.round(np.concatenate(found), 9))
     y = np.clip(y, profile.start / MM, profile.stop / MM)
     return y, profile.height(y * MM) / MM
@@ -90,6 +102,12 @@ def _gensys(profile, y, z):
     return f"# {profile.name}\n{columns(-y[::-1], z[::-1])}"
 
 
+#: Endings of programs whose files are not written, since their form was not found in a public text.
+UNKNOWN = {
+    ".wpf": "Universal Mechanism",
+    ".rpf": "Universal Mechanism",
+    ".kpfr": "GENSYS's contact functions",
+}
 #: Kind, None for both, and writer by ending.
 FORMATS = {
     ".csv": (None, _plain),

@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..methods.numbers import is_plain
 from ..storage.atomic import open_atomically
 from .guiding import _finite, _positive, low_pass, sliding_mean
 
@@ -27,6 +28,9 @@ SIDES = ("left", "right")
 PATCHES = (1, 2, 3)
 #: Shares of the values of a run below its reported values, EN 14363.
 LOW, MIDDLE, HIGH = 0.0015, 0.5, 0.9985
+FOOT, INCH = 0.3048, 0.0254  # [m]
+#: Flanges for which the formula of TCRP Report 71 has a sense: angles [rad] and lengths [m].
+FLANGE_ANGLES, FLANGE_LENGTHS = (math.radians(60.0 - 1e-9), math.radians(75.0 + 1e-9)), (10e-3, 26e-3)
 
 
 def nadal_limit(contact_angle: ArrayLike, friction: ArrayLike) -> Any:
@@ -183,8 +187,8 @@ def climb_distances(
 ) -> tuple[NDArray[Any], NDArray[Any]]:
     """Stretches over which Y/Q exceeds its limit: (places where they begin (k,), lengths (k,)) [m].
 
-    Between rows both follow straight lines.  49 CFR 213.333 permits no stretch of 5 feet (1.524 m) beyond Nadal's
-    limit at a friction of 0.5.
+    Between rows both follow straight lines.  How long a stretch may be: :func:`climb_distance_limit`.  49 CFR 213.333
+    permits none of 5 feet (1.524 m) beyond Nadal's limit at a friction of 0.5, without a second source for these numbers.
 
     Parameters
     ----------
@@ -220,10 +224,53 @@ def _crossing(along, excess, k):
     return along[k - 1] + share * (along[k] - along[k - 1])
 
 
+def climb_distance_limit(angle_of_attack: ArrayLike, flange_angle: float, flange_length: float) -> Any:
+    """How long Y/Q of a wheel may exceed Nadal's limit before its flange climbs the rail [m].
+
+    ``D = A B L / (a + B L)`` in feet, with the angle of attack a in mrad, the length L of the flange in inches and its
+    angle d in degrees, and
+
+        A = (100 / (146.56 - 1.9128 d) + 3.1) L - 1 / (-0.0092 d^2 + 1.2152 d - 39.031) + 1.23
+        B = (10 / (2.1052 - 21.157 L) + 0.05) d + 10 / (0.2688 L - 0.0266) - 5
+
+    TCRP Report 71, volume 5 (2005), eq. (2.4): a fit to simulations of wheels of transit vehicles.
+
+    Parameters
+    ----------
+    angle_of_attack : a, any shape [rad], positive where the wheel rolls towards its rail: the yaw at a right wheel, -yaw
+        at a left one, in a curve less the rail's own direction.  Below 0 it counts as 0.
+    flange_angle : d, 60 ... 75 deg [rad]; the fit has poles beyond.
+    flange_length : L, of the flange's steepest part together with its tip, as the report measures it, 10 ... 26 mm [m].
+
+    Raises
+    ------
+    ValueError
+        if a number is outside its range or not finite.
+    """
+    attack = np.asarray(angle_of_attack, dtype=float)
+    if not np.isfinite(attack).all():
+        raise ValueError(f"angle_of_attack is {angle_of_attack!r}; permitted are finite numbers, in rad")
+    attack = 1e3 * np.maximum(attack, 0.0)
+    for name, value, (low, high) in (
+        ("flange_angle", flange_angle, FLANGE_ANGLES),
+        ("flange_length", flange_length, FLANGE_LENGTHS),
+    ):
+        if not (is_plain(value) and low <= value <= high):
+            unit = "rad" if name == "flange_angle" else "m"
+            raise ValueError(
+                f"{name} is {value!r}; permitted are numbers of {low:.4g} ... {high:.4g}, in {unit}"
+            )
+    d, length = math.degrees(flange_angle), flange_length / INCH
+    a = (100.0 / (146.56 - 1.9128 * d) + 3.1) * length - 1.0 / (-0.0092 * d**2 + 1.2152 * d - 39.031) + 1.23
+    b = (10.0 / (2.1052 - 21.157 * length) + 0.05) * d + 10.0 / (0.2688 * length - 0.0266) - 5.0
+    return (FOOT * a * b * length / (attack + b * length))[()]
+
+
 def track_shift_limit(axle_load: ArrayLike, factor: float = 1.0) -> Any:
     """Limit of the sum of Y of a wheelset [N], over 2 m of track: ``factor (10 kN + 2 Q0 / 3)``.
 
-    Prud'homme (1967), as in EN 14363 and UIC 518 with the factor k1 = 1.0, for freight wagons 0.85.
+    Prud'homme (1967); EN 14363 and UIC 518 have the factor k1 = 1.0, for freight wagons 0.85.  No public text with these
+    numbers was found: compare them with your edition of the standard.
 
     Parameters
     ----------
@@ -315,7 +362,7 @@ def guiding_report(
     step : time between rows [s].
     distance : of each row along the track (n,) [m].
     axle_load, factor : for the limit of the sum of Y, as for :func:`track_shift_limit`; None states none.
-    quotient_limit : of Y/Q [1]; EN 14363 has 0.8.
+    quotient_limit : of Y/Q [1]; EN 14363 has 0.8, for which no public text was found.
 
     Raises
     ------
