@@ -103,7 +103,7 @@ FILED = [
         "        if before < 0:",
         "numbers in a header are points",
         FOREIGN,
-        f"{PROFILES}/readers.py",
+        f"{PROFILES}/formats/miniprof.py",
     ),
     (
         "silent_lines",
@@ -111,7 +111,7 @@ FILED = [
         "number for number, _ in rows if points",
         "lines with an empty field are dropped without a word",
         FOREIGN,
-        f"{PROFILES}/formats.py",
+        f"{PROFILES}/formats/plain.py",
     ),
     (
         "part_of_a_rail",
@@ -271,7 +271,7 @@ FILED = [
         '"us2": 3 * INCH',
         "Vampire's datum US2 is 1.6 mm off",
         FOREIGN,
-        f"{PROFILES}/readers.py",
+        f"{PROFILES}/formats/vampire.py",
     ),
     (
         "one_digit",
@@ -279,7 +279,7 @@ FILED = [
         "profile[ \\t]*(\\d)[ \\t]*(info",
         "profiles of a .mpt beyond the ninth are not read",
         FOREIGN,
-        f"{PROFILES}/readers.py",
+        f"{PROFILES}/formats/miniprof_several.py",
     ),
     (
         "left_zero",

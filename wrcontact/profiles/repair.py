@@ -76,7 +76,7 @@ def mend(points, kind, file, track, remarks, *, keep_all=False):
 
     Parameters
     ----------
-    points : :class:`~wrcontact.profiles.formats.Points`.
+    points : :class:`~wrcontact.profiles.formats.base.Points`.
     kind : "wheel" or "rail".
     file : :class:`~wrcontact.profiles.options.ProfileFile`, what the file does not say itself.
     track : inclination of the rails on the track [1], None where it is not known.
