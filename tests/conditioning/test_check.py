@@ -5,6 +5,7 @@ import csv
 import dataclasses
 import json
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,9 +16,11 @@ from data import brute_force
 from data.noisy_profiles import even_points, noisy_points
 from tests.helpers.cases import MM
 from wrcontact import ContactSystem, Profile
+from wrcontact.conditioning import measures
 from wrcontact.conditioning.conicity import OFF_PROFILE
 from wrcontact.conditioning.table import table_text
 from wrcontact.conditioning.text import check_text
+from wrcontact.interface.units import by_name
 from wrcontact.plots import check_figure
 from wrcontact.profiles.zones import Polynomial
 
@@ -378,3 +381,29 @@ def test_picture_draws_the_numbers(standard):
     # lines join places that touch: at their lower ends the rail has the height it is drawn with
     places = panels["places"]
     assert len([line for line in places.lines if len(line.get_xdata()) == 2]) == 65 + 2 * 3
+
+
+# --- the table of numbers --------------------------------------------------------------------------
+
+
+def test_numbers_are_shown_in_the_unit_that_is_named():
+    """By a table of units that is written here; a name stands for the attribute that has it."""
+    sizes = {"": 1, "1/m": 1, "m": 1, "mm": 1e3, "um": 1e6, "deg": 180 / np.pi, "mm/mm": 1, "mrad/mm": 1}
+    tables = (
+        measures.MOVES,
+        measures.QUALITIES,
+        measures.READINGS,
+        measures.JUMPS,
+        measures.ZONES,
+        measures.CONICITIES,
+        measures.PAIR,
+    )
+    for table in tables:
+        for name, one in table.items():
+            assert one.factor == pytest.approx(sizes[one.shown_unit]), name
+    zone = SimpleNamespace(**{name: 0.5 + k for k, name in enumerate(measures.ZONES)})
+    jump = SimpleNamespace(**{name: 0.5 + k for k, name in enumerate(measures.JUMPS)})
+    for owner, table in ((zone, measures.ZONES), (jump, measures.JUMPS)):
+        assert [one.read(owner) for one in table.values()] == list(vars(owner).values())
+    with pytest.raises(ValueError, match="measure 'start' is declared twice"):
+        by_name(measures.ZONES["start"], measures.QUALITIES["start"])

@@ -306,6 +306,22 @@ FILED = [
         "wrcontact/conditioning/measures.py",
     ),
     (
+        "noise_in_nanometres",
+        'FACTORS = {"um": 1e6',
+        'FACTORS = {"um": 1e9',
+        "noise and smoothing of a check are in nm under the heading um",
+        "conditioning/test_check.py",
+        "wrcontact/conditioning/measures.py",
+    ),
+    (
+        "jump_backwards",
+        '"on wheel\\nbefore", 2, lambda jump: jump.before',
+        '"on wheel\\nbefore", 2, lambda jump: jump.after',
+        "a check shows the place of a contact before a jump as the one after it",
+        "conditioning/test_check.py",
+        "wrcontact/conditioning/measures.py",
+    ),
+    (
         "fleet_mark",
         'profiles["rail"][rail], parameters)',
         'profiles["rail"][rail])',
