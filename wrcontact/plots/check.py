@@ -195,13 +195,14 @@ def draw_roll_rate(panel, report):
 def draw_distance(panel, report):
     """Distance in lateral shift to the nearest jump of either contact."""
     _head(panel, "distance", "Distance to the nearest jump of either contact")
-    distance = np.where(np.isfinite(report.curves.jump_distance), report.curves.jump_distance, np.nan)
-    panel.plot(report.curves.lateral_shift / MM, distance / MM, color=INK)
+    next_jump = MOVES["jump_distance"]
+    distance = next_jump.shown(report.curves, None)
+    panel.plot(report.curves.lateral_shift / MM, np.where(np.isfinite(distance), distance, np.nan), color=INK)
     _mark_jumps(panel, report, SIDE_COLOUR)
     if np.isfinite(report.nearest_jump):
         panel.plot([0], [report.nearest_jump / MM], "o", color=INK, markersize=4)
         panel.annotate(
-            f"centred: {number(report.nearest_jump / MM, 2)} mm",
+            f"centred: {number(report.nearest_jump * next_jump.factor, next_jump.digits)} {next_jump.shown_unit}",
             (0, report.nearest_jump / MM),
             (7, 0),
             textcoords="offset points",
@@ -212,20 +213,21 @@ def draw_distance(panel, report):
         )
     else:
         panel.text(0.5, 0.5, "no jumps", transform=panel.transAxes, ha="center", color=QUIET)
-    _shift_axis(panel, "mm")
+    _shift_axis(panel, next_jump.shown_unit)
     panel.set_ylim(0, None)
 
 
 def draw_near(panel, report, of="right"):
     """Length of the close stretch on the wheel of one side; conformal shifts are shaded."""
     _head(panel, "near", f"Length of the {of} wheel within {NEAR / MM:g} mm of the rail")
-    shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
+    shift, close = report.curves.lateral_shift / MM, MOVES["near_width"]
+    width = close.shown(report.curves, of)
     for zone in report.conformal:
         if zone.side == of:
             panel.axvspan(
                 zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0, gid="conformal"
             )
-    panel.plot(*_broken(report, shift, side.near_width / MM, of), color=INK)
+    panel.plot(*_broken(report, shift, width, of), color=INK)
     panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
     panel.text(
         0.01,
@@ -237,13 +239,13 @@ def draw_near(panel, report, of="right"):
         color=QUIET,
         transform=panel.get_yaxis_transform(),
     )
-    _shift_axis(panel, "mm")
+    _shift_axis(panel, close.shown_unit)
     panel.set_ylim(
         0,
         1.25
         * max(
             WIDE / MM,
-            np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, side.near_width / MM, 0.0), initial=0.0),
+            np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, width, 0.0), initial=0.0),
         ),
     )
 
