@@ -99,7 +99,8 @@ class Stepper:
     def output_names(self):
         """Names of the outputs in the order of an FMU's variables: ``roll``, ``vertical_shift``, ...
 
-        With another number of stations than 31 some places have no name; :meth:`place` has that of each name.
+        If ``stations`` is not 31, some elements are unused and have no name; :meth:`place` returns the index of
+        a named output.
         """
         return output_names(None, len(self.outputs))
 
@@ -231,8 +232,8 @@ class Stepper:
         settings = layout.Tables.at(self._tables)
         if settings.mode != layout.MODE_RIGID:
             raise ValueError(
-                "penetration is given; permitted with the contact_mode 'elastic' or 'compliant' "
-                "is none, since it follows from the load or from the height"
+                "penetration can be prescribed with the contact_mode 'rigid' only: in other modes it follows from "
+                "the load or from the height"
             )
         try:
             given = np.asarray(np.nan if penetration is None else penetration)

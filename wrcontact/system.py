@@ -119,7 +119,7 @@ class ContactSystem:
         self._tables = prepare_sides(profiles[:2], profiles[2:], parameters=parameters, methods=methods)
         layout.Tables.at(self._tables).stations = parameters["stations"]
         self._own = threading.local()
-        self._told = set()  # names of inputs of which the user has been warned
+        self._warned = set()  # names of inputs of which the user has been warned
         self._elastic = None  # the same wheelset in elastic contact, once it is needed
 
     @property
@@ -245,7 +245,7 @@ class ContactSystem:
                 row[place] = value if type(value) in NUMBERS else single_number(value)
         except (TypeError, ValueError):
             raise wrong_input(input_values(given), array=False) from None
-        warn_of_inputs(given, self._told)
+        warn_of_inputs(given, self._warned)
         return stepper
 
     def derivatives(self, of, by, *, penetration=None, **inputs):
@@ -460,7 +460,7 @@ class ContactSystem:
             raise wrong_input(values, array=True) from None
         if len(shape) != 1:
             raise wrong_input(values, array=True)
-        warn_of_inputs(given, self._told)
+        warn_of_inputs(given, self._warned)
         stepper = self._new_stepper()
         wanted = selected(side, outputs, len(stepper.outputs))
         stepper.want(wanted.side, wanted.depth)

@@ -133,7 +133,7 @@ GET(fmi3GetBoolean, fmi3Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[F
 GET(fmi3GetUInt64, fmi3UInt64, MODEL_UNSIGNED, 0, self->wheelset->core.stations)
 GET(fmi3GetString, fmi3String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[FIRST].slot])
 
-/* Whether a Float64 can be set; arrays are outputs, which the first of their values tells. */
+/* Whether a Float64 can be set; arrays are outputs, which the first of their values shows. */
 static int may_set_float(instance *self, int first, double value)
 {
     if (first == BLOCK_TIME)

@@ -184,7 +184,7 @@ def hollow(y, z, depth):
     return z - depth * np.exp(-((y / 14.0) ** 2))
 
 
-def test_points_are_told(tmp_path):
+def test_points_are_reported(tmp_path):
     y, z = noisy_points("wheel", 0.2, 10e-3, 5)
     z[300] += 0.8
     with pytest.warns(wrcontact.ProfileWarning):
@@ -202,7 +202,7 @@ def test_points_are_told(tmp_path):
 
 
 @pytest.mark.full
-def test_noise_that_is_not_smoothed_is_told(tmp_path):
+def test_noise_that_is_not_smoothed_is_reported(tmp_path):
     """10 um every 0.2 mm are curvatures of 10 um / (0.2 mm)^2 = 250 1/m and more; the
     conicity averages them away."""
     wheel = Profile.from_file(
@@ -230,7 +230,7 @@ def test_hollow_wear_raises_the_conicity(tmp_path, depth):
     assert np.all(report.conicity.level[:3] > 1.5 * np.array([0.354, 0.219, 0.174]))
 
 
-def test_kink_is_told():
+def test_kink_is_reported():
     halves = Polynomial(-70, -9, (-0.045, -0.055), -9.0), Polynomial(-9, 60, (-0.045, -0.05), -9.0)
     wheel = Profile("bent", "wheel", halves, smooth=False)
     report = wrcontact.check(ContactSystem(wheel))
@@ -268,7 +268,7 @@ def test_a_contact_beyond_the_end_of_a_wheel_is_none():
     assert system.evaluate(lateral_shift=-5 * MM).status == wrcontact.Status.OFF_PROFILE
 
 
-def test_ends_of_the_profiles_are_told():
+def test_ends_of_the_profiles_are_reported():
     report = wrcontact.check(ContactSystem(short_wheel(8.0), "60E1"))
     first, last = report.usable_shifts
     assert -first == pytest.approx(last, abs=2e-6) and 1 * MM < last < 3 * MM and report.usable
@@ -281,7 +281,7 @@ def test_ends_of_the_profiles_are_told():
     assert math.isfinite(report.conicity.level[0])
 
 
-def test_flange_contact_is_told():
+def test_flange_contact_is_reported():
     """10 mm less gauge is 5 mm less play."""
     wide, narrow = (wrcontact.check(ContactSystem(rail="60E1", gauge=gauge)) for gauge in (1.435, 1.425))
     # the other side rolls with it
@@ -293,7 +293,7 @@ def test_flange_contact_is_told():
     assert "a flange is in contact already in the centred position" in none.remarks
 
 
-def test_pair_without_contact_is_told():
+def test_pair_without_contact_is_reported():
     report = wrcontact.check(ContactSystem(gauge=1.6))
     assert not report.usable and math.isnan(report.usable_shifts[0]) and report.jumps == ()
     assert report.remarks[0].startswith("there is no contact in the centred position")

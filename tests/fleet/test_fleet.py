@@ -306,7 +306,7 @@ def test_a_pair_that_lacks_its_picture_is_done_again(tmp_path, examined):
     assert len(examined) == 3 and other["conicity_3mm"] != row["conicity_3mm"]
 
 
-def test_a_full_disk_is_told_with_the_file(files, tmp_path, monkeypatch):
+def test_a_full_disk_is_reported_with_the_file(files, tmp_path, monkeypatch):
     class Full:
         def __enter__(self):
             return self
@@ -410,7 +410,7 @@ def test_a_click_on_a_heading_sorts(fleet, folder):
 def test_the_page_names_every_column():
     page = (ROOT / "docs" / "guides" / "fleets.md").read_text(encoding="utf-8")
     rows = [f"| `{name}` | {one.unit} | {one.meaning} |" for name, one in PAIR.items()]
-    assert "\n".join(rows) in page and all(f"`{name}`" in page for name in table.TOLD)
+    assert "\n".join(rows) in page and all(f"`{name}`" in page for name in table.OTHERS)
 
 
 # --- files ----------------------------------------------------------------------------------------
@@ -512,7 +512,7 @@ def test_processes_give_the_same_files(fleet, files, folder, tmp_path):
 
 
 @pytest.mark.full
-def test_a_script_without_the_question_for_its_name_is_told(files, tmp_path):
+def test_a_script_without_the_question_for_its_name_is_reported(files, tmp_path):
     """Its processes run it again as they start.  The second is late here, and must leave no pool behind."""
     script = tmp_path / "fleet.py"
     script.write_text(
@@ -540,7 +540,7 @@ def test_a_scheduler_gives_the_same_rows(fleet, files):
 
 
 @pytest.mark.full
-def test_a_scheduler_that_does_not_answer_is_told(monkeypatch):
+def test_a_scheduler_that_does_not_answer_is_reported(monkeypatch):
     pytest.importorskip("distributed")
     monkeypatch.setattr("wrcontact.workers.PATIENCE", 0.5)
     with pytest.raises(ValueError, match="scheduler is 'tcp://127.0.0.1:9', where no dask scheduler answers"):

@@ -37,7 +37,7 @@ FILED = [
         "silent_cut",
         "        if outwards * (last - end) > CUT:",
         "        if outwards * (last - end) > 1e9:",
-        "a flange that is lost behind a fold is not told",
+        "no warning names a flange that is lost behind a fold",
         FOREIGN,
         f"{PROFILES}/repair.py",
     ),
@@ -103,7 +103,7 @@ FILED = [
         "        if before < 0:",
         "numbers in a header are points",
         FOREIGN,
-        f"{PROFILES}/readers.py",
+        f"{PROFILES}/formats/miniprof.py",
     ),
     (
         "silent_lines",
@@ -111,7 +111,7 @@ FILED = [
         "number for number, _ in rows if points",
         "lines with an empty field are dropped without a word",
         FOREIGN,
-        f"{PROFILES}/formats.py",
+        f"{PROFILES}/formats/plain.py",
     ),
     (
         "part_of_a_rail",
@@ -157,7 +157,7 @@ FILED = [
         "rough_unsaid",
         "    if scatter > ROUGH:\n",
         "    if scatter > 1e9:\n",
-        "only a check tells that the contact follows noise",
+        "only a check reports that the contact follows noise",
         SMOOTH,
         f"{PROFILES}/plausible.py",
     ),
@@ -271,7 +271,7 @@ FILED = [
         '"us2": 3 * INCH',
         "Vampire's datum US2 is 1.6 mm off",
         FOREIGN,
-        f"{PROFILES}/readers.py",
+        f"{PROFILES}/formats/vampire.py",
     ),
     (
         "one_digit",
@@ -279,7 +279,7 @@ FILED = [
         "profile[ \\t]*(\\d)[ \\t]*(info",
         "profiles of a .mpt beyond the ninth are not read",
         FOREIGN,
-        f"{PROFILES}/readers.py",
+        f"{PROFILES}/formats/miniprof_several.py",
     ),
     (
         "left_zero",

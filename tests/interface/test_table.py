@@ -2,6 +2,7 @@
 does not fit is an error."""
 
 import inspect
+import re
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from wrcontact.interface.parameters import KERNEL_PARAMETERS, PARAMETERS
 from wrcontact.interface.rows import Blocks, Input, Run, Vector
 from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
 from wrcontact.kernel import layout
+from wrcontact.status import Status
 
 
 def names(record):
@@ -148,3 +150,11 @@ def test_units_for_display_are_multiples_by_their_prefix():
         power = 2 if unit.name == "m2" else 1
         assert unit.display_factor == pytest.approx(prefixes[unit.display[0]] ** power, rel=1e-15)
     assert units.UNITS["rad"].display == "deg" and units.UNITS["rad"].display_factor * np.pi == 180.0
+
+
+def test_the_declared_range_of_the_status_has_every_status():
+    """... and its description names each number once."""
+    status = VARIABLES[STATUS]
+    assert (status.minimum, status.maximum) == (min(Status), max(Status))
+    words = status.description.partition("(")[0]
+    assert [int(number) for number in re.findall(r"\d", words)] == list(Status)

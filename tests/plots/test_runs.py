@@ -9,7 +9,7 @@ from PIL import Image
 
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem, plots
-from wrcontact.plots.film import film_of
+from wrcontact.plots.animation_frames import frames_of
 
 SYSTEM = ContactSystem()
 HUNTING = ROOT / "data" / "trajectories" / "hunting.csv"
@@ -92,14 +92,14 @@ def test_a_file_that_fmpy_wrote_is_read(tmp_path):
 def test_a_film_has_the_states_of_the_run():
     """Frames are evenly chosen; contact points are those of the file, which another program computed."""
     run = plots.read_run(HUNTING)
-    film = film_of(SYSTEM, run, 9)
-    assert len(film.rows) == 9 and film.time[[0, -1]].tolist() == run["time"][[0, -1]].tolist()
-    for row, time in zip(film.rows, film.time):
+    shown = frames_of(SYSTEM, run, 9)
+    assert len(shown.rows) == 9 and shown.time[[0, -1]].tolist() == run["time"][[0, -1]].tolist()
+    for row, time in zip(shown.rows, shown.time):
         at = int(np.argmin(np.abs(run["time"] - time)))
         assert row.inputs.lateral_shift == run["lateral_shift"][at]
         assert row.right.contact.y_wheel == pytest.approx(run["right.contact.y_wheel"][at], abs=1e-6)  # [m]
         across = row.right.outline.station + row.right.contact.y_rail
-        assert film.window[0] - 5 < across[0] / MM and across[-1] / MM < film.window[1] + 5
+        assert shown.window[0] - 5 < across[0] / MM and across[-1] / MM < shown.window[1] + 5
 
 
 def test_a_film_of_a_compliant_wheelset_has_its_height_and_roll():
@@ -112,10 +112,10 @@ def test_a_film_of_a_compliant_wheelset_has_its_height_and_roll():
         "time": np.array([0.0, 0.1]),
         "speed": np.array([10.0, 20.0]),
     }
-    film = film_of(system, run, 5)
-    assert film.distance.tolist() == [0.0, pytest.approx(1.5)]
-    assert film.rows[1].right.patches[0].penetration == pytest.approx(8e-5, rel=0.05)
-    assert film.rows[1].vertical_shift == run["vertical_shift"][1]
+    shown = frames_of(system, run, 5)
+    assert shown.distance.tolist() == [0.0, pytest.approx(1.5)]
+    assert shown.rows[1].right.patches[0].penetration == pytest.approx(8e-5, rel=0.05)
+    assert shown.rows[1].vertical_shift == run["vertical_shift"][1]
 
 
 @pytest.mark.full

@@ -219,7 +219,7 @@ def test_nothing_is_read_before_a_name_is_asked():
 # --- printed zones --------------------------------------------------------------------------------------------
 
 
-def test_steps_between_printed_zones_are_joined_from_the_inside_out_and_told():
+def test_steps_between_printed_zones_are_joined_from_the_inside_out_with_a_remark():
     zones = (
         Polynomial(-40.0, -20.0, (0.009, -0.1), -20.0),
         Polynomial(-20.0, 20.0, (0.0, 0.0)),

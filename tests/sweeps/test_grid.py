@@ -85,7 +85,7 @@ def test_wrong_axes(axes, words):
         (
             {"client": "tcp://host:1", "store": "a", "workers": 2},
             ValueError,
-            "workers is 2; .* client is None",
+            "workers is 2; it cannot be given with a client",
         ),
         (
             {"client": "tcp://host:1", "store": "a"},

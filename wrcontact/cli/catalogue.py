@@ -10,7 +10,7 @@ from rich.table import Table
 from ..methods.words import did_you_mean
 from ..profiles.catalogue import every_profile, standard_name, standard_profile, told_missing
 from ..profiles.standards import PATTERNS, names, standards
-from .door import Refused, check_file, sentences
+from .errors import Refused, check_file, sentences
 from .pictures import PICTURES
 from .report import console
 
@@ -37,7 +37,7 @@ def profiles(
 ):
     """List the standard profiles: rails and wheels by name, with the standard, and how many sources agree.
 
-    With names, each is told in full. A wheel of EN 13715 is named by its designation: tread, height and
+    With names, each is described in full. A wheel of EN 13715 is named by its designation: tread, height and
     thickness of the flange in mm, outer slope.
 
     Example: wrcontact profiles R65 --save r65.prr
@@ -50,7 +50,7 @@ def profiles(
         _draw(found, output)
     if found:
         for profile in found:
-            print(_told(profile))
+            print(_described(profile))
     else:
         _list()
     if plot:
@@ -71,7 +71,7 @@ def _profile(name):
     return standard_profile(known)
 
 
-def _told(profile):
+def _described(profile):
     start, stop = (1e3 * end for end in (profile.start, profile.stop))
     return f"{profile.name}: {profile.kind}, y = {start:.4g} ... {stop:.4g} mm; {profile.source}"
 
@@ -84,9 +84,9 @@ def _list():
         for name in names(kind):
             table.add_row(name, kind, *_row(standards()[kind + "s"][name]))
     for name in PATTERNS:
-        told = "any h 28 ... 32 mm, e 28.5 ... 32.5 mm, outer slope 6.7 ... 15 %"
+        sizes = "any h 28 ... 32 mm, e 28.5 ... 32.5 mm, outer slope 6.7 ... 15 %"
         row = _row(standards()["en13715"])
-        table.add_row(name, "wheel", *row[:-1], told)
+        table.add_row(name, "wheel", *row[:-1], sizes)
     out = console()
     out.print(table)
     lost = ", ".join(name for kind in KINDS for name in standards()["missing"][kind])

@@ -16,7 +16,7 @@ from ..conditioning.text import check_text, headline
 from ..profiles.remarks import Grave
 from ..progress import working
 from ..storage.atomic import write_atomically
-from .door import Refused, check_folder, sentences
+from .errors import Refused, check_folder, sentences
 from .report import console
 from .typed import typed
 

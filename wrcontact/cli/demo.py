@@ -27,7 +27,7 @@ from ..interface.variables import (
     select,
 )
 from ..progress import working
-from .door import Refused, sentences
+from .errors import Refused, sentences
 from .report import console
 from .tables import write_table
 
@@ -82,7 +82,7 @@ def run_demo(folder, native=False):
         advance(words="drawing the picture")
         write_table(Path(folder, CSV_NAME), {"time": stored["time"], **all_inputs(stored), **answers})
         draw(Path(folder, PICTURE_NAME), answers, stored)
-    return tell(folder, fmu, compare(answers, stored), seconds)
+    return report(folder, fmu, compare(answers, stored), seconds)
 
 
 def built(folder, native):
@@ -250,7 +250,7 @@ def draw(path, answers, stored):
     save(demo_figure(ContactSystem(), answers, stored), path)
 
 
-def tell(folder, fmu, checks, seconds):
+def report(folder, fmu, checks, seconds):
     """Print the summary; True if every check passed."""
     failed = [check.quantity for check in checks if not check.passed]
     cost = (

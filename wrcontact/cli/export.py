@@ -10,7 +10,7 @@ from ..interface.inputs import INPUTS
 from ..methods.numbers import check_choice
 from ..status import Status
 from ..system import ContactSystem
-from .door import Refused, check_file, check_folder, sentences
+from .errors import Refused, check_file, check_folder, sentences
 from .grids import shifts_of
 from .profile_files import Smoothing
 from .typed import typed

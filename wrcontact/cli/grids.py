@@ -12,7 +12,7 @@ from ..status import Status
 from ..sweeps.grid import checked_axes
 from ..sweeps.run import sweep
 from .adding import adding, option
-from .door import Refused, sentences
+from .errors import Refused, sentences
 from .groups import GRID
 from .typed import typed
 

@@ -16,7 +16,7 @@ from ..methods.words import did_you_mean
 from ..results.words import unit_name
 from ..status import distinct
 from .adding import adding, option
-from .door import Refused
+from .errors import Refused
 from .groups import OF_KINDS, USUAL, group_of
 from .typed import described, display_of, name_of, option_of
 

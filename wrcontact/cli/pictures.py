@@ -11,10 +11,10 @@ import typer
 
 from ..methods.numbers import check_choice
 from .adding import adding, option
-from .door import Refused, check_file, sentences
+from .errors import Refused, check_file, sentences
 from .options import POSE, SYSTEM, name_of, option_of
 
-PICTURES, FILMS = (".png", ".svg", ".pdf"), (".gif", ".mp4")
+PICTURES, ANIMATIONS = (".png", ".svg", ".pdf"), (".gif", ".mp4")
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ class Picture:
         with sentences():
             check_choice("--side", self.chosen["side"], ("left", "right"))
             check_choice("--colour", self.chosen["colour"], ("pressure", "shear", "slip"))
-        endings = FILMS if self.name == "animation" else PICTURES
+        endings = ANIMATIONS if self.name == "animation" else PICTURES
         if self.output.suffix.lower() not in endings:
             raise Refused(
                 f"--output is {str(self.output)!r}; permitted are files that end in {', '.join(endings)}"

@@ -1,4 +1,4 @@
-"""Options such as ``--rail-mirror-y``, which tell how a file of points is read."""
+"""Options such as ``--rail-mirror-y``, which say how a file of points is read."""
 
 from typing import Annotated
 
@@ -8,7 +8,7 @@ from ..profiles.files import SMOOTHING
 from ..profiles.options import ENDINGS, ProfileFile, parsed
 from ..profiles.options import WORDS as FILE_WORDS
 from .adding import adding, option
-from .door import Refused, sentences
+from .errors import Refused, sentences
 from .groups import FILES
 from .options import number
 

@@ -16,7 +16,7 @@ from ..interface.variables import INTEGER, VARIABLES
 from ..results.convert import columns_of, data_variables, labels_of, name_of_input, needed
 from ..storage.atomic import open_atomically
 from .adding import adding, option
-from .door import Refused
+from .errors import Refused
 
 INTEGERS = {v.name for v in VARIABLES if v.type == INTEGER}
 #: Rows of a group in a Parquet file, at least.
@@ -148,7 +148,7 @@ def _declare(data, found, count):
 WRITERS = {"csv": _csv, "json": _json, "parquet": _parquet, "netcdf": _netcdf}
 
 
-#: About what a row takes in each format [bytes], with creep forces; and the size that is told before [bytes].
+#: About what a row takes in each format [bytes], with creep forces; and the size that is announced before [bytes].
 ROW_SIZES = {"csv": 8.5e3, "json": 22e3, "parquet": 3.7e3, "netcdf": 4.6e3}
 LARGE = 500e6
 

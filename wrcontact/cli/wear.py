@@ -19,7 +19,7 @@ from ..wear.accumulate import PARTS, PARTS_OF_ONE
 from ..wear.laws import LAWS
 from ..wheel import WheelContact
 from .adding import adding, option
-from .door import Refused, check_file, sentences
+from .errors import Refused, check_file, sentences
 from .options import number
 from .report import console
 from .typed import typed

@@ -139,7 +139,7 @@ def _wheelset(system, contact_mode):
     zero roll."""
     chosen = {name: system.parameters[name] for name in (*GEOMETRY, *(LEFT + name for name in SIDED[2:]))}
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # the user has been told
+        warnings.simplefilter("ignore")  # the user has been warned
         return ContactSystem(
             (system.left_wheel, system.wheel),
             (system.left_rail, system.rail),

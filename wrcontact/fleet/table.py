@@ -11,7 +11,7 @@ from ..conditioning.measures import PAIR
 from ..results.convert import needed
 from ..results.words import plain
 
-TOLD = ("wheel", "rail", "wheel_file", "rail_file", "error", "usable", "remarks", "json", "picture")
+OTHERS = ("wheel", "rail", "wheel_file", "rail_file", "error", "usable", "remarks", "json", "picture")
 
 
 def numbers_of(report):
@@ -19,7 +19,7 @@ def numbers_of(report):
     return plain({name: one.read(report) for name, one in PAIR.items()})
 
 
-def empty_row(wheel="", rail="", **told):
+def empty_row(wheel="", rail="", **more):
     """A row without numbers."""
     return {
         "wheel": wheel,
@@ -32,7 +32,7 @@ def empty_row(wheel="", rail="", **told):
         "remarks": [],
         "json": "",
         "picture": "",
-        **told,
+        **more,
     }
 
 
@@ -63,8 +63,8 @@ class Fleet:
     def __getitem__(self, key):
         if not isinstance(key, str):
             return self.rows[key]
-        if key not in (*TOLD, *PAIR):
-            raise KeyError(f"{key!r}; there are {', '.join((*TOLD, *PAIR))}")
+        if key not in (*OTHERS, *PAIR):
+            raise KeyError(f"{key!r}; there are {', '.join((*OTHERS, *PAIR))}")
         values = [row[key] for row in self.rows]
         if key in PAIR:
             return np.array([math.nan if value is None else value for value in values], dtype=float)
@@ -91,12 +91,12 @@ class Fleet:
             in one sentence, if pandas is not installed.
         """
         pandas = needed("pandas", "to_pandas")
-        return pandas.DataFrame({name: self[name] for name in (*TOLD[:6], *PAIR, *TOLD[6:])})
+        return pandas.DataFrame({name: self[name] for name in (*OTHERS[:6], *PAIR, *OTHERS[6:])})
 
     def csv_text(self):
         """The table as text for a spreadsheet, in SI; remarks stand in one cell."""
         out = io.StringIO()
-        names = (*TOLD[:6], *PAIR, *TOLD[6:])
+        names = (*OTHERS[:6], *PAIR, *OTHERS[6:])
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(names)
         for row in self.rows:

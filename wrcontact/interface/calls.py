@@ -104,17 +104,17 @@ def _behind(row):
     return "" if row.unit == "1" else f", in {row.unit}"
 
 
-def warn_of_inputs(given, told):
+def warn_of_inputs(given, warned):
     """Give an UnusualValueWarning for every input among those ``given``, numbers or arrays by their places,
-    whose largest number is above 0 and outside its usual range; once for each name in the set ``told``."""
+    whose largest number is above 0 and outside its usual range; once for each name in the set ``warned``."""
     for place, row, low, high in USUAL:
         value = given.get(place, 0.0)
         if type(value) not in NUMBERS:
             value = np.asarray(value, dtype=float)
             value = np.max(value, initial=0.0, where=np.isfinite(value))
-        if value > 0.0 and not low <= value <= high and row.name not in told:
+        if value > 0.0 and not low <= value <= high and row.name not in warned:
             if warn_unusual(row.name, value, row.unit, row.usual):
-                told.add(row.name)
+                warned.add(row.name)
 
 
 def wrong_input(values, array):

@@ -205,7 +205,7 @@ class Parameter:
     ----------
     name : the keyword.
     meaning : words for the user.
-    default : in Python; ``start`` for doors where None cannot be said.
+    default : in Python; ``start`` where None cannot be given (FMUs, command line).
     number : its :class:`~wrcontact.methods.numbers.Number`; None for profiles and methods.
     family : its :class:`~wrcontact.methods.method.Family`; None but for methods.
     fmu_name : its name in an FMU, "" where an FMU does not have it.
@@ -442,8 +442,8 @@ def _method_of(family, parameters):
         if value is not None and PARAMETERS[keyword].default is None and keyword not in method.keywords():
             users = " or ".join(repr(name) for name in family.with_keyword(keyword))
             raise ValueError(
-                f"{keyword} is {value!r}; permitted with the {family.parameter} {method.name!r} "
-                f"is None, only {users} has {keyword}"
+                f"{keyword} is {value!r}; it cannot be given with the {family.parameter} {method.name!r}, only "
+                f"{users} has it"
             )
     method().check_beside(parameters)
     return method(**{name: parameters[keyword] for keyword, name in method.keywords().items()})

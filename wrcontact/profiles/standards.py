@@ -133,8 +133,8 @@ def _whole(name, kind, zones, entry):
     zones, steps = joined(zones, JOINT_HEIGHT, PRINTED_STEP)
     note = entry.get("note", "")
     if steps:
-        told = f"steps of up to {max(map(abs, steps)):.2g} mm between its printed zones are joined"
-        note = f"{note}; {told}" if note else told
+        words = f"steps of up to {max(map(abs, steps)):.2g} mm between its printed zones are joined"
+        note = f"{note}; {words}" if note else words
     source = Source(
         **{
             key: entry[key]

@@ -19,7 +19,7 @@ from ..results.columns import variable_of
 from ..results.inputs import PLACES
 from ..results.words import ShortText, shown, unit_name
 from .grid import keyword_of, row_of
-from .question import system_of
+from .specification import system_of
 from .stores import DESCRIBED, open_dataset, plain
 
 if TYPE_CHECKING:

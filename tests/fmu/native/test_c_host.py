@@ -41,7 +41,7 @@ def test_a_million_random_calls_under_sanitizers(host, version):
 
 
 @needs_glibc
-def test_a_call_that_ends_the_program_is_told(linked_host, tmp_path):
+def test_a_call_that_ends_the_program_is_reported(linked_host, tmp_path):
     """With its seed and number, which repeat it."""
     running = subprocess.Popen(
         [str(linked_host(2)), "fuzz", "11", "100000000"], text=True, stderr=subprocess.PIPE

@@ -6,7 +6,6 @@ nothing.
 
 import json
 from dataclasses import dataclass, replace
-from hashlib import sha256
 
 import numpy as np
 
@@ -18,18 +17,19 @@ from ..profiles.catalogue import standard_name, standard_profile
 from ..profiles.files import prepared_profile, prepared_text
 from ..profiles.profile import Profile
 from ..results.columns import output_names, selected
+from ..storage.hashes import content_hash
 from ..system import ContactSystem
 from ..version import __version__
 from .grid import checked_axes, checked_inputs, row_of, words_of
 
 #: Keywords of profiles, which are attributes of a system, too.
 PROFILES = ("wheel", "rail", "left_wheel", "left_rail")
-#: Differences between two questions that a sentence names.
+#: Differences between two specifications that a sentence names.
 MOST = 3
 
 
 @dataclass(frozen=True)
-class Question:
+class SweepSpecification:
     """``axes`` are arrays and ``fixed`` are numbers by keyword; ``outputs`` is the argument of
     :meth:`~wrcontact.ContactSystem.evaluate_many`, and ``names`` are those of the outputs that it means."""
 
@@ -49,7 +49,7 @@ class Question:
         hashes."""
         parameters = {
             **self.system.parameters,
-            **{kind: content_hash(getattr(self.system, kind)) for kind in PROFILES},
+            **{kind: profile_hash(getattr(self.system, kind)) for kind in PROFILES},
         }
         return {
             "version": __version__,
@@ -62,11 +62,11 @@ class Question:
     def profiles(self):
         """{hash: text} of the profiles."""
         found = (getattr(self.system, kind) for kind in PROFILES)
-        return {content_hash(profile): prepared_text(profile) for profile in found}
+        return {profile_hash(profile): prepared_text(profile) for profile in found}
 
 
 def asked(system, axes, outputs, fixed):
-    """The checked :class:`Question`; ValueError or TypeError, in a sentence, if it is none."""
+    """The checked :class:`SweepSpecification`; ValueError or TypeError, in a sentence, if it is none."""
     if not isinstance(system, ContactSystem):
         raise ValueError(f"system is {system!r}; permitted is a ContactSystem")
     for name, function in functions_in(system.parameters).items():
@@ -80,13 +80,13 @@ def asked(system, axes, outputs, fixed):
         outputs = tuple(outputs)
     width = len(system.stepper().outputs)
     names = output_names(selected("both", outputs, width).places, width)
-    warn_of_inputs(given_inputs((), {**axes, **fixed}), system._told)
-    return Question(system, axes, fixed, outputs, names)
+    warn_of_inputs(given_inputs((), {**axes, **fixed}), system._warned)
+    return SweepSpecification(system, axes, fixed, outputs, names)
 
 
-def content_hash(profile):
+def profile_hash(profile):
     """SHA-256 of what a profile computes with, in hexadecimal digits; its name is no part of it."""
-    return sha256(prepared_text(replace(profile, name="")).encode()).hexdigest()
+    return content_hash(prepared_text(replace(profile, name="")))
 
 
 def system_of(record, profiles):
@@ -102,15 +102,15 @@ def system_of(record, profiles):
     return ContactSystem(**parameters)
 
 
-# --- two questions ------------------------------------------------------------------------------------------
+# --- two specifications ------------------------------------------------------------------------------------------
 
 
-def differences(question, kept, axes):
-    """How a question differs from the ``kept`` record of another one with these ``axes`` {keyword: (n,)}, as
+def differences(specification, kept, axes):
+    """How a specification differs from the ``kept`` record of another one with these ``axes`` {keyword: (n,)}, as
     clauses; of many differences the first ones."""
-    own = json.loads(json.dumps(question.record()))
+    own = json.loads(json.dumps(specification.record()))
     return [
-        *_other_axes(question.axes, axes, own, kept),
+        *_other_axes(specification.axes, axes, own, kept),
         *_other_inputs(own, kept, axes),
         *_other_outputs(own, kept),
         *_other_parameters(own, kept),

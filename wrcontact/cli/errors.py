@@ -34,7 +34,7 @@ class Refused(Exception):
         self.code = code
 
 
-class Door(TyperGroup):
+class CommandGroup(TyperGroup):
     """The group of commands; it prints errors as one sentence, without usage text or traceback."""
 
     def format_help(self, context, formatter):

@@ -187,7 +187,7 @@ def no_work(monkeypatch):
         raise AssertionError("work was begun")
 
     monkeypatch.setattr(commands, "ContactSystem", work)
-    monkeypatch.setattr("wrcontact.fmu.command.built", work)
+    monkeypatch.setattr("wrcontact.fmu.build.built", work)
     monkeypatch.setattr("wrcontact.study.figures.write_figures", work)
 
 

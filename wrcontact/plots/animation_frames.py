@@ -1,4 +1,4 @@
-"""Films: the states of a run at the times of an animation's frames."""
+"""Frames of an animation: the states of a run at the times of an animation's frames."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ PLACES = {"vertical_shift_input": "vertical_shift", "roll_input": "roll"}
 
 
 @dataclass(frozen=True)
-class Film:
+class AnimationFrames:
     """States of the frames, their times [s] and distances [m], and the window that holds all patches."""
 
     system: object
@@ -29,7 +29,7 @@ class Film:
     window: tuple
 
 
-def film_of(system, run, frames):
+def frames_of(system, run, frames):
     """Evaluate the poses that are drawn."""
     if not (isinstance(frames, int) and frames > 0):
         raise ValueError(f"frames is {frames!r}; permitted are whole numbers from 1 on")
@@ -52,7 +52,7 @@ def film_of(system, run, frames):
     outlines = [
         getattr(row, side).outline for row in rows for side in SIDES if not missing(getattr(row, side))
     ]
-    return Film(
+    return AnimationFrames(
         system,
         rows,
         time[valid],

@@ -1,9 +1,12 @@
 """Which call is permitted when: the phases of a simulation as FMI has them, its time and its stopTime.
 
-The native FMUs check the same in ``fmu_src/native/wheelset*.c``, and refuse with the same sentences.
+The native FMUs check the same in ``fmu_src/native/wheelset*.c``, and refuse with the same sentences of
+:data:`~wrcontact.status.REFUSALS`.
 """
 
 import math
+
+from ..status import REFUSALS
 
 INSTANTIATED, INITIALISING, RUNNING, TERMINATED = "instantiated", "initialising", "running", "terminated"
 
@@ -15,7 +18,12 @@ class Refused(ValueError):
     """A value or a call is not accepted; the sentence names it and says what is permitted."""
 
 
-class Life:
+def refused(reason, *values):
+    """The :class:`Refused` for a ``reason`` in REFUSALS, with the ``values`` that its sentence names."""
+    return Refused(REFUSALS[reason] % values)
+
+
+class FmiStateMachine:
     """Phase, time [s] and stopTime [s] of a simulation; what is refused changes nothing."""
 
     def __init__(self, phase=INSTANTIATED, time=0.0, stop=math.inf):
@@ -33,32 +41,26 @@ class Life:
     def set_up(self, start, stop=None):
         """Times of the first and of the last instant [s]; without ``stop`` there is no last one."""
         if self.phase != INSTANTIATED:
-            raise Refused(
-                "initialisation is permitted once, with startTime and stopTime, after "
-                "instantiation or a reset"
-            )
+            raise refused("started")
         stop = math.inf if stop is None else stop
         if not math.isfinite(start) or not stop >= start:
-            raise Refused(
-                f"startTime is {start!r} s and stopTime {stop!r} s; permitted are a finite "
-                "startTime and a stopTime not before it"
-            )
+            raise refused("times", repr(start), repr(stop))
         self.time, self.stop = start, stop
 
     def check_enter(self):
         """Whether initialisation mode can be entered."""
         if self.phase != INSTANTIATED:
-            raise Refused("initialisation mode can be entered once, after instantiation or a reset")
+            raise refused("entered")
 
     def check_leave(self):
         """Whether initialisation mode can be left."""
         if self.phase != INITIALISING:
-            raise Refused("initialisation mode can be left only after it was entered")
+            raise refused("not_entered")
 
     def terminate(self):
         """End the simulation: values can be read, and nothing else."""
         if self.phase != RUNNING:
-            raise Refused("only a running simulation can be terminated")
+            raise refused("not_running")
         self.phase = TERMINATED
 
     def check_step(self, time, size):
@@ -66,17 +68,8 @@ class Life:
         if self.phase == RUNNING and size >= 0.0 and time + size <= self.stop and abs(time) + size < math.inf:
             return  # the usual step, at the least cost; a comparison with nan is false
         if self.phase != RUNNING:
-            raise Refused(
-                "the wheelset cannot step: it has "
-                + ("been terminated" if self.phase == TERMINATED else "not been initialised")
-            )
+            raise refused("no_step_after" if self.phase == TERMINATED else "no_step_before")
         if not math.isfinite(time) or not math.isfinite(time + size) or size < 0.0:
-            raise Refused(
-                f"a step of {size!r} s at {time!r} s is not possible; permitted are finite times "
-                "and sizes of 0 s or more"
-            )
+            raise refused("step", repr(size), repr(time))
         if time + size > self.stop + OF_A_STEP * size + ROUNDING * abs(self.stop):
-            raise Refused(
-                f"a step of {size!r} s at {time!r} s ends after the stopTime {self.stop!r} s; "
-                "permitted are steps up to it"
-            )
+            raise refused("past_stop", repr(size), repr(time), repr(self.stop))

@@ -7,7 +7,7 @@ import pytest
 from tests.helpers.fake_system import FakeSystem
 from wrcontact.interface.variables import REFERENCE
 from wrcontact.simulation import session as module
-from wrcontact.simulation.life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED
+from wrcontact.simulation.fmi_state_machine import INITIALISING, INSTANTIATED, RUNNING, TERMINATED
 from wrcontact.simulation.session import Refused, Session
 
 PHASES = (INSTANTIATED, INITIALISING, RUNNING, TERMINATED)
@@ -23,11 +23,11 @@ ARGUMENTS = {"set_up": (0.0, 1.0), "step": (0.0, 1e-3)}
 
 def brought_to(phase, start=0.0, stop=1.0):
     """A session in a phase of its life."""
-    session = Session(tell=None)
+    session = Session(log=None)
     session.set_up(start, stop)
     for call in ("enter", "leave", "terminate")[: PHASES.index(phase)]:
         getattr(session, call)()
-    assert session.life.phase == phase
+    assert session.machine.phase == phase
     return session
 
 
@@ -72,7 +72,7 @@ def test_steps_that_are_none_are_refused(time, size, words):
     session = brought_to(RUNNING)
     with pytest.raises(Refused, match=words):
         session.step(time, size)
-    assert session.life.time == 0.0
+    assert session.machine.time == 0.0
 
 
 def test_steps_up_to_the_stop_with_the_rounding_of_a_sum():
@@ -86,20 +86,20 @@ def test_steps_up_to_the_stop_with_the_rounding_of_a_sum():
         (-3.0, 1.0),
     ):
         session.step(time, size)
-    unlimited = Session(tell=None)
+    unlimited = Session(log=None)
     unlimited.start()
     unlimited.step(0.0, 1e6)
     unlimited.step()
-    assert unlimited.life.time == 1e6
+    assert unlimited.machine.time == 1e6
 
 
 @pytest.mark.parametrize("present", PHASES)
 @pytest.mark.parametrize("saved", PHASES)
 def test_a_saved_state_holds_mode_time_and_stop_time(saved, present):
     one, other = brought_to(saved), brought_to(present, 5.0, 10.0)
-    one.life.time = 0.25
+    one.machine.time = 0.25
     other.restore(one.snapshot())
-    assert (other.life.phase, other.life.time, other.life.stop) == (saved, 0.25, 1.0)
+    assert (other.machine.phase, other.machine.time, other.machine.stop) == (saved, 0.25, 1.0)
     if saved == RUNNING:
         with pytest.raises(Refused, match="stopTime 1.0 s"):
             other.step(0.9, 0.2)
