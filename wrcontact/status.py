@@ -251,6 +251,7 @@ REFUSALS = {
     "no_step_after": "the wheelset cannot step: it has been terminated",
     "step": "a step of %s s at %s s is not possible; permitted are finite times and sizes of 0 s or more",
     "past_stop": "a step of %s s at %s s ends after the stopTime %s s; permitted are steps up to it",
+    "unknown": "value reference %lu does not exist; they run from %d to %d",
     "type": "%s is of type %s, not %s",
     "unread": "%s is an output and cannot be read before the initialisation",
     "terminated": "%s cannot be set: the simulation has been terminated",

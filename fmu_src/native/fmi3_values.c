@@ -53,8 +53,7 @@ static int check_type(instance *self, const model_block *block, model_type type,
 static int check_reference(instance *self, fmi3ValueReference reference)
 {
     if (reference > MODEL_BLOCKS || model_blocks[reference].first == BLOCK_RETIRED)
-        return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
-                               (unsigned long)reference, MODEL_BLOCKS);
+        return wheelset_refuse(self->wheelset, REFUSE_UNKNOWN, (unsigned long)reference, 1, MODEL_BLOCKS);
     return 0;
 }
 

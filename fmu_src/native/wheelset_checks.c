@@ -30,8 +30,7 @@ int wheelset_may_get(wheelset *self, uint32_t reference, model_type type)
     if (wheelset_check(self, reference, type))
         return 1;
     if (model_variables[reference].causality == MODEL_OUTPUT && self->core.phase == PHASE_INSTANTIATED)
-        return wheelset_refuse(self, REFUSE_UNREAD,
-                               model_variables[reference].name);
+        return wheelset_refuse(self, REFUSE_UNREAD, model_variables[reference].name);
     return 0;
 }
 
@@ -52,8 +51,7 @@ int wheelset_may_set_real(wheelset *self, uint32_t reference, double value)
         return 1;
     if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked
         && self->core.values[reference] != value)
-        return wheelset_refuse(self, REFUSE_FIXED,
-                               model_variables[reference].name,
+        return wheelset_refuse(self, REFUSE_FIXED, model_variables[reference].name,
                                sentence_shortest(self->core.values[reference], present, sizeof present),
                                sentence_shortest(value, wanted, sizeof wanted));
     return 0;
@@ -88,8 +86,7 @@ int wheelset_may_set_boolean(wheelset *self, uint32_t reference, bool value)
         return 1;
     const bool changes = (self->core.values[reference] != 0.0) != value;
     if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked && changes)
-        return wheelset_refuse(self, REFUSE_FIXED,
-                               model_variables[reference].name, value ? "False" : "True", value ? "True" : "False");
+        return wheelset_refuse(self, REFUSE_FIXED, model_variables[reference].name, value ? "False" : "True", value ? "True" : "False");
     if (self->core.phase == PHASE_CONTINUOUS && changes)
         return wheelset_refuse(self, "%s is a Boolean and can be changed only in event mode, not in continuous-time mode",
                                model_variables[reference].name);

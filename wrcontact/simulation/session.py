@@ -375,7 +375,7 @@ class Session:
 def _variable(reference, type):
     """The variable with this value reference, which must be of this type."""
     if reference not in BY_REFERENCE:
-        raise Refused(f"value reference {reference} does not exist; they run from 0 to {max(BY_REFERENCE)}")
+        raise refused("unknown", reference, 0, max(BY_REFERENCE))
     variable = BY_REFERENCE[reference]
     if variable.type != type:
         raise refused("type", variable.name, variable.type, type)
