@@ -147,6 +147,8 @@ def test_names_are_read_in_any_case_and_by_other_names():
         "en15302_c": "P8",
         "S1002/H30/E31.50/15": "S1002/h30/e31.5/15%",
         "1/40 / h28 / e32.5 / 6.7 %": "1-40/h28/e32.5/6.7%",
+        "EN 13715 – 1-40 / h 28 / e 32,5 / 6,7 %": "1-40/h28/e32.5/6.7%",
+        "EN13715_S1002_h30_e32.5_6.7%": "S1002/h30/e32.5/6.7%",
     }.items():
         assert standard_name(name) == known
         kind = standard_profile(known).kind

@@ -116,7 +116,7 @@ def _table(system, pose, shifts, yaws, output):
 
     if output.suffix.lower() == ".kpfr":
         raise Refused(
-            f"--output is {str(output)!r}, a file of GENSYS, whose columns no public text describes; permitted is a file that "
+            f"--output is {str(output)!r}, a file of GENSYS, whose columns were not found in a public text; permitted is a file that "
             "ends in .csv"
         )
     if output.suffix.lower() != ".csv":

@@ -11,7 +11,6 @@ from ..results.columns import DEPTH_SIZES
 from ..status import Status
 from ..sweeps.grid import checked_axes
 from ..sweeps.run import sweep
-from ..workers import dask_client
 from .adding import adding, option
 from .errors import Refused, sentences
 from .groups import GRID
@@ -166,6 +165,8 @@ def refuse_beside_axes(options):
 
 def write_grid(grid, system, load):
     """Compute what is missing of a table with the inputs ``load`` fixed, and print how many states it has."""
+    from ..workers import dask_client  # slow to import
+
     with _stopped(grid.store), sentences(grid_options), dask_client(grid.scheduler) as client:
         try:
             table = sweep(

@@ -18,9 +18,11 @@ from .zones import Arc, Polynomial, joined, lifted, mirror_zone, moved_across
 
 FILE = Path(__file__).with_name("standards.json")
 #: A designation of EN 13715: tread, height and thickness of the flange [mm], outer slope [%].
-DESIGNATION = re.compile(r"(s1002|1-40|1/40)/h([\d.]+)/e([\d.]+)/([\d.]+)%?")
+DESIGNATION = re.compile(
+    r"(?:en13715(?::\d{4})?[-–—_/:]*)?(s1002|1-40|1/40)[/_]h([\d.]+)[/_]e([\d.]+)[/_]([\d.]+)%?"
+)
 #: What is meant to be one.
-DESIGNATED = re.compile(r"([^/]+|1/40)/\s*h\s*\d.*", re.IGNORECASE)
+DESIGNATED = re.compile(r"([^/_]+|1/40|en\s*13715_[^/_]+)\s*[/_]\s*h\s*\d.*", re.IGNORECASE)
 #: What may stand between the letters of a name.
 LOOSE = r"[\s_-]*"
 #: Letters of GOST's names in Latin ones.
@@ -79,17 +81,19 @@ def known_name(name):
 
 
 def designation(name):
-    """``name`` as EN 13715 spells it; None if it is no designation.
+    """``name`` as EN 13715 spells it; None if it is no designation.  The standard's own number may stand before it.
 
     >>> designation("s1002/H30/e31.5/15")
     'S1002/h30/e31.5/15%'
+    >>> designation("EN 13715 - S1002/h28/e32,5/6,7 %")
+    'S1002/h28/e32.5/6.7%'
 
     Raises
     ------
     ValueError
         if it is one, with a number that the standard does not have.
     """
-    found = DESIGNATION.fullmatch(re.sub(r"\s", "", name.lower()))
+    found = DESIGNATION.fullmatch(re.sub(r"\s", "", name.lower()).replace(",", "."))
     if not found:
         return None
     tread, *numbers = found.groups()

@@ -28,16 +28,16 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """How fast the lateral shift grows [m/s]."""
     @property
     def left_axle_torque(self) -> Any:
-        """Left wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque if independent_wheels is true [N.m]."""
+        """Left wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]."""
     @property
     def left_friction(self) -> Any:
-        """Left wheel: coefficient of friction; read where the tangential_model is not none [1]."""
+        """Left wheel: coefficient of friction, read with a tangential_model [1]."""
     @property
     def left_rail_deflection_lateral_before(self) -> Any:
-        """Left rail: its rail_deflection_lateral one rail_time_step ago [m]."""
+        """Left rail: lateral deflection of its springs one rail_time_step ago [m]."""
     @property
     def left_rail_deflection_vertical_before(self) -> Any:
-        """Left rail: its rail_deflection_vertical one rail_time_step ago [m]."""
+        """Left rail: vertical deflection of its springs one rail_time_step ago [m]."""
     @property
     def left_rail_lateral(self) -> Any:
         """Left rail: displacement from its nominal place, to the right [m]."""
@@ -58,28 +58,28 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """Left rail: velocity down [m/s]."""
     @property
     def left_wheel_rate(self) -> Any:
-        """Left wheel: rotation about the axle, positive when it rolls forward, read instead of wheel_rate if independent_wheels is true; 0 with free_rolling: the one at which its axle_torque and driving_torque cancel each other [rad/s]."""
+        """Left wheel: rotation about the axle, positive when it rolls forward, read instead of wheel_rate with independent_wheels; 0 with free_rolling: the one without torque or under its axle_torque [rad/s]."""
     @property
     def load_transfer(self) -> Any:
-        """Share L of the load N moved from left to right: N (1 + L) on the right wheel, N (1 - L) on the left; in compliant mode used only for the equilibrium outputs [1]."""
+        """Share L of the load N moved from the left to the right wheel: N (1 + L) right, N (1 - L) left [1]."""
     @property
     def normal_force(self) -> Any:
-        """Load per wheel before load transfer: normal force, total over its patches, or its vertical component (parameter load); in compliant mode used only for the equilibrium outputs [N]."""
+        """Load per wheel before load transfer, normal or vertical (parameter load); in compliant contact only for the equilibrium [N]."""
     @property
     def rail_time_step(self) -> Any:
         """Time in which rails on springs have come from the deflections before; 0: they are at rest, and dampers carry nothing [s]."""
     @property
     def right_axle_torque(self) -> Any:
-        """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque if independent_wheels is true [N.m]."""
+        """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]."""
     @property
     def right_friction(self) -> Any:
-        """Right wheel: coefficient of friction; read where the tangential_model is not none [1]."""
+        """Right wheel: coefficient of friction, read with a tangential_model [1]."""
     @property
     def right_rail_deflection_lateral_before(self) -> Any:
-        """Right rail: its rail_deflection_lateral one rail_time_step ago [m]."""
+        """Right rail: lateral deflection of its springs one rail_time_step ago [m]."""
     @property
     def right_rail_deflection_vertical_before(self) -> Any:
-        """Right rail: its rail_deflection_vertical one rail_time_step ago [m]."""
+        """Right rail: vertical deflection of its springs one rail_time_step ago [m]."""
     @property
     def right_rail_lateral(self) -> Any:
         """Right rail: displacement from its nominal place, to the right [m]."""
@@ -100,16 +100,16 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """Right rail: velocity down [m/s]."""
     @property
     def right_wheel_rate(self) -> Any:
-        """Right wheel: rotation about the axle, positive when it rolls forward, read instead of wheel_rate if independent_wheels is true; 0 with free_rolling: the one at which its axle_torque and driving_torque cancel each other [rad/s]."""
+        """Right wheel: rotation about the axle, positive when it rolls forward, read instead of wheel_rate with independent_wheels; 0 with free_rolling: the one without torque or under its axle_torque [rad/s]."""
     @property
     def roll_guess(self) -> Any:
         """Where the search for the roll angle starts; changes the cost of a step, never its answer [rad]."""
     @property
     def roll_input(self) -> Any:
-        """Roll of the wheelset in the contact_mode compliant, positive with the right wheel down; other modes do not read it [rad]."""
+        """Roll of the wheelset with contact_mode compliant, positive with the right wheel down; other modes do not read it [rad]."""
     @property
     def roll_rate(self) -> Any:
-        """How fast the roll grows in the contact_mode compliant; in other contact modes it follows from contact with both rails, and this input is not read [rad/s]."""
+        """How fast the roll grows with contact_mode compliant; in other contact modes it follows from contact with both rails, and this input is not read [rad/s]."""
     @property
     def speed(self) -> Any:
         """Speed along the track; creepages need a velocity, such as this [m/s]."""
@@ -118,13 +118,13 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """Curvature of the track, 1 / radius, positive in a curve to the right [1/m]."""
     @property
     def vertical_shift_input(self) -> Any:
-        """Vertical shift of the wheelset in the contact_mode compliant, positive down; other modes do not read it [m]."""
+        """Vertical shift of the wheelset with contact_mode compliant, positive down; other modes do not read it [m]."""
     @property
     def vertical_velocity(self) -> Any:
-        """How fast the vertical shift grows in the contact_mode compliant; in other contact modes it follows from contact with both rails, and this input is not read [m/s]."""
+        """How fast the vertical shift grows with contact_mode compliant; in other contact modes it follows from contact with both rails, and this input is not read [m/s]."""
     @property
     def wheel_rate(self) -> Any:
-        """Rotation of the wheelset about its axle, positive when it rolls forward; 0 with free_rolling: the one at which axle_torque and driving_torque cancel each other, or speed / nominal_radius without a tangential_model [rad/s]."""
+        """Rotation of the wheelset about its axle, positive when it rolls forward; 0 with free_rolling: the one without torque or under axle_torque, or speed / nominal_radius without a tangential_model [rad/s]."""
     @property
     def yaw(self) -> Any:
         """Yaw of the wheelset, positive clockwise seen from above [rad]."""

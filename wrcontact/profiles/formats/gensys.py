@@ -23,6 +23,6 @@ register(
         "GENSYS's contact functions",
         51,
         {".kpfr": ""},
-        unwritten="whose form no public text describes",
+        unwritten="whose form was not found in a public text",
     )
 )

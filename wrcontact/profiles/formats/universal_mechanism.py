@@ -4,6 +4,9 @@ from .base import Format, register
 
 register(
     Format(
-        "Universal Mechanism", 60, {".wpf": "", ".rpf": ""}, unwritten="whose form no public text describes"
+        "Universal Mechanism",
+        60,
+        {".wpf": "", ".rpf": ""},
+        unwritten="whose form was not found in a public text",
     )
 )
