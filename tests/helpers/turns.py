@@ -46,7 +46,7 @@ WEEKLY = {
     "tests/elementary/test_digests.py": ("tests/helpers/digests.py", "wrcontact/kernel/elementary/"),
     "tests/faults/": ("tests/helpers/fmu_process.py", "wrcontact/fmu/", "wrcontact/storage/"),
     "tests/fmu/native/test_building.py": MACHINES,
-    "tests/fmu/native/test_c_host.py": (*FMUS, "data/native_host.c"),
+    "tests/fmu/native/test_c_host.py": (*FMUS, "tests/fmu/native/host.c"),
     "tests/fmu/native/test_page_in_c.py": (*FMUS, "docs/guides/fmu_hosts.md"),
     "tests/fmu/test_importers.py": (*FMUS, "tests/helpers/importer_process.py"),
     "tests/fmu/test_long_runs.py": FMUS,
