@@ -7,12 +7,11 @@ import pytest
 from fmpy.util import write_csv
 from PIL import Image
 
-from tests.helpers.paths import ROOT
+from data import HUNTING
 from wrcontact import ContactSystem, plots
 from wrcontact.plots.film import film_of
 
 SYSTEM = ContactSystem()
-HUNTING = ROOT / "data" / "trajectories" / "hunting.csv"
 MM = 1e-3
 
 
