@@ -13,11 +13,11 @@ from .interface.rows import AXES, Blocks, Run
 from .interface.rows import Vector as VectorRow
 from .kernel import layout
 from .methods.words import did_you_mean
-from .results import columns
-from .results.columns import SIDES, Kept, output_names, output_places
+from .results.columns import Kept
 from .results.inputs import PLACES, Inputs, Rows
 from .results.inputs import number as _number
-from .results.outlines import Outline, Strips, WornOutline, outline_offset
+from .results.layout import SIDES, USUAL
+from .results.outlines import Outline, Strips, WornOutline
 from .results.views import View, number_at, view_at, words_of
 from .results.words import shown, unit_name
 from .status import Status
@@ -142,7 +142,7 @@ class Side(View):
         start, size = self._offset + layout.SIDE_PATCH, layout.PATCH_OUTPUTS_SIZE
         single = self._values.ndim == 1
         return tuple(
-            Patch(self._values, start + size * k)
+            Patch(self._values, start + size * k, self.layout)
             for k in range(layout.PATCH_LIMIT)
             if not single or k < self.patch_count
         )
@@ -150,28 +150,25 @@ class Side(View):
     @property
     def outline(self):
         """Outline and pressure over the loaded width."""
-        kind = WornOutline if columns.has_wear(self._values.shape[-1]) else Outline
-        return kind(self._values, outline_offset(self._values, self._offset), self._is_right)
+        kind = WornOutline if self.layout.wear else Outline
+        return kind(self._values, self.layout, self._side)
 
     @property
     def strips(self):
         """The :class:`Strips` of each of ``patches``; with wear_outputs only."""
-        width = self._values.shape[-1]
-        if not columns.has_wear(width):
+        if not self.layout.wear:
             raise AttributeError("strips are not computed; they need ContactSystem(wear_outputs=True)")
-        (side,) = (name for name, first in SIDES.items() if first == self._offset)
-        return tuple(
-            Strips(self._values, columns.strips_place(width, side, k)) for k in range(len(self.patches))
-        )
+        first, size = self.layout.strips(self._side)[0], layout.STRIP_OUTPUTS_SIZE
+        return tuple(Strips(self._values, first + size * k, self.layout) for k in range(len(self.patches)))
 
     @property
-    def _is_right(self):
-        return self._offset == layout.OUT_RIGHT
+    def _side(self):
+        return "right" if self._offset == layout.OUT_RIGHT else "left"
 
     def to_dict(self):
         """All values by name, as those of every part of a result; strips where they are computed."""
         found = super().to_dict()
-        if columns.has_wear(self._values.shape[-1]):
+        if self.layout.wear:
             found["strips"] = [strips.to_dict() for strips in self.strips]
         return found
 
@@ -199,21 +196,26 @@ class WheelsetState(View):
     left, right : a :class:`Side` each.
     names : of the outputs; ``state["right.area"]`` is the value of one, ``table[3]`` the state of a row.
     inputs : an array with names, ``state.inputs.yaw``; see :class:`~wrcontact.results.inputs.Inputs`.
-    values : the kernel's outputs, likewise.
+    values : the kernel's outputs, likewise; ``layout`` says where they lie.
     """
 
     __slots__ = ("values", "status", "_inputs", "_places", "_system", "_equilibrium")
     _members = ("left", "right")
 
-    def __init__(self, values, status, inputs, kept=None, width=None, system=None):
-        """``kept`` are the places of the columns of ``values`` in the kernel's outputs, of which there are
-        ``width``; None for all.  ``system`` finds the equilibrium."""
+    def __init__(self, values, status, inputs, layout=USUAL, kept=None, system=None):
+        """``layout`` says where the kernel's outputs lie; ``kept`` are the places of the columns of ``values`` among
+        them, None for all.  ``system`` finds the equilibrium."""
+        if values.shape[-1] != (layout.size if kept is None else len(kept)):
+            raise ValueError(
+                f"values has rows of {values.shape[-1]} numbers, those of the layout have {layout.size}"
+            )
         self.values = values
         self.status = status
         self._inputs = inputs
         self._places = kept
         self._system, self._equilibrium = system, None
-        self._values, self._offset = values if kept is None else Kept(values, kept, width), 0
+        self._values = values if kept is None else Kept(values, kept, layout.size)
+        self._offset, self.layout = 0, layout
 
     @property
     def inputs(self):
@@ -226,12 +228,12 @@ class WheelsetState(View):
     @property
     def left(self):
         """The left wheel."""
-        return Side(self._values, layout.OUT_LEFT)
+        return Side(self._values, layout.OUT_LEFT, self.layout)
 
     @property
     def right(self):
         """The right wheel."""
-        return Side(self._values, layout.OUT_RIGHT)
+        return Side(self._values, layout.OUT_RIGHT, self.layout)
 
     @property
     def equilibrium(self):
@@ -253,7 +255,7 @@ class WheelsetState(View):
     @property
     def names(self):
         """Names of the outputs that are there, as in an FMU: ``roll``, ..., ``right.patch[1].area``, ..."""
-        return output_names(self._places, self._values.shape[-1])
+        return self.layout.names(self._places)
 
     def __getitem__(self, key):
         """An output or input by its name, ``state["right.patch[1].area"]``: a float, (n,) of a table.
@@ -268,13 +270,13 @@ class WheelsetState(View):
         if np.ndim(key) == 0 and not isinstance(key, slice):
             values = self.values[key] if self._places is None else self._values.row(key)
             status = Status(int(self.status[key]))
-            return WheelsetState(values, status, self._inputs.part(key), system=self._system)
+            return WheelsetState(values, status, self._inputs.part(key), self.layout, system=self._system)
         return WheelsetState(
             self.values[key],
             self.status[key],
             self._inputs.part(key),
+            self.layout,
             self._places,
-            self._values.shape[-1],
             self._system,
         )
 
@@ -286,9 +288,9 @@ class WheelsetState(View):
             return getattr(self.equilibrium, name.partition(".")[2])
         if name in INPUT_NAMES:
             return _number(self._inputs.column(PLACES[name])) if self.values.ndim > 1 else self.inputs[name]
-        place = output_places(self._values.shape[-1]).get(name)
+        place = self.layout.places.get(name)
         if place is None:
-            meant = did_you_mean(name, ("status", *INPUT_NAMES, *output_places(self._values.shape[-1])))
+            meant = did_you_mean(name, ("status", *INPUT_NAMES, *self.layout.places))
             raise KeyError(f"there is no output {name!r}{meant or '; .names lists them'}")
         return _number(self._values[..., place])
 
@@ -322,6 +324,7 @@ class WheelsetState(View):
             self._inputs.as_table()
             if isinstance(self._inputs, Rows)
             else Rows(self._inputs, [], np.empty((1, 0))),
+            self.layout,
             system=self._system,
         )
 

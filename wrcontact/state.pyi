@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from typing_extensions import TypeVar
 
 from .results.inputs import Inputs
+from .results.layout import Layout
 from .results.outlines import Outline, Strips
 from .results.views import View, _N
 from .status import Status
@@ -260,8 +261,8 @@ class Equilibrium(NamedTuple):
 class WheelsetState(View[_N], Generic[_N, _K, _S]):
     values: _Array
     status: _S
-    def __init__(self, values: _Array, status: _S, inputs: _Array | None, kept: _Array | None = None,
-                 width: int | None = None, system: Any = None) -> None: ...
+    def __init__(self, values: _Array, status: _S, inputs: _Array | None, layout: Layout = ...,
+                 kept: _Array | None = None, system: Any = None) -> None: ...
     @property
     def inputs(self) -> Inputs: ...
     @property

@@ -16,10 +16,9 @@ from .interface.calls import PLACES, START_ROW, unknown_input
 from .interface.inputs import INPUT_NAMES
 from .kernel import layout
 from .kernel.binding.library import PythonKernel, default_kernel
-from .kernel.patch.outline import row_size
 from .methods.numbers import check_choice
 from .motion.reaction import rail_reaction
-from .results.columns import output_names
+from .results.layout import Layout
 from .results.names import differentiated_inputs, differentiated_outputs, is_computed, listed, place_of
 from .results.saved import check_mark, version_mark
 
@@ -53,11 +52,11 @@ class Stepper:
     inputs : those of ``input_names``, in this order; SI.  They begin with the defaults of
         :meth:`~wrcontact.ContactSystem.evaluate`.
     outputs : in the order of an FMU's variables, SI; zero until the first valid step.  :meth:`place` says
-        where one of ``output_names`` is.  With another number of stations than 31 the outlines follow behind
-        them, see wrcontact/kernel/patch/outline.py.
+        where one of ``output_names`` is.
     force, moment : (3,) of the wheelset [N, N m], views of the outputs: forward, to the right, down; the
         moment is about the wheelset's centre.
     state : where the next roll search starts, and counters; it never changes an answer.
+    layout : where the outputs lie, a :class:`~wrcontact.results.layout.Layout`.
     compiled : whether the compiled kernel is used.
     """
 
@@ -65,7 +64,8 @@ class Stepper:
         self._tables, self._bind = tables.copy(), bind
         self.inputs = np.array(START_ROW)
         self.numbers = memoryview(self.inputs)  # the same: single numbers go in and out in half the time
-        self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
+        self.layout = Layout.of(self._tables)
+        self.outputs = np.zeros(self.layout.size)
         self.force, self.moment = self.outputs[FORCE], self.outputs[MOMENT]
         self.state = np.zeros(layout.STATE_SIZE)
         self._workspace = np.zeros(layout.WORK_SIZE)
@@ -101,7 +101,7 @@ class Stepper:
 
         With another number of stations than 31 some places have no name; :meth:`place` has that of each name.
         """
-        return output_names(None, len(self.outputs))
+        return self.layout.names()
 
     def place(self, name):
         """The index of an input in ``inputs``, or of an output in ``outputs``, by its name.
@@ -111,7 +111,7 @@ class Stepper:
         ValueError
             if there is none, with what may be meant.
         """
-        return place_of(name, len(self.outputs))
+        return place_of(name, self.layout)
 
     def resultant(self, motion):
         """Force (3,) [N] and moment (3,) [N m] of the rails on the wheelset at a ``motion``.
@@ -158,7 +158,7 @@ class Stepper:
             if the kernel is not compiled, or a model works outside it.
         """
         columns = differentiated_inputs(listed("by", by))
-        places, least = differentiated_outputs(listed("of", of), len(self.outputs))
+        places, least = differentiated_outputs(listed("of", of), self.layout)
         if not is_computed(least, self._wanted):
             raise ValueError(
                 f"of needs side={least[0]!r} and outputs={least[1]!r}; this stepper computes "

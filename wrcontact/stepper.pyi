@@ -7,6 +7,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .results.layout import Layout
+
 _Numbers = NDArray[np.float64]
 
 class Stepper:
@@ -15,6 +17,7 @@ class Stepper:
     force: _Numbers
     moment: _Numbers
     state: _Numbers
+    layout: Layout
     compiled: bool
     def __init__(self, tables: _Numbers, bind: Callable[..., Any] | None = None) -> None: ...
     @property

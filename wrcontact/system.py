@@ -229,7 +229,9 @@ class ContactSystem:
         found = stepper.outputs.copy()
         if status > layout.UNLOADED:
             found[:] = math.nan
-        return WheelsetState(found, STATUSES[status], stepper.inputs.copy(), system=self._balancing())
+        return WheelsetState(
+            found, STATUSES[status], stepper.inputs.copy(), stepper.layout, system=self._balancing()
+        )
 
     def _stepper_at(self, penetration, side, outputs, given):
         """This thread's stepper with the inputs ``given`` by their places, not stepped."""
@@ -385,14 +387,14 @@ class ContactSystem:
         if threads is not None:
             check_count("threads", threads)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
-        width = len(stepper.outputs)
-        values = np.empty((len(rows), width if wanted.places is None else len(wanted.places)))
+        size = stepper.layout.size if wanted.places is None else len(wanted.places)
+        values = np.empty((len(rows), size))
         status = np.empty(len(rows), dtype=int)
         with working("evaluating poses", len(rows)) as advance:
             for part, found, outcome in self._parts(stepper, rows, wanted.places, processes, threads):
                 values[part], status[part] = found, outcome
                 advance(len(found))
-        return WheelsetState(values, status, rows, wanted.places, width, self._balancing())
+        return WheelsetState(values, status, rows, stepper.layout, wanted.places, self._balancing())
 
     def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", processes=1, **inputs):
         """As :meth:`evaluate_many`, but yields the table in parts of up to 512 rows, one after the other:
@@ -402,7 +404,7 @@ class ContactSystem:
         parts = self._parts(stepper, rows, wanted.places, processes)
         return (
             WheelsetState(
-                found.copy(), outcome, rows.part(part), wanted.places, len(stepper.outputs), self._balancing()
+                found.copy(), outcome, rows.part(part), stepper.layout, wanted.places, self._balancing()
             )
             for part, found, outcome in parts
         )
@@ -462,7 +464,7 @@ class ContactSystem:
             raise wrong_input(values, array=True)
         warn_of_inputs(given, self._told)
         stepper = self._new_stepper()
-        wanted = selected(side, outputs, len(stepper.outputs))
+        wanted = selected(side, outputs, stepper.layout)
         stepper.want(wanted.side, wanted.depth)
         stepper.prescribe(penetration)
         return Rows.of(columns, shape[0], wanted.named), wanted, stepper

@@ -13,7 +13,8 @@ from .interface.calls import describe_wheel_inputs
 from .interface.one_wheel import checked_wheel, unknown_wheel_input, unknown_wheel_output, wheel_inputs
 from .kernel import layout
 from .methods.numbers import check_choice
-from .results.columns import DEPTH_SIZES, SIDES
+from .results.columns import DEPTH_SIZES
+from .results.layout import SIDES
 from .results.names import listed
 from .state import Side
 from .system import ContactSystem
@@ -35,7 +36,7 @@ class WheelState(Side):
 
     def __init__(self, state, side):
         """The wheel of this ``side`` of a wheelset's ``state``."""
-        super().__init__(state._values, SIDES[side])
+        super().__init__(state._values, SIDES[side], state.layout)
         self._state, self.side = state, side
 
     @property

@@ -129,9 +129,9 @@ def run_of(run):
 def names_of(run):
     """Names of the columns of a run."""
     if hasattr(run, "inputs"):  # a table of states
-        from ..results.columns import INPUT_PLACES
+        from ..interface.inputs import INPUT_NAMES
 
-        return (*run.names, *INPUT_PLACES, "status")
+        return (*run.names, *INPUT_NAMES, "status")
     dtype = getattr(run, "dtype", None)
     return tuple(getattr(dtype, "names", None) or (run.keys() if hasattr(run, "keys") else run.columns))
 

@@ -5,15 +5,13 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from .layout import Layout
 from .views import View, _N
 
 _Array = NDArray[Any]
 
-def station_count(values: _Array) -> int: ...
-def outline_offset(values: _Array, first: int) -> int: ...
-
 class Outline(View[_N]):
-    def __init__(self, values: Any, offset: int, is_right: bool) -> None: ...
+    def __init__(self, values: Any, layout: Layout, side: str) -> None: ...
     @property
     def half_length(self) -> _Array:
         """Half the length of the patch in rolling direction at the station [m], one value per station."""

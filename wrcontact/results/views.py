@@ -11,16 +11,18 @@ from .saved import check_mark, version_mark
 
 
 class View:
-    """Named places of an output array (m,) or (n, m) from ``offset`` on."""
+    """Named places of an output array (m,) or (n, m) from ``offset`` on, whose rows have this
+    ``layout`` (:class:`~wrcontact.results.layout.Layout`)."""
 
-    __slots__ = ("_values", "_offset")
+    __slots__ = ("_values", "_offset", "layout")
     __class_getitem__ = classmethod(GenericAlias)  # numbers of a pose, arrays of a table: types alone know
     _members = ()  # names of the parts, in the order of the table
     _shown = ()  # those of them in the short text; () for all
 
-    def __init__(self, values, offset):
+    def __init__(self, values, offset, layout):
         self._values = values
         self._offset = offset
+        self.layout = layout
 
     def __getstate__(self):
         names = [name for kind in type(self).__mro__ for name in getattr(kind, "__slots__", ())]
@@ -68,7 +70,7 @@ def number_at(place, words):
 
 def view_at(kind, place, words):
     """A property that is a view of ``kind`` from ``place`` on."""
-    return property(lambda self: kind(self._values, self._offset + place), doc=words)
+    return property(lambda self: kind(self._values, self._offset + place, self.layout), doc=words)
 
 
 def words_of(row, behind="."):

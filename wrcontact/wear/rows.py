@@ -14,7 +14,6 @@ import numpy as np
 from ..conventions import SIDES
 from ..kernel.layout import PATCH_LIMIT
 from ..methods.words import did_you_mean
-from ..results.columns import has_wear
 from ..results.convert import needed
 from ..state import WheelsetState
 from ..system import ContactSystem
@@ -195,7 +194,7 @@ def rows_of_table(table, side=None):
     if side is not None and table.side != side:
         raise ValueError(f"table is of a {table.side} wheel; permitted is one of a {side} wheel")
     table, needed_words = table._as_table(), NEEDED.format(maker.__name__)
-    if not has_wear(table._values.shape[-1]):
+    if not table.layout.wear:
         raise ValueError(f"the table has no outputs of wear; {needed_words}")
     prefixes = prefixes_of(side)
     rows = Rows(TableColumns(table, prefixes), table, "the table", prefixes)
