@@ -4,13 +4,18 @@ A stepper holds the arrays of one wheelset and a solver that works on them: the 
 model of wrcontact/halfspace/stepping.py.  :meth:`wrcontact.ContactSystem.stepper` puts the two together.
 """
 
+from __future__ import annotations
+
 import math
 import os
 import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from queue import SimpleQueue
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from .interface.calls import PLACES, START_ROW, unknown_input
 from .interface.inputs import INPUT_NAMES
@@ -21,6 +26,9 @@ from .motion.reaction import rail_reaction
 from .results.layout import Layout
 from .results.names import differentiated_inputs, differentiated_outputs, is_computed, listed, place_of
 from .results.saved import check_mark, version_mark
+
+if TYPE_CHECKING:
+    from .keywords import Depth, Sides
 
 #: What of an evaluation can be wanted: sides and depth of the outputs, with the kernel's numbers.
 SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
@@ -60,7 +68,14 @@ class Stepper:
     compiled : whether the compiled kernel is used.
     """
 
-    def __init__(self, tables, bind=None):
+    inputs: NDArray[np.float64]
+    outputs: NDArray[np.float64]
+    force: NDArray[np.float64]
+    moment: NDArray[np.float64]
+    state: NDArray[np.float64]
+    compiled: bool
+
+    def __init__(self, tables: NDArray[np.float64], bind: Callable[..., Any] | None = None) -> None:
         self._tables, self._bind = tables.copy(), bind
         self.inputs = np.array(START_ROW)
         self.numbers = memoryview(self.inputs)  # the same: single numbers go in and out in half the time
@@ -86,24 +101,24 @@ class Stepper:
         )
 
     @property
-    def tables(self):
+    def tables(self) -> NDArray[np.float64]:
         """Settings and tables, with what is wanted and prescribed."""
         return self._tables
 
     @property
-    def input_names(self):
+    def input_names(self) -> tuple[str, ...]:
         """Names of the inputs in their order, as in an FMU: ``lateral_shift``, ..., ``right.friction``."""
         return INPUT_NAMES
 
     @property
-    def output_names(self):
+    def output_names(self) -> tuple[str, ...]:
         """Names of the outputs in the order of an FMU's variables: ``roll``, ``vertical_shift``, ...
 
         With another number of stations than 31 some places have no name; :meth:`place` has that of each name.
         """
         return self.layout.names()
 
-    def place(self, name):
+    def place(self, name: str) -> int:
         """The index of an input in ``inputs``, or of an output in ``outputs``, by its name.
 
         Raises
@@ -113,7 +128,7 @@ class Stepper:
         """
         return place_of(name, self.layout)
 
-    def resultant(self, motion):
+    def resultant(self, motion: Mapping[str, float]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Force (3,) [N] and moment (3,) [N m] of the rails on the wheelset at a ``motion``.
 
         Parameters
@@ -135,7 +150,7 @@ class Stepper:
             return np.full(3, math.nan), np.full(3, math.nan)
         return self.force.copy(), self.moment.copy()
 
-    def derivatives(self, of, by):
+    def derivatives(self, of: Iterable[str], by: Iterable[str]) -> NDArray[np.float64]:
         """How outputs follow inputs at the present inputs, which may have been stepped or not.
 
         One step and one pass of the differentiated kernel for each ten inputs; nothing else changes.
@@ -176,7 +191,9 @@ class Stepper:
         found = rates[:, places].T
         return found if status <= layout.UNLOADED else np.full_like(found, math.nan)
 
-    def rail_reaction(self, side):
+    def rail_reaction(
+        self, side: Literal["left", "right"]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Force (3,) [N] of the wheel on the rail of this ``side``, "left" or "right", after a step, and its
         moment (3,) [N m] about the rail's reference point, the highest point of its head as it is displaced.
 
@@ -184,7 +201,7 @@ class Stepper:
         """
         return rail_reaction(self._tables, self.inputs, self.outputs, side)
 
-    def step(self):
+    def step(self) -> int:
         """Evaluate the inputs into the outputs; return the status (an int).
 
         Status 2, 3 and 4 leave the outputs as they are.  Inputs that equal those of the last valid step are
@@ -192,12 +209,16 @@ class Stepper:
         """
         return self._bound.step()
 
-    def step_many(self, inputs, outputs, status):
+    def step_many(
+        self, inputs: NDArray[np.float64], outputs: NDArray[np.float64], status: NDArray[np.float64]
+    ) -> None:
         """Evaluate rows of ``inputs`` (n, inputs) into rows of ``outputs`` and ``status`` (n,), C-contiguous
         float64."""
         self._bound.step_many(len(inputs), inputs, outputs, status)
 
-    def parts(self, inputs, places=None):
+    def parts(
+        self, inputs: NDArray[np.float64], places: Sequence[int] | NDArray[Any] | None = None
+    ) -> Iterator[tuple[slice, NDArray[np.float64], NDArray[Any]]]:
         """Evaluate rows of ``inputs`` (n, inputs), part after part.
 
         Yields the rows' slice, their outputs (rows, k) at ``places`` (None: all), and their status (rows,).
@@ -217,7 +238,7 @@ class Stepper:
             yield rows, part if places is None else part[:, places], status[: len(part)].astype(int)
             start = rows.stop
 
-    def prescribe(self, penetration):
+    def prescribe(self, penetration: ArrayLike | None) -> None:
         """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to
         the force.
 
@@ -254,7 +275,7 @@ class Stepper:
         layout.Work.at(self._workspace).known = False
         self._penetration = prescribed
 
-    def want(self, side="both", outputs="all"):
+    def want(self, side: Sides = "both", outputs: Depth = "all") -> None:
         """Compute only this from now on; the arguments of :meth:`wrcontact.ContactSystem.stepper`."""
         if self._wanted == (side, outputs):
             return

@@ -38,9 +38,10 @@ WEEKLY = {
     "tests/docs/test_tables.py::test_errors_are_those_of_today[worst_steps]": ("benchmarks/worst.py",),
     "tests/docs/test_tables.py::test_studies_are_those_of_today": ("benchmarks/", "wrcontact/study/"),
     "tests/docs/test_types.py": (
-        "tools/make_types.py",
-        "tools/types/",
+        "tools/make_fields.py",
+        "wrcontact/__init__.py",
         "wrcontact/interface/",
+        "wrcontact/keywords.py",
         "wrcontact/results/",
     ),
     "tests/elementary/test_digests.py": ("tests/helpers/digests.py", "wrcontact/kernel/elementary/"),

@@ -16,7 +16,7 @@ MAY_IMPORT = {
     "examples": {"wrcontact"},
     "tools": {"wrcontact"},
     "benchmarks": {"wrcontact", "data", "tools"},
-    "docs": {"wrcontact", "data", "examples", "benchmarks"},
+    "docs": {"wrcontact", "data", "examples", "benchmarks", "tools"},
     "tests": {"wrcontact", "data", "examples", "tools"},
 }
 #: Folders of tests that test the benchmarks, and what they write into the pages.
