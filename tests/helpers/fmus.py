@@ -189,10 +189,10 @@ def measured(name, file, step=1e-4):
     return file
 
 
-def outline_of_both(values):
+def outline_of_both(values, layout):
     """Both sides' runs of an outline by the names of FMI 3; those of wear are zero where they are not
     computed."""
-    state = WheelsetState(values, 0, None)
+    state = WheelsetState(values, 0, None, layout)
     found = {}
     for side in ("left", "right"):
         outline = getattr(state, side).outline.to_dict()

@@ -7,12 +7,12 @@ import pytest
 from fmpy.util import write_csv
 from PIL import Image
 
-from tests.helpers.paths import ROOT
-from wrcontact import ContactSystem, plots
+from data import HUNTING
+from wrcontact import ContactSystem, WheelContact, plots
 from wrcontact.plots.animation_frames import frames_of
+from wrcontact.results.runs import Run
 
 SYSTEM = ContactSystem()
-HUNTING = ROOT / "data" / "trajectories" / "hunting.csv"
 MM = 1e-3
 
 
@@ -51,10 +51,25 @@ def test_a_table_of_states_and_an_array_have_histories():
     assert len(plots.history(result, "roll", over=[0.0, 1.0, 2.0]).lines[0].get_xdata()) == 3
 
 
+def test_a_run_of_one_wheel_has_its_names():
+    """Inputs too; a state of one pose has numbers, and what is no run is refused."""
+    table = WheelContact(side="left").evaluate_many(vertical_shift_input=[1e-4, 2e-4], friction=0.4)
+    run = Run.of(table)
+    assert run["friction"].tolist() == [0.4, 0.4] and "left.friction" not in run
+    assert run["force.z"].tolist() == table.force.z.tolist()
+    assert plots.history(table, "area", over="vertical_shift_input").lines[0].get_xdata().tolist() == [
+        0.1,
+        0.2,
+    ]
+    assert Run.of(SYSTEM.evaluate(1e-3))["lateral_shift"] == 1e-3
+    with pytest.raises(ValueError, match="^run is int; permitted are the path of a .csv or .parquet file"):
+        Run.of(3)
+
+
 @pytest.mark.parametrize(
     "text, given, words",
     [
-        ("time,yaw\n0,1\n", "yav", "there is no 'yav'; did you mean yaw?"),
+        ("time,yaw\n0,1\n", "yav", "run.csv has no column 'yav'; did you mean yaw?"),
         (
             "time,yaw,roll\n0,1,2\n",
             ["yaw", "time"],

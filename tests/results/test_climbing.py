@@ -75,7 +75,7 @@ def test_tables_states_and_runs_agree_and_mirror():
     np.testing.assert_allclose(swapped.sum_margin, whole.sum_margin, rtol=1e-6, atol=1e-6)
     stated = wrcontact.flange_climb(table, flange_angle=np.radians(70.0))
     np.testing.assert_allclose(stated.left_limit, np.tan(np.radians(70.0) - np.arctan(0.3)))
-    with pytest.raises(ValueError, match="no 'left.friction'"):
+    with pytest.raises(ValueError, match="no column 'left.friction'"):
         wrcontact.flange_climb({"left.derailment_quotient": [0.1]})
     with pytest.raises(ValueError, match="flange_angle is 70"):
         wrcontact.flange_climb(table, 70)

@@ -7,7 +7,7 @@ import pytest
 
 import wrcontact
 from wrcontact.interface.inputs import INPUTS
-from wrcontact.results.columns import OUTPUTS
+from wrcontact.results.layout import OUTPUTS
 from wrcontact.sweeps.grid import block_at, block_shape, checked_axes, checked_inputs
 from wrcontact.sweeps.stores import plain
 

@@ -1,12 +1,11 @@
 """``wrcontact demo``: build the FMU, step it through the stored run, compare, write a table and a picture."""
 
-import csv
 import signal
 import threading
 import time
 from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib.resources import files
+from importlib.resources import as_file, files
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -27,6 +26,7 @@ from ..interface.variables import (
     select,
 )
 from ..progress import working
+from ..results.runs import read_run
 from .errors import Refused, sentences
 from .report import console
 from .tables import write_table
@@ -96,9 +96,8 @@ def built(folder, native):
 
 def stored_run():
     """The stored run: inputs and expected outputs, arrays (n,) in SI by FMU name."""
-    with files(__package__).joinpath("data", RUN).open(encoding="utf-8", newline="") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, np.array(rows, dtype=float).T))
+    with as_file(files(__package__).joinpath("data", RUN)) as file:
+        return read_run(file)
 
 
 def stored_inputs(stored):

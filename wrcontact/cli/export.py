@@ -8,6 +8,7 @@ import typer
 
 from ..interface.inputs import INPUTS
 from ..methods.numbers import check_choice
+from ..results.runs import read_run
 from ..status import Status
 from ..system import ContactSystem
 from .errors import Refused, check_file, check_folder, sentences
@@ -147,8 +148,6 @@ def _for_contact(system, pose, run, output):
         if run is None:
             found = system.evaluate(**pose)
         else:
-            from ..plots import read_run
-
             if pose:
                 raise Refused("--run and inputs of a pose are given; permitted is one of them")
             columns = read_run(run)

@@ -27,6 +27,7 @@ from ..kernel.prepare.scan import FINE_STEP
 from ..methods import NUMBERS, family_of
 from ..methods.numbers import unit_behind
 from ..profiles.definition import definition
+from ..results.layout import Layout
 from ..status import REFUSALS, SENTENCES, Status, written
 
 TEXT = 256  #: bytes of a String, with the zero at its end
@@ -74,7 +75,7 @@ def sizes_header(blocks, variant):
         "LOAD_MOST": USUAL_LOAD[1],
         "FIXED_SIZE": len(fixed_tables()),
         "STATIONS": layout.STATION_COUNT,
-        "OUTLINES": (2 * (layout.RUN_COUNT + layout.WEAR_RUN_COUNT) * layout.STATION_LIMIT + layout.WEAR_END),
+        "OUTLINES": Layout(layout.STATION_LIMIT, True).size - layout.OUTPUT_COUNT,
         "MEMORY": layout.STATE_SIZE,
         "KNOWN": layout.Work.outputs.offset // 8,
         "WORK": layout.WORK_SIZE,

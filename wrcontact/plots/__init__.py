@@ -14,11 +14,12 @@ one ``axis`` of matplotlib, by default in a new figure, and return it:
 """
 
 from ..conditioning.curves import find_jumps
+from ..results.runs import read_run
 from .animation import animate
 from .check import check_figure
 from .creepage import creep_curves
 from .demo import demo_figure
-from .history import history, read_run
+from .history import history
 from .lateral_curves import contact_angle, radius_difference, roll_angle
 from .lines import contact_lines
 from .locus import root_locus_figure

@@ -16,7 +16,6 @@ from ..conventions import SIDES
 from ..progress import tracked
 from ..storage.atomic import write_atomically
 from .animation_frames import frames_of, shifted
-from .history import run_of
 from .patch import draw_patch, missing, patch_places
 from .pose import draw_contact
 from .style import DEGREE, INK, MM, QUIET, RAIL_COLOUR, SIDE_COLOUR, WHEEL_COLOUR, new_figure, number, styled
@@ -58,7 +57,7 @@ def animate(system, run, path, *, frames=MOST_FRAMES, rate=RATE):
         in a sentence, where the run has no lateral shift or no pose with contact, or there is no ffmpeg.
     """
     writer = _writer(path, rate)
-    states = frames_of(system, run_of(run), frames)
+    states = frames_of(system, run, frames)
     figure = new_figure(9.6, 4.4)
     above, right = figure.subfigures(1, 2, width_ratios=(1, 2.6))
     panels = _Panels(above.subplots(), *right.subplots(2, 2, height_ratios=(1, 1.1)))

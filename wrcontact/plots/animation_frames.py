@@ -6,9 +6,9 @@ import numpy as np
 
 from ..conventions import SIDES
 from ..interface.inputs import INPUTS
+from ..results.runs import Run
 from ..status import Status
 from .geometry import rail_lengths
-from .history import column, names_of
 from .patch import missing, patch_ends, patch_places, pressure_scale
 from .style import MM
 
@@ -33,7 +33,8 @@ def frames_of(system, run, frames):
     """Evaluate the poses that are drawn."""
     if not (isinstance(frames, int) and frames > 0):
         raise ValueError(f"frames is {frames!r}; permitted are whole numbers from 1 on")
-    names = names_of(run)
+    run = Run.of(run)
+    names = run.names
     given = {row.keyword: row.name for row in INPUTS if row.name in names and not row.hint}
     if system.parameters["contact_mode"] == "compliant":
         given = {place: name for place, name in PLACES.items() if name in names} | given
@@ -41,10 +42,10 @@ def frames_of(system, run, frames):
         given = {keyword: name for keyword, name in given.items() if keyword not in PLACES}
     if "lateral_shift" not in given:
         raise ValueError("the run has no 'lateral_shift'; permitted is a run that has it")
-    count = len(column(run, "lateral_shift"))
+    count = len(run["lateral_shift"])
     pick = np.unique(np.linspace(0, count - 1, min(frames, count)).round().astype(int))
-    table = system.evaluate_many(**{keyword: column(run, name)[pick] for keyword, name in given.items()})
-    time = column(run, "time")[pick] if "time" in names else np.full(len(pick), np.nan)
+    table = system.evaluate_many(**{keyword: run[name][pick] for keyword, name in given.items()})
+    time = run["time"][pick] if "time" in names else np.full(len(pick), np.nan)
     valid = np.flatnonzero(np.asarray(table.status) <= Status.UNLOADED)
     if not len(valid):
         raise ValueError(f"none of the {len(pick)} poses of the run has a contact")
@@ -56,18 +57,18 @@ def frames_of(system, run, frames):
         system,
         rows,
         time[valid],
-        _distance(run, names, pick)[valid],
+        _distance(run, pick)[valid],
         pressure_scale(outlines) if outlines else None,
         _window(system, rows),
     )
 
 
-def _distance(run, names, pick):
+def _distance(run, pick):
     """How far the wheelset has come at the frames [m]; zero where the run does not say it."""
-    if "distance" in names:
-        return column(run, "distance")[pick]
-    if {"time", "speed"} <= set(names):
-        time, speed = column(run, "time"), column(run, "speed")
+    if "distance" in run:
+        return run["distance"][pick]
+    if "time" in run and "speed" in run:
+        time, speed = run["time"], run["speed"]
         way = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(time))])
         return way[pick]
     return np.zeros(len(pick))

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
 from typing import Any, NamedTuple
@@ -22,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..methods.numbers import is_plain
 from ..storage.atomic import open_atomically
 from .guiding import _finite, _positive, low_pass, sliding_mean
+from .runs import Run
 
 SIDES = ("left", "right")
 #: Patches of a wheel that results have.
@@ -107,10 +107,10 @@ def flange_climb(run: Any, flange_angle: float | None = None) -> FlangeClimb:
         raise ValueError(
             f"flange_angle is {flange_angle!r}; permitted are numbers between 0 and pi/2, in rad"
         )
-    quotients, limits, angles, frictions = {}, {}, {}, {}
+    run, quotients, limits, angles, frictions = Run.of(run), {}, {}, {}, {}
     for side in SIDES:
-        quotients[side] = quantity(run, f"{side}.derailment_quotient")
-        frictions[side] = quantity(run, f"{side}.friction")
+        quotients[side] = run[f"{side}.derailment_quotient"]
+        frictions[side] = run[f"{side}.friction"]
         angles[side] = contact_angle(run, side) if flange_angle is None else flange_angle
         limits[side] = _above(nadal_limit(angles[side], frictions[side]))
     rights = quotients["right"] >= quotients["left"]
@@ -134,18 +134,13 @@ def _above(limit):
     return np.where(np.asarray(limit) > 0.0, limit, np.nan)[()]
 
 
-def contact_angle(run: Any, side: str) -> Any:
+def contact_angle(run: Run, side: str) -> Any:
     """Angle of the steepest loaded patch of a wheel [rad]; NaN without one."""
     steepest = np.nan
     for number in PATCHES:
-        try:
-            angle = quantity(run, f"{side}.patch[{number}].contact_angle")
-            load = quantity(run, f"{side}.patch[{number}].normal_force")
-        except ValueError:
-            if number == 1:
-                raise
-            continue
-        steepest = np.fmax(steepest, np.where(np.asarray(load) > 0.0, angle, np.nan)[()])
+        angle, load = (f"{side}.patch[{number}].{name}" for name in ("contact_angle", "normal_force"))
+        if number == 1 or angle in run and load in run:
+            steepest = np.fmax(steepest, np.where(run[load] > 0.0, run[angle], np.nan)[()])
     return steepest
 
 
@@ -178,8 +173,8 @@ def wheel_lift(run: Any, side: str, running_circle_distance: float = 1.5) -> Any
     """
     if side not in SIDES:
         raise ValueError(f"side is {side!r}; permitted are 'left' and 'right'")
-    arm = (0.5 if side == "right" else -0.5) * running_circle_distance
-    return -(quantity(run, "vertical_shift") + arm * np.sin(quantity(run, "roll")))
+    run, arm = Run.of(run), (0.5 if side == "right" else -0.5) * running_circle_distance
+    return -(run["vertical_shift"] + arm * np.sin(run["roll"]))
 
 
 def climb_distances(
@@ -369,8 +364,9 @@ def guiding_report(
     ValueError
         if the rows are not finite, too few, or do not rise.
     """
-    y = {"left": quantity(run, "left.force.y"), "right": -quantity(run, "right.force.y")}
-    q = {side: -quantity(run, f"{side}.force.z") for side in SIDES}
+    run = Run.of(run)
+    y = {"left": run["left.force.y"], "right": -run["right.force.y"]}
+    q = {side: -run[f"{side}.force.z"] for side in SIDES}
     shift = math.nan if axle_load is None else float(track_shift_limit(axle_load, factor))
     rows = []
     for side in SIDES:
@@ -389,27 +385,3 @@ def guiding_report(
 def _row(name, unit, values, limit):
     low, median, high = (float(value) for value in np.quantile(values, [LOW, MIDDLE, HIGH]))
     return ReportRow(name, unit, low, median, high, limit, max(abs(low), abs(high)) / limit)
-
-
-# --- quantities ---------------------------------------------------------------------------------------------
-
-
-def quantity(run: Any, name: str) -> Any:
-    """A column of a run, or the value of a state, by its FMU name; inputs of states too.
-
-    Raises
-    ------
-    ValueError
-        if the run does not have it.
-    """
-    try:
-        found = run[name]
-    except (KeyError, ValueError, IndexError):
-        inputs = getattr(run, "inputs", None)
-        if inputs is None or isinstance(run, Mapping):
-            raise ValueError(f"the run has no {name!r}, which is needed for this") from None
-        try:
-            found = inputs[name]
-        except (KeyError, ValueError):
-            raise ValueError(f"the run has no {name!r}, which is needed for this") from None
-    return np.asarray(found, dtype=float)[()]

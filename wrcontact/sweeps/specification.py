@@ -16,7 +16,7 @@ from ..methods.own import functions_in
 from ..profiles.catalogue import standard_name, standard_profile
 from ..profiles.files import prepared_profile, prepared_text
 from ..profiles.profile import Profile
-from ..results.columns import output_names, selected
+from ..results.columns import selected
 from ..storage.hashes import content_hash
 from ..system import ContactSystem
 from ..version import __version__
@@ -78,8 +78,8 @@ def asked(system, axes, outputs, fixed):
     fixed = checked_inputs(fixed, axes)
     if not isinstance(outputs, str):
         outputs = tuple(outputs)
-    width = len(system.stepper().outputs)
-    names = output_names(selected("both", outputs, width).places, width)
+    rows = system.stepper().layout
+    names = rows.names(selected("both", outputs, rows).places)
     warn_of_inputs(given_inputs((), {**axes, **fixed}), system._warned)
     return SweepSpecification(system, axes, fixed, outputs, names)
 

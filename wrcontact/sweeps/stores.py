@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..results.columns import variable_of
 from ..results.convert import needed
+from ..results.layout import variable_of
 from .grid import block_shape, row_of
 from .specification import differences
 

@@ -1,4 +1,4 @@
-"""The native FMUs from a C host, data/native_host.c: random calls, threads, memory."""
+"""The native FMUs from a C host, host.c: random calls, threads, memory."""
 
 import os
 import re
@@ -51,9 +51,7 @@ def test_a_call_that_ends_the_program_is_reported(linked_host, tmp_path):
         pass
     os.kill(int(child[0]), signal.SIGSEGV)
     _, told = running.communicate(timeout=600)
-    assert running.returncode == 1 and re.match(r"native_host fuzz 11 \d+ fails: ended by signal 11", told), (
-        told
-    )
+    assert running.returncode == 1 and re.match(r"host fuzz 11 \d+ fails: ended by signal 11", told), told
 
 
 @needs_glibc

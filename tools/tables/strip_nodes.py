@@ -6,17 +6,18 @@ from pathlib import Path
 
 import numpy as np
 
-from ..kernel import layout
-from ..kernel.binding.fixed_tables import CORRECTION_UNIT
-from ..kernel.binding.kalker_table import kalker_coefficients
-from ..kernel.binding.rolling_table import CORRECTION_NODES, assemble, stored, uncorrected
-from ..kernel.creep import cut, stiffness
-from ..kernel.prepare import tables as fixed
-from .forces import roll
-from .patch import elliptic_patch
+from wrcontact.creep.forces import roll
+from wrcontact.creep.kalker_table import kalker_coefficients
+from wrcontact.creep.patch import elliptic_patch
+from wrcontact.kernel import layout
+from wrcontact.kernel.binding.fixed_tables import CORRECTION_UNIT
+from wrcontact.kernel.creep import cut, stiffness
+from wrcontact.kernel.prepare import tables as fixed
+
+from .rolling_table import CORRECTION_NODES, assemble, stored, uncorrected
 
 #: Where the exact forces are stored (tools/make_rolling_tables.py).
-EXACT = Path(__file__).parents[1] / "kernel" / "data"
+EXACT = Path(__file__).with_name("data")
 #: A saturation at which forces are those of linear theory, but for so much of them.
 SMALL = 1e-6
 #: The forces over mu N do not depend on these.
@@ -129,7 +130,7 @@ def correction_slopes(exact, apart, nu):
 
 
 def corrections(folder=EXACT):
-    """The arrays of kernel/data/rolling_correction.npz by name, from exact forces in ``folder``."""
+    """The arrays of wrcontact/kernel/data/rolling_correction.npz by name, from exact forces in ``folder``."""
     all_exact = [exact_forces(nu, folder) for nu in CORRECTION_NODES]
     apart = [exact["forces"] - strip_forces(exact, nu) for nu, exact in zip(CORRECTION_NODES, all_exact)]
     numbers = np.rint(np.array(apart) / CORRECTION_UNIT)

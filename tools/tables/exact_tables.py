@@ -1,9 +1,8 @@
 """How the tables of Hertz coefficients and of influences are made, which are stored for the kernel
-(fixed_tables.py, tools/make_fixed_tables.py).
+(wrcontact/kernel/binding/fixed_tables.py, tools/make_fixed_tables.py).
 
-The table of Hertz coefficients (record HertzTable) comes from elliptic integrals; K and E from the
-arithmetic-geometric mean, which gives K - E and E - q^2 K without cancellation.  Witness in tests:
-scipy.special.
+The table of Hertz coefficients (record HertzTable) comes from elliptic integrals
+(wrcontact/halfspace/hertz.py).
 
 The table of influences says how a strip of contact pressure pushes the half-space down.  A line load along x
 with the profile sqrt(1 - (x/a)^2), |x| < a, displaces the surface at x and the distance eta beside it by a
@@ -19,8 +18,9 @@ integrals themselves.
 
 import numpy as np
 
-from .. import layout
-from ..layout import (
+from wrcontact.halfspace.hertz import coefficients
+from wrcontact.kernel import layout
+from wrcontact.kernel.layout import (
     HERTZ_CELLS,
     HERTZ_OCTAVES,
     INFLUENCE_CELLS,
@@ -28,7 +28,7 @@ from ..layout import (
     INFLUENCE_MAP,
     SPACING_CELLS,
 )
-from ..normal.strip_pressures import CLOSEST_SPACING, TESTED, WIDEST_SPACING
+from wrcontact.kernel.normal.strip_pressures import CLOSEST_SPACING, TESTED, WIDEST_SPACING
 
 DEGREE = 5
 #: The profile as this many straight pieces, closer together near its ends; error 1e-7.
@@ -37,44 +37,6 @@ PIECES = 100
 FARTHEST, GRADED = 12.0, 4000
 #: Step of the slopes, of a cell; and where the first node, at t = 0, is taken, of a cell.
 SLOPE_STEP, FIRST = 1e-3, 0.25
-
-
-def elliptic_parts(q):
-    """K, E, (K - E) and (E - q^2 K) for the modulus sqrt(1 - q^2), 0 < q <= 1 (n,);
-    Abramowitz & Stegun 17.6."""
-    q = np.asarray(q, dtype=float)
-    a, b = np.ones_like(q), q.copy()
-    first, rest, weight = 0.5 * (1 - q) * (1 + q), np.zeros_like(q), 0.5
-    for _ in range(9):
-        a, b, c = 0.5 * (a + b), np.sqrt(a * b), 0.5 * (a - b)
-        weight *= 2
-        rest += weight * c**2
-    K = np.pi / (2 * a)
-    return K, K * (1 - first - rest), K * (first + rest), K * (first - rest)
-
-
-def axis_ratio(curvature_ratio):
-    """Short over long semi-axis for small over large relative curvature, (K - E) / (E
-    / q^2 - K) = ratio (n,)."""
-    target = np.log(np.asarray(curvature_ratio, dtype=float))
-    low, high = np.full_like(target, -20.0), np.zeros_like(target)
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        _, _, upper, lower = elliptic_parts(np.exp(middle))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            ratio = np.where(lower > 0, np.log(upper / lower) + 2 * middle, 0.0)
-        low, high = np.where(ratio < target, middle, low), np.where(ratio < target, high, middle)
-    return np.exp(0.5 * (low + high))
-
-
-def coefficients(log_ratio):
-    """(1 + alpha, n r) at ln(B/A) (n,)."""
-    log_ratio = np.asarray(log_ratio, dtype=float)
-    q = axis_ratio(np.exp(-np.abs(log_ratio)))
-    K, E, _, _ = elliptic_parts(q)
-    a_share = 1 / (1 + np.exp(log_ratio))
-    across = log_ratio < 0  # A > B: the patch is longer across
-    return np.where(across, K / E, K * q**2 / E) / a_share, 2 / np.pi * np.where(across, K, K * q)
 
 
 def basis(nodes):

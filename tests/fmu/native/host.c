@@ -1,24 +1,23 @@
 /* Calls an FMI 2 or FMI 3 native FMU: in random order with legal and illegal arguments, from several threads, and counting
- * allocations and cost of the usual steps.
+ * the allocations of the usual steps.
  *
  * With the FMU's sources in this program:
  *
- *     cc -DFMI=2 native_host.c fmi2*.c wheelset*.c sentences.c model.c kernel/native/wrcontact_*.c -lm
+ *     cc -DFMI=2 host.c fmi2*.c wheelset*.c sentences.c model.c kernel/native/wrcontact_*.c -lm
  *
  * or with its library, where every allocation of the process is counted (glibc):
  *
- *     cc -DFMI=2 -DINTERPOSE native_host.c model.c WheelsetContact.so -lm
+ *     cc -DFMI=2 -DINTERPOSE host.c model.c WheelsetContact.so -lm
  *
- *     native_host fuzz <seed> <calls>      one line of JSON, and an exit code other than 0 where something is wrong; a call
+ *     host fuzz <seed> <calls>             one line of JSON, and an exit code other than 0 where something is wrong; a call
  *                                          that ends the program is told by its seed and number
- *     native_host threads <count> <file>   steps over the rows of inputs in the file, in threads and one after the other
- *     native_host allocations <variant> <file>    how many there are between the initialisation and the end; odd variants
+ *     host threads <count> <file>          steps over the rows of inputs in the file, in threads and one after the other
+ *     host allocations <variant> <file>    how many there are between the initialisation and the end; odd variants
  *                                          have two different sides, and rails that lean and move
- *     native_host cost <file>              microseconds of set 5, do step, get all over the rows
- *     native_host walk <seed> <steps> <variant>        a random walk over tread, flange root and flange, both wheels loaded;
- *                                          odd variants roll, with friction, on rails that move
- *     native_host resumed <seed> <steps> <variant>     the same walk, going on from saved states at random times
- *     native_host walks <seed> <steps> <threads>       walks from seeds that follow each other, each in its thread
+ *     host walk <seed> <steps> <variant>       a random walk over tread, flange root and flange, both wheels loaded;
+ *                                              odd variants roll, with friction, on rails that move
+ *     host resumed <seed> <steps> <variant>    the same walk, going on from saved states at random times
+ *     host walks <seed> <steps> <threads>      walks from seeds that follow each other, each in its thread
  */
 #include <fcntl.h>
 #include <math.h>
@@ -30,7 +29,6 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "model.h"
@@ -691,9 +689,9 @@ static int supervised_fuzz(unsigned long long first, long calls)
     }
     waitpid(child, &status, 0);
     if (WIFSIGNALED(status))
-        fprintf(stderr, "native_host fuzz %llu %ld fails: ended by signal %d\n", first, *call + 1, WTERMSIG(status));
+        fprintf(stderr, "host fuzz %llu %ld fails: ended by signal %d\n", first, *call + 1, WTERMSIG(status));
     else if (status)
-        fprintf(stderr, "native_host fuzz %llu %ld fails: exit code %d\n", first, *call + 1, WEXITSTATUS(status));
+        fprintf(stderr, "host fuzz %llu %ld fails: exit code %d\n", first, *call + 1, WEXITSTATUS(status));
     return status != 0;
 }
 
@@ -791,43 +789,6 @@ static int move_all(component c, long k)
 #endif
     }
     return status;
-}
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);       /* what others on the machine take is not counted */
-    return 1e6 * (double)time.tv_sec + 1e-3 * (double)time.tv_nsec;
-}
-
-static int cost(void)
-{
-    static double values[64 * LIST];
-    component c = ready(0);
-    double best = 1e300;
-    for (int repeat = 0; repeat < 15; repeat += 1)
-    {
-        const double start = now();
-        for (int k = 0; k < row_count; k += 1)
-            if (usual_row(c, rows[k], values))
-                return printf("a step fails in row %d\n", k), 1;
-        const double passed = (now() - start) / row_count;
-        best = passed < best ? passed : best;
-    }
-    double derivative = 0.0;
-    for (int k = 0; k < row_count; k += 1)
-    {
-        int status = usual_row(c, rows[k], values);
-        const double start = now();
-        status |= differentiate(c, outputs, output_count, five, values, value_count);
-        derivative += (now() - start) / row_count;
-        if (status)
-            return printf("a derivative fails in row %d\n", k), 1;
-    }
-    printf("{\"microseconds\": %.3f, \"derivative\": %.3f, \"rows\": %d, \"outputs\": %lu}\n", best, derivative, row_count,
-           (unsigned long)value_count);
-    CALL(FreeInstance)(c);
-    return 0;
 }
 
 /* What a host does between the initialisation and the end, refused calls and log lines too. */
@@ -1162,11 +1123,10 @@ int main(int count, char **arguments)
         return run_walks(strtoull(arguments[2], NULL, 10), atol(arguments[3]), threads ? 0 : last, threads ? last : 1,
                          strcmp(arguments[1], "resumed") == 0);
     }
-    if (count < 3 || read_rows(arguments[count - 1]) != OK)
-        return printf("native_host fuzz <seed> <calls> | threads <count> <file> | allocations <variant> <file> | cost <file> | "
+    if (count != 4 || read_rows(arguments[3]) != OK)
+        return printf("host fuzz <seed> <calls> | threads <count> <file> | allocations <variant> <file> | "
                       "walk <seed> <steps> <variant> | resumed <seed> <steps> <variant> | walks <seed> <steps> <threads>\n"), 2;
     seed = 3;
-    if (count == 4 && strcmp(arguments[1], "threads") == 0)
-        return run_threads(atoi(arguments[2]));
-    return strcmp(arguments[1], "cost") == 0 ? cost() : count_allocations(count == 4 ? atoi(arguments[2]) : 0);
+    const int number = atoi(arguments[2]);
+    return strcmp(arguments[1], "threads") == 0 ? run_threads(number) : count_allocations(number);
 }

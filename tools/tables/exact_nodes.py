@@ -14,9 +14,9 @@ from itertools import product
 
 import numpy as np
 
-from ...kernel.binding.kalker_table import COEFFICIENTS, POISSON_NODES, asymptotes, parabola_weights
-from .extrapolation import COARSE_CELLS, roll_outline
-from .pressure import Outline
+from wrcontact.creep.kalker_table import COEFFICIENTS, POISSON_NODES, asymptotes, parabola_weights
+from wrcontact.halfspace.rolling.extrapolation import COARSE_CELLS, roll_outline
+from wrcontact.halfspace.rolling.pressure import Outline
 
 #: Shorter over longer half-axis in the rows of Kalker's table.
 RATIOS = tuple(k / 10 for k in range(1, 11))

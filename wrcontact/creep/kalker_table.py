@@ -3,8 +3,7 @@
 Kalker's table E3 (Three-dimensional elastic bodies in rolling contact, 1990) as CONTACT prints it, between
 axis ratios of 0.1 and 10; beyond, his asymptotes, scaled so that they join the table and are approached as
 the ratio grows.  Between the nodes 1/C is taken, because that is smooth in the axis ratio and, as in CONTACT,
-a parabola in Poisson's ratio.  Numpy alone, because an FMU makes its tables on a machine that may have
-nothing else.
+a parabola in Poisson's ratio.
 """
 
 import numpy as np

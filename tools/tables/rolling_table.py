@@ -1,5 +1,5 @@
 """The kernel's table of rolling, for all Poisson's ratios; the kernel's preparation makes the record
-RollingTable of it for one of them (prepare/tables.py).
+RollingTable of it for one of them (wrcontact/kernel/prepare/tables.py).
 
 Its reaches are the functions S of eq. (K2): how a strip of tractions along the rolling direction reaches
 beside itself.  A strip carries X sqrt((1 - x)/(1 + x)), x from the trailing to the leading edge, or in spin
@@ -12,7 +12,7 @@ nu gives, over eta, with r^2 = (cos t - cos t')^2 + eta^2 and the integrals over
     S_x = P + nu/(1 - nu) (P - R),   S_y = P + nu (R - P),   S_s = P_s + nu (R_s - P_s)          (K5)
 
 all 1/2 far away.  tools/make_rolling_kernels.py makes P, R, P_s, R_s and their slopes over ln eta, and the
-factors f of eq. (K3), which are stored in kernel/data/rolling_kernels.json.
+factors f of eq. (K3), which are stored in data/rolling_kernels.json.
 
 The kernel's table is over z = eta^(1/4), which takes two square roots and no logarithm.  Nearer than the
 first stored node the reaches go on with their slope there as eta (A - B ln eta), as eta/r integrates.
@@ -24,11 +24,15 @@ from pathlib import Path
 
 import numpy as np
 
-from .. import layout
-from .fixed_tables import CORRECTION, CORRECTION_UNIT, corrections
-from .kalker_table import POISSON_NODES, hermite_cubic, inverse_coefficients, kalker_coefficients
+from wrcontact.creep.kalker_table import (
+    hermite_cubic,
+    inverse_coefficients,
+    kalker_coefficients,
+)
+from wrcontact.kernel import layout
+from wrcontact.kernel.binding.fixed_tables import CORRECTION, corrections
 
-DATA = Path(__file__).parents[1] / "data" / "rolling_kernels.json"
+DATA = Path(__file__).with_name("data") / "rolling_kernels.json"
 #: Poisson's ratios of its tables.
 CORRECTION_NODES = (0.25, 0.28, 0.30)
 #: Step of numerical slopes, of a cell.
