@@ -78,7 +78,7 @@ def distinct(value, limit):
 
 
 class Sentence(NamedTuple):
-    """What is said of a status if a test of one input holds, in one contact mode or in all."""
+    """The message on a status if a test of one input holds, in one contact mode or in all."""
 
     status: Status
     test: str  #: one of TESTS
@@ -105,7 +105,7 @@ def _beyond(status, name, limit, why="", compliant=None):
     return Sentence(status, "beyond", name, limit, text, compliant)
 
 
-#: The first one that holds is said.
+#: The first one that holds is the message.
 SENTENCES = (
     *(
         Sentence(

@@ -8,7 +8,7 @@ from rich import box
 from rich.table import Table
 
 from ..methods.words import did_you_mean
-from ..profiles.catalogue import every_profile, standard_name, standard_profile, told_missing
+from ..profiles.catalogue import every_profile, standard_name, standard_profile, words_on_missing
 from ..profiles.standards import PATTERNS, names, standards
 from .errors import Refused, check_file, sentences
 from .pictures import PICTURES
@@ -61,9 +61,9 @@ def _profile(name):
     """The profile of this name, a rail or a wheel."""
     known = standard_name(name)
     if known is None:
-        told = next(filter(None, (told_missing(name, kind) for kind in KINDS)), None)
-        if told:
-            raise Refused(f"NAME is {name!r}{told}")
+        lost = next(filter(None, (words_on_missing(name, kind) for kind in KINDS)), None)
+        if lost:
+            raise Refused(f"NAME is {name!r}{lost}")
         every = (*names("rail"), *names("wheel"), *PATTERNS)
         raise Refused(
             f"{name!r} is no standard profile; `wrcontact profiles` lists them{did_you_mean(name, every)}"

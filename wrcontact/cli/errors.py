@@ -22,7 +22,7 @@ from .help import write_help
 UsageError = typer.BadParameter.__base__
 
 
-#: What is said of Ctrl-C, and its exit code.
+#: The message after Ctrl-C, and its exit code.
 INTERRUPTION, INTERRUPTED = "interrupted; no file is half written", 130
 
 

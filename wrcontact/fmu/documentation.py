@@ -25,7 +25,7 @@ ONE_WHEEL = """
 <p>This FMU is one side of a compliant wheelset by itself. Its pose, velocities and moment are those of the point on the wheel's
 axis that lies half the <code>running_circle_distance</code> inside of the running circle, in the nominal position the centre
 of a wheelset; <code>wheel_rate</code> is the wheel's own rotation. Names have no <code>left.</code> and <code>right.</code>;
-what is said of both wheels, of a load that is given and of other contact modes does not apply.</p>
+statements on both wheels, on a prescribed load and on other contact modes do not apply.</p>
 """
 
 USE = """

@@ -95,9 +95,9 @@ def named_profile(source, kind, argument, others, missing="", swapped=""):
     if standard and standard_profile(standard).kind == kind:
         return standard_profile(standard)
     other = f" (a profile of the other kind{swapped})" if standard else ""
-    told = None if other else told_missing(source, kind)
-    if told:
-        raise ValueError(f"{argument} is {source!r}{told}")
+    lost = None if other else words_on_missing(source, kind)
+    if lost:
+        raise ValueError(f"{argument} is {source!r}{lost}")
     known = (*names(kind), *(PATTERNS if kind == "wheel" else ()))
     meant = "" if missing or other else did_you_mean(source, known)
     if isinstance(source, str) and kind == "wheel" and DESIGNATED.fullmatch(source):
@@ -108,7 +108,7 @@ def named_profile(source, kind, argument, others, missing="", swapped=""):
     )
 
 
-def told_missing(source, kind):
+def words_on_missing(source, kind):
     """What continues a sentence on a name that means a profile of which no source was found; None where it means
     none."""
     if not isinstance(source, str) or _looks_like_a_path(source) and not DESIGNATED.fullmatch(source):

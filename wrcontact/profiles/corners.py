@@ -1,4 +1,4 @@
-"""What is said of the corners of a profile that is given by zones. The preparation rounds them
+"""Remarks on the corners of a profile that is given by zones. The preparation rounds them
 (kernel/prepare/pieces.py)."""
 
 import math

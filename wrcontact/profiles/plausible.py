@@ -56,7 +56,7 @@ def _placed(system):
 
 
 def _on_circles(wheel, system):
-    """What is said where the wheelsets of a standard wheel have another distance of the running circles."""
+    """The remark where the wheelsets of a standard wheel have another distance of the running circles."""
     usual = wheel.source and wheel.source.running_circle_distance
     given = system.parameters["running_circle_distance"]
     if usual and abs(usual - given) > ASIDE * MM:
@@ -67,7 +67,7 @@ def _on_circles(wheel, system):
 
 
 def _on_inclination(rail, inclination):
-    """What is said where a standard's rail that is inclined already is inclined again."""
+    """The remark where a standard's rail that is inclined already is inclined again."""
     if rail.source and rail.source.inclined and inclination:
         yield Grave(
             f"it is inclined by 1:{1.0 / rail.source.inclined:g} already, and rail_inclination turns it by "
@@ -76,7 +76,7 @@ def _on_inclination(rail, inclination):
 
 
 def _on_roughness(profile):
-    """What is said of the points of a file whose curvature scatters in the middle, where wheel and rail mostly
+    """The remark on the points of a file whose curvature scatters in the middle, where wheel and rail mostly
     touch; :func:`wrcontact.check` looks where they do."""
     if profile.reading is None or not profile.reading.noise > 0.0:
         return
@@ -112,7 +112,7 @@ def remarks_on(wheel, parameters):
 
 
 def _on_height(middle):
-    """What is said of the height at y = 0 [mm]."""
+    """The remark on the height at y = 0 [mm]."""
     if middle > LARGER:
         yield Grave(
             f"at y = 0 it is {middle:.3g} mm larger than nominal_radius, which no wear does; usual "
@@ -121,7 +121,7 @@ def _on_height(middle):
 
 
 def _on_flange(y, z, middle, parameters):
-    """What is said of the flange of points ``y``, ``z`` (n,) [mm]: its first implausible part."""
+    """The remark on the flange of points ``y``, ``z`` (n,) [mm]: its first implausible part."""
     gauge, circles = nominal_gauge(parameters["gauge"] / MM), parameters["running_circle_distance"] / MM
     if z.max() - middle < FLANGE or gauge is None:
         return

@@ -15,7 +15,7 @@ from .layout import SIDES, is_run
 DEPTH_SIZES = {"all": layout.SIDE_SIZE, "patches": layout.SIDE_STATION, "geometry": layout.SIDE_PENETRATION}
 #: Outputs that are there whatever is wanted.
 ALWAYS = ("roll", "vertical_shift")
-#: The outcome of a step, which every table has; who asks for it by name gets that of the whole contact.
+#: The outcome of a step, which every table has; requested by name, it is the status of the full evaluation.
 STATUS = "status"
 PERMITTED = (
     "; permitted are 'all', 'patches', 'geometry', or names such as 'right.area', 'right.patch' and "
