@@ -23,10 +23,10 @@ import numpy as np
 
 import wrcontact
 from data.creep_cases import CREEP, MM, Case, Model, cases, read, summary
+from tools.tables.exact_nodes import creep_coefficients
 from wrcontact.creep import elliptic_patch, outlined_patch
 from wrcontact.creep.forces import model_tables
 from wrcontact.halfspace.rolling import Outline, outline_of_patch, roll_ellipse, roll_outline
-from wrcontact.halfspace.rolling.nodes import creep_coefficients
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel, span
 from wrcontact.progress import tracked

@@ -2,7 +2,7 @@
 
 Errors against independent references are mean and worst errors of penetration, area and peak pressure.
 *Positions*: the right wheel from tread to flange (data/positions.csv).  *Hunting run*: both wheels during
-growing hunting with yaw and load transfer (data/trajectories/hunting.csv).  Both are results of a half-space
+growing hunting with yaw and load transfer (hunting.csv).  Both are results of a half-space
 solver on the true three-dimensional gap, whose own errors are 0.004, 0.9 and 0.6 %.
 
 Besides them: what other preparations of ANALYN's input change, what the number of stations decides, and the

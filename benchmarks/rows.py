@@ -3,13 +3,11 @@ them, and the FMUs.
 
 A row is one wheelset: search, roll, and both wheels' patches.  Unless a row says otherwise, the poses follow
 a trajectory without yaw and are evaluated by evaluate_many.  A step of an FMU sets inputs, steps and reads
-every output: the Python FMU's through fmpy's slave object, the native ones' by a C host, data/native_host.c,
+every output: the Python FMU's through fmpy's slave object, the native ones' by a C host, native_times.c,
 compiled by the system's ``cc`` against the archive alone.
 """
 
 import itertools
-import json
-import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,17 +17,19 @@ from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Slave
 
 import data
-from data.native_host import MOVED, native_host, rows_text
 from wrcontact.methods import Analyn, Strip
 
 from . import errors
 from .errors import FORCE, anywhere, system, trajectory
+from .native_times import NativeStep
 from .record import Cost, cost, unit
 
 HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
 STRIPS, SWEEPS = (6, 8, 10, 12, 16), (3, 6, 12)
 EVERY = 10  # in a quick run the half-space solves each tenth row of the hunting run
 FMU_STEPS = 2000
+#: Inputs of a step of an FMU; height and roll of compliant contact stay at their start values.
+MOVED = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer")
 HALFSPACE_FORM = "halfspace, tolerance {:g}"
 FMU_ROW = "analyn, hunting with yaw, FMU step through fmpy: 5 inputs, all outputs"
 NATIVE_ROW = "analyn, hunting with yaw, native FMU step from C, FMI {}.0: 5 inputs, all outputs"
@@ -260,22 +260,13 @@ def native_costs(folder):
     from wrcontact.fmu.native import build_native_fmus
 
     run = data.columns(data.HUNTING)
-    file = Path(folder, "rows.txt")
-    file.write_text(
-        rows_text(
-            [
-                {name: run[name][k] if name in run else 0.0 for name in MOVED}
-                for k in range(len(run["lateral_shift"]))
-            ]
-        )
-    )
+    inputs = {name: run.get(name, np.zeros(len(run["time"]))) for name in MOVED}
     for version, fmu in zip((2, 3), build_native_fmus(folder)):
-        host = native_host(fmu, version, Path(folder, f"native{version}"))
-        yield version, lambda host=host: host_cost(host, file)
+        step = NativeStep(fmu, version, Path(folder, f"native{version}"), inputs)
+        yield version, lambda step=step: step_cost(step)
 
 
-def host_cost(host, file):
-    """:class:`Cost` of a step, after a measurement of the unit."""
+def step_cost(step):
+    """:class:`Cost` of a step of a native FMU, after a measurement of the unit."""
     one = unit()
-    done = subprocess.run([str(host), "cost", str(file)], text=True, capture_output=True, check=True)
-    return Cost(1e-6 * json.loads(done.stdout)["microseconds"], one)
+    return Cost(1e-6 * step.microseconds(), one)

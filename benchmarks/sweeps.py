@@ -28,8 +28,8 @@ YAWS, LOADS = np.linspace(-8e-3, 8e-3, 100), np.linspace(30e3, 110e3, 50)
 #: Tables of an elastic wheelset over these lateral shifts and yaws [m, rad], at one load, by their numbers.
 SHIFT, YAW = 7e-3, 8e-3
 SIZES = ((71, 17), (141, 17), (281, 33), (561, 65))
-#: Outputs whose errors are told, with the factor to the unit that is shown.
-TOLD = {
+#: Outputs whose errors are shown, with the factor to the unit that is shown.
+SHOWN = {
     "roll [µrad]": ("roll", 1e6),
     "F_y [N]": ("right.force.y", 1.0),
     "contact on the wheel [mm]": ("right.contact.y_wheel", 1e3),
@@ -118,7 +118,7 @@ def random_poses(count):
 
 
 def table_errors(quick=False):
-    """Rows by table and method: the errors of TOLD that 95 of 100 random poses do not exceed, and the
+    """Rows by table and method: the errors of SHOWN that 95 of 100 random poses do not exceed, and the
     worst."""
     system = wrcontact.ContactSystem(contact_mode="elastic")
     poses, rows = random_poses(1000 if quick else POSES), {}
@@ -129,7 +129,7 @@ def table_errors(quick=False):
             found = wrcontact.interpolate(table, method=method).errors_at(**poses)
             rows[f"{shifts} × {yaws} {method}"] = {
                 words: [factor * found[name].most, factor * found[name].worst]
-                for words, (name, factor) in TOLD.items()
+                for words, (name, factor) in SHOWN.items()
             }
     return rows
 
@@ -147,4 +147,4 @@ rate_table = listed(
 value_table = listed(
     "value_times", ["six outputs of a state", "units", "µs"], {"units": figure, "µs": figure}
 )
-error_table = listed("table_errors", ["table, 95 % / worst", *TOLD], dict.fromkeys(TOLD, pair))
+error_table = listed("table_errors", ["table, 95 % / worst", *SHOWN], dict.fromkeys(SHOWN, pair))

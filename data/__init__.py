@@ -11,9 +11,13 @@ FOLDER = Path(__file__).parent
 POSITIONS = FOLDER / "positions.csv"
 CONFORMAL = FOLDER / "conformal.csv"
 MANCHESTER = FOLDER / "manchester_a22_rolls.csv"
-#: Runs of many poses, with their expected outputs.
-TRAJECTORIES = FOLDER / "trajectories"
-HUNTING = TRAJECTORIES / "hunting.csv"
+#: Runs of many poses, with their expected outputs; the first is the one of the demo, which is in the package.
+HUNTING = FOLDER.parent / "wrcontact" / "cli" / "data" / "hunting.csv"
+TRAJECTORIES = {
+    "hunting": HUNTING,
+    "jumps": FOLDER / "trajectories" / "jumps.csv",
+    "load": FOLDER / "trajectories" / "load.csv",
+}
 
 
 @cache

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from wrcontact.creep import elliptic_patch, forces, outlined_patch
+from wrcontact.creep.kalker_table import kalker_coefficients
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.kalker_table import kalker_coefficients
 from wrcontact.methods import NUMBERS
 
 CREEP = Path(__file__).with_name("creep")

@@ -11,16 +11,15 @@ import csv
 import sys
 from dataclasses import asdict
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 
+from data import TRAJECTORIES
 from data.brute_force import rigid_contact, track
 from data.conformal_reference import sunk_contact
 from data.find_jumps import find_jumps
 from wrcontact.progress import tracked
 
-OUTPUT = Path(__file__).resolve().with_name("trajectories")
 TIME_STEP = 0.01  # [s]
 WHEEL_FORCE = 78.5e3  # [N]
 SIDES = ("left", "right")
@@ -165,7 +164,7 @@ def patch(wheelset, side, force):
 
 def write(name, rows):
     """One CSV; numbers in full, zeros without a sign or a rounding tail."""
-    with open(OUTPUT / f"{name}.csv", "w", newline="") as file:
+    with open(TRAJECTORIES[name], "w", newline="") as file:
         table = csv.DictWriter(file, rows[0], lineterminator="\n")
         table.writeheader()
         table.writerows(

@@ -20,6 +20,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 
 from benchmarks import pages  # noqa: E402
+from tools import make_fields  # noqa: E402
 from wrcontact.fmu.description3 import variable_blocks  # noqa: E402
 from wrcontact.interface.references import LIST, STORED  # noqa: E402
 from wrcontact.interface.variables import REFERENCE  # noqa: E402
@@ -34,7 +35,7 @@ def references():
 
 
 def types():
-    return runpy.run_path(str(ROOT / "tools" / "make_types.py"))["stubs"]()
+    return make_fields.files()
 
 
 def names():

@@ -8,7 +8,7 @@ docs/img/*.png.
     profiles    the standard profiles (docs/guides/profiles_of_the_world.md)
     conformal   planar against conformal theory (docs/theory/conformal.md)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/evidence/source_study.md)
-    gallery     the pictures of docs/guides/gallery.md by the code of the page, also hero.png (README)
+    gallery     the pictures of docs/guides/gallery.md by the code of the page, also title_picture.png (README)
 
 Wheel and rail are the real S1002 and UIC60 in their real positions; roll and yaw of the sketches are
 exaggerated.

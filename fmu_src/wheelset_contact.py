@@ -19,7 +19,7 @@ class WheelsetContact(Fmi2Slave):
 
     def __init__(self, **kwargs):
         super().__init__(**kwargs)
-        self.session = Session(resources=self.resources, tell=self._warn)
+        self.session = Session(resources=self.resources, log=self._warn)
         self.shown = None  # the sentence that the console shows last
 
     def setup_experiment(self, start_time, stop_time=None, tolerance=None):

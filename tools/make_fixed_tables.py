@@ -1,5 +1,5 @@
 """Store the tables that depend on no profile: ``python tools/make_fixed_tables.py``, after a change of
-wrcontact/kernel/binding/exact_tables.py, rolling_table.py or kalker_table.py.
+tools/tables/exact_tables.py, rolling_table.py or wrcontact/creep/kalker_table.py.
 
 Made on another processor they differ in their last bits, so they are made once, for all.
 """
@@ -11,7 +11,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from wrcontact.kernel.binding import exact_tables, fixed_tables, rolling_table  # noqa: E402
+from tools.tables import exact_tables, rolling_table  # noqa: E402
+from wrcontact.kernel.binding import fixed_tables  # noqa: E402
 
 
 def made_tables():

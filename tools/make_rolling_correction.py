@@ -14,8 +14,10 @@ from pathlib import Path
 
 import numpy as np
 
-from wrcontact.creep.elliptic_nodes import EXACT, corrections
-from wrcontact.kernel.binding import rolling_table
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from tools.tables.strip_nodes import EXACT, corrections  # noqa: E402
+from wrcontact.kernel.binding.fixed_tables import CORRECTION  # noqa: E402
 
 
 def main():
@@ -27,12 +29,12 @@ def main():
     options = parser.parse_args()
     made = corrections(options.folder)
     if options.check:
-        with np.load(rolling_table.CORRECTION) as stored:
+        with np.load(CORRECTION) as stored:
             apart = np.abs(stored["correction"].astype(float) - made["correction"]).max()
         print(f"the largest difference from the stored correction is {apart:.0f} of its units")
         return
-    np.savez_compressed(rolling_table.CORRECTION, **made)
-    print(rolling_table.CORRECTION)
+    np.savez_compressed(CORRECTION, **made)
+    print(CORRECTION)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""Make wrcontact/kernel/data/rolling_kernels.json: ``python tools/make_rolling_kernels.py``.
+"""Make tools/tables/data/rolling_kernels.json: ``python tools/make_rolling_kernels.py``.
 
-The functions P, R, P_s, R_s of eq. (K4) in wrcontact/kernel/binding/rolling_table.py with their slopes over
+The functions P, R, P_s, R_s of eq. (K4) in tools/tables/rolling_table.py with their slopes over
 ln eta, by Gauss-Legendre quadrature over graded pieces, and with them the factors f of eq. (K3) in
 kernel/creep/stiffness.py, which make the kernel's strips of an ellipse as stiff as Kalker's.  Witness in
 tests: scipy's adaptive quadrature.
@@ -12,15 +12,17 @@ import argparse
 import json
 import os
 import sys
+from pathlib import Path
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 os.environ["WRCONTACT_KERNEL"] = "python"  # the factors do not depend on what is compiled
 
-from wrcontact.creep.elliptic_nodes import strip_coefficients  # noqa: E402
+from tools.tables import rolling_table  # noqa: E402
+from tools.tables.strip_nodes import strip_coefficients  # noqa: E402
+from wrcontact.creep import kalker_table  # noqa: E402
 from wrcontact.kernel import layout  # noqa: E402
-from wrcontact.kernel.binding import kalker_table, rolling_table  # noqa: E402
-from wrcontact.kernel.binding import rolling_table as reach_table
 from wrcontact.kernel.prepare import tables as fixed  # noqa: E402
 
 GAUSS = np.polynomial.legendre.leggauss(24)
@@ -60,12 +62,12 @@ def reach(eta):
 
 def reaches():
     """The numbers ``reaches`` of the file (4, 2, n)."""
-    return np.moveaxis([reach(eta) for eta in np.exp(reach_table.reach_nodes())], 0, -1)
+    return np.moveaxis([reach(eta) for eta in np.exp(rolling_table.reach_nodes())], 0, -1)
 
 
 def factors(found):
     """The numbers ``factors`` of the file (3, 3, 2, n) for its ``reaches``."""
-    reach_table.stored = lambda: {"reaches": found}
+    rolling_table.stored = lambda: {"reaches": found}
     ones = np.zeros((3, 3, 2, layout.SHAPE_CELLS + 1))
     ones[:, :, 0] = 1.0
     table = rolling_table.assemble(ones, rolling_table.uncorrected())
@@ -100,15 +102,15 @@ def main():
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     found = np.array(rounded(reaches().tolist()))
-    stored = reach_table.stored() if options.check else None
+    stored = rolling_table.stored() if options.check else None
     numbers = {"reaches": found, "factors": factors(found)}
     if options.check:
         for name, values in numbers.items():
             print(f"{name} differ by {np.abs(values - stored[name]).max():.1e} from the stored ones")
         return
     rows = [f' "{name}": {json.dumps(rounded(values.tolist()))}' for name, values in numbers.items()]
-    reach_table.DATA.write_text("{\n" + ",\n".join(rows).replace("]], ", "]],\n  ") + "\n}\n")
-    print(reach_table.DATA)
+    rolling_table.DATA.write_text("{\n" + ",\n".join(rows).replace("]], ", "]],\n  ") + "\n}\n")
+    print(rolling_table.DATA)
 
 
 if __name__ == "__main__":

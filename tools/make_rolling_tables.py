@@ -1,7 +1,7 @@
 """Make the stored exact creep forces of ellipses: ``python tools/make_rolling_tables.py``.
 
 Kalker's steady rolling problem at the nodes of the correction table, 5490 solutions for each Poisson's
-ratio, some ten minutes each.  Writes rolling_nu025.npz ... into wrcontact/kernel/data.  Finished lines of
+ratio, some ten minutes each.  Writes rolling_nu025.npz ... into tools/tables/data.  Finished lines of
 nodes are kept in rolling_nu025.parts ... until their table is complete, so the program may be interrupted.
 
     --poisson NU ...    Poisson's ratios; 0.28 0.25 0.30 if left out
@@ -23,9 +23,11 @@ for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):  # small matrices: 
 
 import numpy as np  # noqa: E402
 
-from wrcontact.halfspace.rolling import nodes  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-FOLDER = Path(__file__).resolve().parents[1] / "wrcontact" / "kernel" / "data"
+from tools.tables import exact_nodes as nodes  # noqa: E402
+from tools.tables.strip_nodes import EXACT  # noqa: E402
+
 POISSON_RATIOS = (0.28, 0.25, 0.30)
 
 
@@ -96,7 +98,7 @@ def main():
     parser.add_argument("--poisson", type=float, nargs="+", default=POISSON_RATIOS)
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--nodes", type=int)
-    parser.add_argument("--folder", type=Path, default=FOLDER)
+    parser.add_argument("--folder", type=Path, default=EXACT)
     options = parser.parse_args()
     for poisson_ratio in options.poisson:
         if options.nodes:

@@ -23,7 +23,7 @@ from releasing.packages import (  # noqa: E402
 )
 
 import wrcontact  # noqa: E402
-from wrcontact.fmu.command import built  # noqa: E402
+from wrcontact.fmu.build import built  # noqa: E402
 from wrcontact.kernel.binding.files import PLATFORMS  # noqa: E402
 
 SUMS = "SHA256SUMS"

@@ -3,175 +3,93 @@
 Names, units and words of the properties are those of the rows in wrcontact/interface/outputs.py.
 """
 
-from typing import NamedTuple
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .interface import outputs as table
 from .interface.inputs import INPUT_NAMES
-from .interface.rows import AXES, Blocks, Run
-from .interface.rows import Vector as VectorRow
-from .kernel import layout
+from .kernel.layout import PATCH_LIMIT, PATCH_OUTPUTS_SIZE, SIDE_PATCH, SIDE_PATCH_COUNT, STRIP_OUTPUTS_SIZE
 from .methods.words import did_you_mean
-from .results import columns
-from .results.columns import SIDES, Kept, output_names, output_places
+from .results.columns import Kept
+from .results.fields import Outline, PatchFields, SideFields, Strips, WheelsetFields, WornOutline
 from .results.inputs import PLACES, Inputs, Rows
-from .results.inputs import number as _number
-from .results.outlines import Outline, Strips, WornOutline, outline_offset
-from .results.views import View, number_at, view_at, words_of
+from .results.layout import SIDES, USUAL, Layout
+from .results.views import N, number
 from .results.words import shown, unit_name
 from .status import Status
+
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar
+
+    K = TypeVar("K", default=int)
+    S = TypeVar("S", default=Status)
+else:
+    from typing import TypeVar
+
+    K, S = TypeVar("K"), TypeVar("S")  # of one pose or a table: a count, and a status
 
 #: Numbers of a wheel in the summary of one pose, and their units.
 IN_SUMMARY = (("contact_angle", "rad"), ("normal_force", "N"), ("area", "m2"), ("max_pressure", "Pa"))
 
 
-def _named(rows, record, **parts):
-    """A class decorator: the properties of ``rows``, which lie in the ``record``, but for those that the
-    class has itself.
-
-    ``parts`` are classes of views for what stands before a dot: ``contact.y_wheel`` is a property of
-    ``contact``.
-    """
-    rows = [row for row in rows if not isinstance(row, (Blocks, Run))]
-
-    def decorate(cls):
-        cls._members = tuple(dict.fromkeys(row.name.split(".")[0] for row in rows)) + cls._members
-        for part, owner in parts.items():
-            setattr(cls, part, view_at(owner, 0, owner.__doc__))
-        for row in rows:
-            part, _, name = row.name.rpartition(".")
-            owner, place = parts.get(part, cls), getattr(record, row.field).offset // 8
-            if part:
-                owner._members += (name,)
-            if name not in vars(owner):
-                words = words_of(row)
-                setattr(
-                    owner,
-                    name,
-                    view_at(Vector, place, words) if isinstance(row, VectorRow) else number_at(place, words),
-                )
-        return cls
-
-    return decorate
-
-
-class Vector(View):
-    """Three components in the track's axes: x forward, y to the right, z down, as names, as a sequence of
-    three, and with ``np.asarray`` as an array (3,), (n, 3) of a table."""
-
-    __slots__ = ()
-    _members = tuple(axis for axis, _ in AXES)
-
-    def __array__(self, dtype=None, copy=None):
-        return np.array(self._values[..., self._offset : self._offset + len(AXES)], dtype=dtype)
-
-    def __len__(self):
-        return len(AXES)
-
-    def __iter__(self):
-        return iter([getattr(self, axis) for axis in self._members])
-
-    def __getitem__(self, key):
-        return tuple(self)[key]
-
-
-for _place, (_axis, _way) in enumerate(AXES):
-    setattr(Vector, _axis, number_at(_place, f"Component {_way}."))
-
-
-class Creepage(View):
-    """Velocity of the wheel against the rail in the plane of a patch, over the rolling speed."""
-
-    __slots__ = ()
-
-
-class Tangential(View):
-    """Creep force and moment of a patch on its wheel."""
-
-    __slots__ = ()
-
-
-class Contact(View):
-    """The contact point in the frames of the wheel, the rail and the track."""
-
-    __slots__ = ()
-
-
-class SideNormal(View):
-    """Forces and moments of the pressures alone, without creep forces."""
-
-    __slots__ = ()
-
-
-class WheelsetNormal(View):
-    """Forces and moments of the pressures alone, without creep forces."""
-
-    __slots__ = ()
-
-
-@_named(table.PATCH, layout.PatchOutputs, creepage=Creepage, tangential=Tangential)
-class Patch(View):
+class Patch(PatchFields[N]):
     """One contact patch."""
 
     __slots__ = ()
     _shown = ("normal_force", "area", "max_pressure", "length", "width", "contact_angle", "y_track")
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         """Whether the patch is there, in a table whether it is in any row."""
         return bool(np.any(np.asarray(self.area) > 0.0))
 
 
-@_named(table.SIDE, layout.SideOutputs, contact=Contact, normal=SideNormal)
-class Side(View):
+class Side(SideFields[N], Generic[N, K]):
     """One wheel on its rail."""
 
     __slots__ = ()
-    _members = ("patches", "outline")
+    _members = (*SideFields._members, "patches", "outline")
     _shown = ("patch_count", "contact_angle", "penetration", "normal_force", "area", "max_pressure")
 
     @property
-    def patch_count(self):
+    def patch_count(self) -> K:
         """Number of patches, of one pose an int; ``patches`` has the three with the largest load."""
-        count = _number(self._values[..., self._offset + layout.SIDE_PATCH_COUNT])
+        count: Any = self._number(SIDE_PATCH_COUNT)
         return int(count) if isinstance(count, float) and count == count else count
 
     @property
-    def patches(self):
+    def patches(self) -> tuple[Patch[N], ...]:
         """Patches by decreasing load; in a table always three, with zeros for missing ones."""
-        start, size = self._offset + layout.SIDE_PATCH, layout.PATCH_OUTPUTS_SIZE
-        single = self._values.ndim == 1
+        start, size = self._offset + SIDE_PATCH, PATCH_OUTPUTS_SIZE
+        count: Any = self.patch_count if self._values.ndim == 1 else PATCH_LIMIT
         return tuple(
-            Patch(self._values, start + size * k)
-            for k in range(layout.PATCH_LIMIT)
-            if not single or k < self.patch_count
+            Patch(self._values, start + size * k, self.layout) for k in range(PATCH_LIMIT) if k < count
         )
 
     @property
-    def outline(self):
+    def outline(self) -> Outline[N]:
         """Outline and pressure over the loaded width."""
-        kind = WornOutline if columns.has_wear(self._values.shape[-1]) else Outline
-        return kind(self._values, outline_offset(self._values, self._offset), self._is_right)
+        kind = WornOutline if self.layout.wear else Outline
+        return kind(self._values, self.layout, self._side)
 
     @property
-    def strips(self):
+    def strips(self) -> tuple[Strips[N], ...]:
         """The :class:`Strips` of each of ``patches``; with wear_outputs only."""
-        width = self._values.shape[-1]
-        if not columns.has_wear(width):
+        if not self.layout.wear:
             raise AttributeError("strips are not computed; they need ContactSystem(wear_outputs=True)")
-        (side,) = (name for name, first in SIDES.items() if first == self._offset)
-        return tuple(
-            Strips(self._values, columns.strips_place(width, side, k)) for k in range(len(self.patches))
-        )
+        first, size = self.layout.strips(self._side)[0], STRIP_OUTPUTS_SIZE
+        return tuple(Strips(self._values, first + size * k, self.layout) for k in range(len(self.patches)))
 
     @property
-    def _is_right(self):
-        return self._offset == layout.OUT_RIGHT
+    def _side(self) -> str:
+        return "right" if self._offset == SIDES["right"] else "left"
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """All values by name, as those of every part of a result; strips where they are computed."""
         found = super().to_dict()
-        if columns.has_wear(self._values.shape[-1]):
+        if self.layout.wear:
             found["strips"] = [strips.to_dict() for strips in self.strips]
         return found
 
@@ -188,8 +106,7 @@ class Equilibrium(NamedTuple):
     status: int
 
 
-@_named(table.WHEELSET, layout.Outputs, normal=WheelsetNormal)
-class WheelsetState(View):
+class WheelsetState(WheelsetFields[N], Generic[N, K, S]):
     """Result of an evaluation.
 
     Attributes
@@ -199,24 +116,37 @@ class WheelsetState(View):
     left, right : a :class:`Side` each.
     names : of the outputs; ``state["right.area"]`` is the value of one, ``table[3]`` the state of a row.
     inputs : an array with names, ``state.inputs.yaw``; see :class:`~wrcontact.results.inputs.Inputs`.
-    values : the kernel's outputs, likewise.
+    values : the kernel's outputs, likewise; ``layout`` says where they lie.
     """
 
     __slots__ = ("values", "status", "_inputs", "_places", "_system", "_equilibrium")
-    _members = ("left", "right")
+    _members = (*WheelsetFields._members, "left", "right")
 
-    def __init__(self, values, status, inputs, kept=None, width=None, system=None):
-        """``kept`` are the places of the columns of ``values`` in the kernel's outputs, of which there are
-        ``width``; None for all.  ``system`` finds the equilibrium."""
+    def __init__(
+        self,
+        values: NDArray[Any],
+        status: S,
+        inputs: Any,
+        layout: Layout = USUAL,
+        kept: NDArray[Any] | None = None,
+        system: Any = None,
+    ) -> None:
+        """``layout`` says where the kernel's outputs lie; ``kept`` are the places of the columns of ``values`` among
+        them, None for all.  ``system`` finds the equilibrium."""
+        if values.shape[-1] != (layout.size if kept is None else len(kept)):
+            raise ValueError(
+                f"values has rows of {values.shape[-1]} numbers, those of the layout have {layout.size}"
+            )
         self.values = values
         self.status = status
         self._inputs = inputs
         self._places = kept
         self._system, self._equilibrium = system, None
-        self._values, self._offset = values if kept is None else Kept(values, kept, width), 0
+        self._values = values if kept is None else Kept(values, kept, layout.size)
+        self._offset, self.layout = 0, layout
 
     @property
-    def inputs(self):
+    def inputs(self) -> Inputs:
         """The inputs by name and place, :class:`~wrcontact.results.inputs.Inputs`."""
         if self._inputs is None:
             return None
@@ -224,17 +154,17 @@ class WheelsetState(View):
         return Inputs.of(rows, self._system is not None)
 
     @property
-    def left(self):
+    def left(self) -> Side[N, K]:
         """The left wheel."""
-        return Side(self._values, layout.OUT_LEFT)
+        return Side(self._values, SIDES["left"], self.layout)
 
     @property
-    def right(self):
+    def right(self) -> Side[N, K]:
         """The right wheel."""
-        return Side(self._values, layout.OUT_RIGHT)
+        return Side(self._values, SIDES["right"], self.layout)
 
     @property
-    def equilibrium(self):
+    def equilibrium(self) -> Equilibrium:
         """Where both wheels carry the load of the inputs, an :class:`Equilibrium`; found when it is asked for
         first.  A compliant wheelset starts at rest from there; in other modes it is where it stands."""
         if self._equilibrium is None:
@@ -246,15 +176,23 @@ class WheelsetState(View):
         return self._equilibrium
 
     @property
-    def rows_of_inputs(self):
+    def rows_of_inputs(self) -> Any:
         """The :class:`~wrcontact.results.inputs.Rows` of a table."""
         return self._inputs
 
     @property
-    def names(self):
+    def names(self) -> tuple[str, ...]:
         """Names of the outputs that are there, as in an FMU: ``roll``, ..., ``right.patch[1].area``, ..."""
-        return output_names(self._places, self._values.shape[-1])
+        return self.layout.names(self._places)
 
+    @overload
+    def __getitem__(self, key: str) -> N: ...
+    @overload
+    def __getitem__(self, key: int) -> WheelsetState: ...
+    @overload
+    def __getitem__(
+        self, key: slice | NDArray[Any]
+    ) -> WheelsetState[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
     def __getitem__(self, key):
         """An output or input by its name, ``state["right.patch[1].area"]``: a float, (n,) of a table.
 
@@ -268,13 +206,13 @@ class WheelsetState(View):
         if np.ndim(key) == 0 and not isinstance(key, slice):
             values = self.values[key] if self._places is None else self._values.row(key)
             status = Status(int(self.status[key]))
-            return WheelsetState(values, status, self._inputs.part(key), system=self._system)
+            return WheelsetState(values, status, self._inputs.part(key), self.layout, system=self._system)
         return WheelsetState(
             self.values[key],
             self.status[key],
             self._inputs.part(key),
+            self.layout,
             self._places,
-            self._values.shape[-1],
             self._system,
         )
 
@@ -285,14 +223,14 @@ class WheelsetState(View):
         if name.startswith("equilibrium."):
             return getattr(self.equilibrium, name.partition(".")[2])
         if name in INPUT_NAMES:
-            return _number(self._inputs.column(PLACES[name])) if self.values.ndim > 1 else self.inputs[name]
-        place = output_places(self._values.shape[-1]).get(name)
+            return number(self._inputs.column(PLACES[name])) if self.values.ndim > 1 else self.inputs[name]
+        place = self.layout.places.get(name)
         if place is None:
-            meant = did_you_mean(name, ("status", *INPUT_NAMES, *output_places(self._values.shape[-1])))
+            meant = did_you_mean(name, ("status", *INPUT_NAMES, *self.layout.places))
             raise KeyError(f"there is no output {name!r}{meant or '; .names lists them'}")
-        return _number(self._values[..., place])
+        return number(self._values[..., place])
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Status, inputs and all outputs by name, dicts in dicts: of one pose numbers and lists, of a table
         arrays (n, ...)."""
         single = self.values.ndim == 1
@@ -300,13 +238,13 @@ class WheelsetState(View):
         inputs = {} if self.inputs is None else self.inputs.to_dict()
         return {"status": status, "inputs": inputs, **super().to_dict()}
 
-    def to_pandas(self):
+    def to_pandas(self) -> Any:
         """A pandas.DataFrame: one row per pose, columns with the names of an FMU."""
         from .results import convert  # not part of an FMU
 
         return convert.to_pandas(self._as_table())
 
-    def to_xarray(self):
+    def to_xarray(self) -> Any:
         """A xarray.Dataset with the dimensions pose, side, patch, station_number and axis."""
         from .results import convert  # not part of an FMU
 
@@ -322,11 +260,12 @@ class WheelsetState(View):
             self._inputs.as_table()
             if isinstance(self._inputs, Rows)
             else Rows(self._inputs, [], np.empty((1, 0))),
+            self.layout,
             system=self._system,
         )
 
     @property
-    def summary(self):
+    def summary(self) -> str:
         """The outcome in words: how many rows a table has, and of which status they are; status, roll and the
         main numbers of both wheels of one pose."""
         if self.values.ndim == 1:
@@ -353,7 +292,7 @@ class WheelsetState(View):
             words += [f"{name} {', '.join(numbers)}"] * bool(numbers)
         return "; ".join(words)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         if self.values.ndim > 1:
             return f"WheelsetState({self.summary})"
         return (

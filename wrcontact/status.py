@@ -78,7 +78,7 @@ def distinct(value, limit):
 
 
 class Sentence(NamedTuple):
-    """What is said of a status if a test of one input holds, in one contact mode or in all."""
+    """The message on a status if a test of one input holds, in one contact mode or in all."""
 
     status: Status
     test: str  #: one of TESTS
@@ -105,7 +105,7 @@ def _beyond(status, name, limit, why="", compliant=None):
     return Sentence(status, "beyond", name, limit, text, compliant)
 
 
-#: The first one that holds is said.
+#: The first one that holds is the message.
 SENTENCES = (
     *(
         Sentence(
@@ -238,6 +238,29 @@ SENTENCES = (
         )
     ),
 )
+
+
+#: Sentences on calls that are refused, of the FMU that runs in Python and of native ones; ``%s`` is a name or a value.
+REFUSALS = {
+    "started": "initialisation is permitted once, with startTime and stopTime, after instantiation or a reset",
+    "times": "startTime is %s s and stopTime %s s; permitted are a finite startTime and a stopTime not before it",
+    "entered": "initialisation mode can be entered once, after instantiation or a reset",
+    "not_entered": "initialisation mode can be left only after it was entered",
+    "not_running": "only a running simulation can be terminated",
+    "no_step_before": "the wheelset cannot step: it has not been initialised",
+    "no_step_after": "the wheelset cannot step: it has been terminated",
+    "step": "a step of %s s at %s s is not possible; permitted are finite times and sizes of 0 s or more",
+    "past_stop": "a step of %s s at %s s ends after the stopTime %s s; permitted are steps up to it",
+    "unknown": "value reference %lu does not exist; they run from %d to %d",
+    "type": "%s is of type %s, not %s",
+    "unread": "%s is an output and cannot be read before the initialisation",
+    "terminated": "%s cannot be set: the simulation has been terminated",
+    "output": "%s is an output and cannot be set",
+    "null": "%s is a NULL pointer; permitted are texts",
+    "fixed": "%s is fixed at %s after initialisation and cannot become %s",
+    "other_state": "the saved state is not one of this version; the present state is kept",
+    "damaged_state": "the saved state is damaged (its checksum differs); the present state is kept",
+}
 
 
 def explain(

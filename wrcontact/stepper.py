@@ -4,24 +4,31 @@ A stepper holds the arrays of one wheelset and a solver that works on them: the 
 model of wrcontact/halfspace/stepping.py.  :meth:`wrcontact.ContactSystem.stepper` puts the two together.
 """
 
+from __future__ import annotations
+
 import math
 import os
 import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from queue import SimpleQueue
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from .interface.calls import PLACES, START_ROW, unknown_input
 from .interface.inputs import INPUT_NAMES
 from .kernel import layout
 from .kernel.binding.library import PythonKernel, default_kernel
-from .kernel.patch.outline import row_size
 from .methods.numbers import check_choice
 from .motion.reaction import rail_reaction
-from .results.columns import output_names
+from .results.layout import Layout
 from .results.names import differentiated_inputs, differentiated_outputs, is_computed, listed, place_of
 from .results.saved import check_mark, version_mark
+
+if TYPE_CHECKING:
+    from .keywords import Depth, Sides
 
 #: What of an evaluation can be wanted: sides and depth of the outputs, with the kernel's numbers.
 SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
@@ -53,19 +60,27 @@ class Stepper:
     inputs : those of ``input_names``, in this order; SI.  They begin with the defaults of
         :meth:`~wrcontact.ContactSystem.evaluate`.
     outputs : in the order of an FMU's variables, SI; zero until the first valid step.  :meth:`place` says
-        where one of ``output_names`` is.  With another number of stations than 31 the outlines follow behind
-        them, see wrcontact/kernel/patch/outline.py.
+        where one of ``output_names`` is.
     force, moment : (3,) of the wheelset [N, N m], views of the outputs: forward, to the right, down; the
         moment is about the wheelset's centre.
     state : where the next roll search starts, and counters; it never changes an answer.
+    layout : where the outputs lie, a :class:`~wrcontact.results.layout.Layout`.
     compiled : whether the compiled kernel is used.
     """
 
-    def __init__(self, tables, bind=None):
+    inputs: NDArray[np.float64]
+    outputs: NDArray[np.float64]
+    force: NDArray[np.float64]
+    moment: NDArray[np.float64]
+    state: NDArray[np.float64]
+    compiled: bool
+
+    def __init__(self, tables: NDArray[np.float64], bind: Callable[..., Any] | None = None) -> None:
         self._tables, self._bind = tables.copy(), bind
         self.inputs = np.array(START_ROW)
         self.numbers = memoryview(self.inputs)  # the same: single numbers go in and out in half the time
-        self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
+        self.layout = Layout.of(self._tables)
+        self.outputs = np.zeros(self.layout.size)
         self.force, self.moment = self.outputs[FORCE], self.outputs[MOMENT]
         self.state = np.zeros(layout.STATE_SIZE)
         self._workspace = np.zeros(layout.WORK_SIZE)
@@ -86,24 +101,25 @@ class Stepper:
         )
 
     @property
-    def tables(self):
+    def tables(self) -> NDArray[np.float64]:
         """Settings and tables, with what is wanted and prescribed."""
         return self._tables
 
     @property
-    def input_names(self):
+    def input_names(self) -> tuple[str, ...]:
         """Names of the inputs in their order, as in an FMU: ``lateral_shift``, ..., ``right.friction``."""
         return INPUT_NAMES
 
     @property
-    def output_names(self):
+    def output_names(self) -> tuple[str, ...]:
         """Names of the outputs in the order of an FMU's variables: ``roll``, ``vertical_shift``, ...
 
-        With another number of stations than 31 some places have no name; :meth:`place` has that of each name.
+        If ``stations`` is not 31, some elements are unused and have no name; :meth:`place` returns the index of
+        a named output.
         """
-        return output_names(None, len(self.outputs))
+        return self.layout.names()
 
-    def place(self, name):
+    def place(self, name: str) -> int:
         """The index of an input in ``inputs``, or of an output in ``outputs``, by its name.
 
         Raises
@@ -111,9 +127,9 @@ class Stepper:
         ValueError
             if there is none, with what may be meant.
         """
-        return place_of(name, len(self.outputs))
+        return place_of(name, self.layout)
 
-    def resultant(self, motion):
+    def resultant(self, motion: Mapping[str, float]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Force (3,) [N] and moment (3,) [N m] of the rails on the wheelset at a ``motion``.
 
         Parameters
@@ -135,7 +151,7 @@ class Stepper:
             return np.full(3, math.nan), np.full(3, math.nan)
         return self.force.copy(), self.moment.copy()
 
-    def derivatives(self, of, by):
+    def derivatives(self, of: Iterable[str], by: Iterable[str]) -> NDArray[np.float64]:
         """How outputs follow inputs at the present inputs, which may have been stepped or not.
 
         One step and one pass of the differentiated kernel for each ten inputs; nothing else changes.
@@ -158,7 +174,7 @@ class Stepper:
             if the kernel is not compiled, or a model works outside it.
         """
         columns = differentiated_inputs(listed("by", by))
-        places, least = differentiated_outputs(listed("of", of), len(self.outputs))
+        places, least = differentiated_outputs(listed("of", of), self.layout)
         if not is_computed(least, self._wanted):
             raise ValueError(
                 f"of needs side={least[0]!r} and outputs={least[1]!r}; this stepper computes "
@@ -176,7 +192,9 @@ class Stepper:
         found = rates[:, places].T
         return found if status <= layout.UNLOADED else np.full_like(found, math.nan)
 
-    def rail_reaction(self, side):
+    def rail_reaction(
+        self, side: Literal["left", "right"]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Force (3,) [N] of the wheel on the rail of this ``side``, "left" or "right", after a step, and its
         moment (3,) [N m] about the rail's reference point, the highest point of its head as it is displaced.
 
@@ -184,7 +202,7 @@ class Stepper:
         """
         return rail_reaction(self._tables, self.inputs, self.outputs, side)
 
-    def step(self):
+    def step(self) -> int:
         """Evaluate the inputs into the outputs; return the status (an int).
 
         Status 2, 3 and 4 leave the outputs as they are.  Inputs that equal those of the last valid step are
@@ -192,12 +210,16 @@ class Stepper:
         """
         return self._bound.step()
 
-    def step_many(self, inputs, outputs, status):
+    def step_many(
+        self, inputs: NDArray[np.float64], outputs: NDArray[np.float64], status: NDArray[np.float64]
+    ) -> None:
         """Evaluate rows of ``inputs`` (n, inputs) into rows of ``outputs`` and ``status`` (n,), C-contiguous
         float64."""
         self._bound.step_many(len(inputs), inputs, outputs, status)
 
-    def parts(self, inputs, places=None):
+    def parts(
+        self, inputs: NDArray[np.float64], places: Sequence[int] | NDArray[Any] | None = None
+    ) -> Iterator[tuple[slice, NDArray[np.float64], NDArray[Any]]]:
         """Evaluate rows of ``inputs`` (n, inputs), part after part.
 
         Yields the rows' slice, their outputs (rows, k) at ``places`` (None: all), and their status (rows,).
@@ -217,7 +239,7 @@ class Stepper:
             yield rows, part if places is None else part[:, places], status[: len(part)].astype(int)
             start = rows.stop
 
-    def prescribe(self, penetration):
+    def prescribe(self, penetration: ArrayLike | None) -> None:
         """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to
         the force.
 
@@ -231,8 +253,8 @@ class Stepper:
         settings = layout.Tables.at(self._tables)
         if settings.mode != layout.MODE_RIGID:
             raise ValueError(
-                "penetration is given; permitted with the contact_mode 'elastic' or 'compliant' "
-                "is none, since it follows from the load or from the height"
+                "penetration can be prescribed with the contact_mode 'rigid' only: in other modes it follows from "
+                "the load or from the height"
             )
         try:
             given = np.asarray(np.nan if penetration is None else penetration)
@@ -254,7 +276,7 @@ class Stepper:
         layout.Work.at(self._workspace).known = False
         self._penetration = prescribed
 
-    def want(self, side="both", outputs="all"):
+    def want(self, side: Sides = "both", outputs: Depth = "all") -> None:
         """Compute only this from now on; the arguments of :meth:`wrcontact.ContactSystem.stepper`."""
         if self._wanted == (side, outputs):
             return

@@ -7,12 +7,17 @@
 (<Status.VALID: 0>, -0.009357)
 """
 
+from __future__ import annotations
+
 import math
 import threading
+from collections.abc import Iterable, Iterator
 from copy import deepcopy
 from functools import partial
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from .interface.calls import (
     NUMBERS,
@@ -27,10 +32,14 @@ from .interface.calls import (
     warn_of_inputs,
     wrong_input,
 )
+from .interface.friction import Friction
 from .interface.inputs import INPUTS
 from .interface.parameters import (
     PARAMETERS,
     RIGID_RAILS,
+    Material,
+    Track,
+    Wheelset,
     checked_parameters,
     on_the_left,
     warn_of_parameters,
@@ -52,6 +61,13 @@ from .results.names import listed
 from .state import Equilibrium, WheelsetState
 from .status import Status
 from .stepper import DEPTHS, Stepper, thread_count, threaded_parts
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .keywords import Depth, OneProfile, PoseInputs, Sides, SystemKeywords, TableInputs, Wanted
+    from .linear.record import Linearization
+    from .profiles import Profile
 
 #: By number; making one from its number takes ten times as long.
 STATUSES = tuple(Status)
@@ -90,17 +106,25 @@ class ContactSystem:
         in one sentence with name, value, unit and permitted range or choices.
     """
 
+    parameters: dict[str, Any]
+    methods: dict[str, Any]
+    resolution: Any
+    wheel: Profile
+    rail: Profile
+    left_wheel: Profile
+    left_rail: Profile
+
     def __init__(
         self,
-        wheel="S1002",
-        rail="UIC60",
+        wheel: OneProfile | tuple[OneProfile, OneProfile] = "S1002",
+        rail: OneProfile | tuple[OneProfile, OneProfile] = "UIC60",
         *,
-        track=None,
-        wheelset=None,
-        material=None,
-        friction=None,
-        **parameters,
-    ):
+        track: Track | None = None,
+        wheelset: Wheelset | None = None,
+        material: Material | None = None,
+        friction: Friction | None = None,
+        **parameters: Unpack[SystemKeywords],
+    ) -> None:
         for name in parameters.keys() - PARAMETERS.keys():
             raise unknown_parameter(name)
         groups = {"track": track, "wheelset": wheelset, "material": material, "friction": friction}
@@ -119,21 +143,21 @@ class ContactSystem:
         self._tables = prepare_sides(profiles[:2], profiles[2:], parameters=parameters, methods=methods)
         layout.Tables.at(self._tables).stations = parameters["stations"]
         self._own = threading.local()
-        self._told = set()  # names of inputs of which the user has been warned
+        self._warned = set()  # names of inputs of which the user has been warned
         self._elastic = None  # the same wheelset in elastic contact, once it is needed
 
     @property
-    def equal_sides(self):
+    def equal_sides(self) -> bool:
         """Whether the left side is the mirror image of the right one."""
         return equal_sides(layout.Tables.at(self._tables))
 
     @property
-    def centre_height(self):
+    def centre_height(self) -> float:
         """Height of the wheelset's centre above the running circles [m]: the mean of both nominal radii."""
         return layout.Tables.at(self._tables).height
 
     @property
-    def title(self):
+    def title(self) -> str:
         """The names of the profiles, "S1002 on UIC60", for headlines; of both sides where they differ."""
         names = [
             f"{wheel.name} on {rail.name}"
@@ -141,11 +165,13 @@ class ContactSystem:
         ]
         return names[1] if names[0] == names[1] else f"{names[0]} (left) and {names[1]} (right)"
 
-    def side_parameters(self, side):
+    def side_parameters(self, side: Literal["left", "right"]) -> dict[str, Any]:
         """The value of every keyword as ``side``, "left" or "right", has it."""
         return on_the_left(self.parameters) if side == "left" else self.parameters
 
-    def profile_tables(self, side="right"):
+    def profile_tables(
+        self, side: Literal["left", "right"] = "right"
+    ) -> tuple[NDArray[Any], NDArray[Any], float]:
         """The profiles as the kernel reads them, for ``wrcontact.profiles.compiled.evaluate_table``: the
         wheel's table, that of the rail as it leans, and the track coordinate of the rail's highest point [m],
         each as those of a right side."""
@@ -158,7 +184,7 @@ class ContactSystem:
             (self.wheel, self.rail, self.left_wheel, self.left_rail),
         )
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         changed = [
             f"{name}={value!r}"
             for name, value in self.parameters.items()
@@ -166,7 +192,7 @@ class ContactSystem:
         ]
         return f"ContactSystem({', '.join(changed)})"
 
-    def stepper(self, side="both", outputs="all"):
+    def stepper(self, side: Sides = "both", outputs: Depth = "all") -> Stepper:
         """A new :class:`Stepper`: one wheelset that is moved in time, with its own memory.
 
         What is not wanted is not computed, and is NaN in its outputs.
@@ -200,7 +226,14 @@ class ContactSystem:
         functions = functions_in(self.parameters)
         return Stepper(self._tables, OwnKernel(functions).bind if functions else None)
 
-    def evaluate(self, *arguments, penetration=None, side="both", outputs="all", **inputs):
+    def evaluate(
+        self,
+        *arguments: float,
+        penetration: float | tuple[float, float] | None = None,
+        side: Sides = "both",
+        outputs: Wanted = "all",
+        **inputs: Unpack[PoseInputs],
+    ) -> WheelsetState:
         """The contact of both wheels at one pose.
 
         Parameters
@@ -229,7 +262,9 @@ class ContactSystem:
         found = stepper.outputs.copy()
         if status > layout.UNLOADED:
             found[:] = math.nan
-        return WheelsetState(found, STATUSES[status], stepper.inputs.copy(), system=self._balancing())
+        return WheelsetState(
+            found, STATUSES[status], stepper.inputs.copy(), stepper.layout, system=self._balancing()
+        )
 
     def _stepper_at(self, penetration, side, outputs, given):
         """This thread's stepper with the inputs ``given`` by their places, not stepped."""
@@ -245,10 +280,17 @@ class ContactSystem:
                 row[place] = value if type(value) in NUMBERS else single_number(value)
         except (TypeError, ValueError):
             raise wrong_input(input_values(given), array=False) from None
-        warn_of_inputs(given, self._told)
+        warn_of_inputs(given, self._warned)
         return stepper
 
-    def derivatives(self, of, by, *, penetration=None, **inputs):
+    def derivatives(
+        self,
+        of: Iterable[str],
+        by: Iterable[str],
+        *,
+        penetration: float | tuple[float, float] | None = None,
+        **inputs: Unpack[PoseInputs],
+    ) -> NDArray[Any]:
         """How outputs follow inputs at one pose, as the directional derivatives of an FMU.
 
         Parameters
@@ -280,7 +322,7 @@ class ContactSystem:
             rows |= zip(balanced, stands.derivatives([EQUILIBRIUM[name] for name in balanced], by, **inputs))
         return np.array([rows[name] for name in names])
 
-    def stand_at(self, roll, **inputs):
+    def stand_at(self, roll: float, **inputs: Unpack[PoseInputs]) -> Equilibrium:
         """The height at which a compliant wheelset stands at a given ``roll`` [rad], an
         :class:`~wrcontact.state.Equilibrium`: both wheels together carry the load.
 
@@ -302,7 +344,15 @@ class ContactSystem:
             )
         return stand_at(self, roll, inputs)
 
-    def linearize(self, *, amplitude=0.0, yaw_amplitude=0.0, frequency=0.0, phases=64, **inputs):
+    def linearize(
+        self,
+        *,
+        amplitude: float = 0.0,
+        yaw_amplitude: float = 0.0,
+        frequency: float = 0.0,
+        phases: int = 64,
+        **inputs: Unpack[PoseInputs],
+    ) -> Linearization:
         """The wheelset near a steady motion as matrices: a :class:`~wrcontact.linear.Linearization`.
 
         Its coordinates are lateral shift, vertical shift, roll and yaw; ``condensed()`` has the two of the
@@ -345,7 +395,9 @@ class ContactSystem:
             **inputs,
         )
 
-    def rail_reaction(self, state, side):
+    def rail_reaction(
+        self, state: WheelsetState, side: Literal["left", "right"]
+    ) -> tuple[NDArray[Any], NDArray[Any]]:
         """As :meth:`Stepper.rail_reaction` of the ``state`` of one pose."""
         return rail_reaction(self._tables, state.inputs, state.values, side)
 
@@ -358,8 +410,15 @@ class ContactSystem:
         return self.evaluate_many(penetration=penetration, side=side, outputs=outputs, **given)[0]
 
     def evaluate_many(
-        self, *arguments, penetration=None, side="both", outputs="all", processes=1, threads=None, **inputs
-    ):
+        self,
+        *arguments: ArrayLike,
+        penetration: float | tuple[float, float] | None = None,
+        side: Sides = "both",
+        outputs: Wanted = "all",
+        processes: int = 1,
+        threads: int | None = None,
+        **inputs: Unpack[TableInputs],
+    ) -> WheelsetState[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
         (n, ...).
 
@@ -385,16 +444,24 @@ class ContactSystem:
         if threads is not None:
             check_count("threads", threads)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
-        width = len(stepper.outputs)
-        values = np.empty((len(rows), width if wanted.places is None else len(wanted.places)))
+        size = stepper.layout.size if wanted.places is None else len(wanted.places)
+        values = np.empty((len(rows), size))
         status = np.empty(len(rows), dtype=int)
         with working("evaluating poses", len(rows)) as advance:
             for part, found, outcome in self._parts(stepper, rows, wanted.places, processes, threads):
                 values[part], status[part] = found, outcome
                 advance(len(found))
-        return WheelsetState(values, status, rows, wanted.places, width, self._balancing())
+        return WheelsetState(values, status, rows, stepper.layout, wanted.places, self._balancing())
 
-    def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", processes=1, **inputs):
+    def evaluate_parts(
+        self,
+        *arguments: ArrayLike,
+        penetration: float | tuple[float, float] | None = None,
+        side: Sides = "both",
+        outputs: Wanted = "all",
+        processes: int = 1,
+        **inputs: Unpack[TableInputs],
+    ) -> Iterator[WheelsetState[NDArray[Any], NDArray[Any], NDArray[Any]]]:
         """As :meth:`evaluate_many`, but yields the table in parts of up to 512 rows, one after the other:
         the memory does not grow with the number of rows."""
         check_count("processes", processes)
@@ -402,7 +469,7 @@ class ContactSystem:
         parts = self._parts(stepper, rows, wanted.places, processes)
         return (
             WheelsetState(
-                found.copy(), outcome, rows.part(part), wanted.places, len(stepper.outputs), self._balancing()
+                found.copy(), outcome, rows.part(part), stepper.layout, wanted.places, self._balancing()
             )
             for part, found, outcome in parts
         )
@@ -411,7 +478,7 @@ class ContactSystem:
         """What finds the equilibrium of a state: this system, if it is compliant, else None."""
         return self if self.parameters["contact_mode"] == "compliant" else None
 
-    def find_equilibrium(self, inputs):
+    def find_equilibrium(self, inputs: NDArray[Any]) -> Equilibrium:
         """Where both wheels carry the load of the ``inputs`` of a state, or of a table's (n, ...): an
         :class:`~wrcontact.state.Equilibrium`."""
         rows = np.atleast_2d(inputs)
@@ -460,9 +527,9 @@ class ContactSystem:
             raise wrong_input(values, array=True) from None
         if len(shape) != 1:
             raise wrong_input(values, array=True)
-        warn_of_inputs(given, self._told)
+        warn_of_inputs(given, self._warned)
         stepper = self._new_stepper()
-        wanted = selected(side, outputs, len(stepper.outputs))
+        wanted = selected(side, outputs, stepper.layout)
         stepper.want(wanted.side, wanted.depth)
         stepper.prescribe(penetration)
         return Rows.of(columns, shape[0], wanted.named), wanted, stepper

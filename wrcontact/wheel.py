@@ -7,19 +7,33 @@
 (<Status.VALID: 0>, 1, True)
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterable
 from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, Literal, overload
+
+from numpy.typing import ArrayLike, NDArray
 
 from .interface.calls import describe_wheel_inputs
 from .interface.one_wheel import checked_wheel, unknown_wheel_input, unknown_wheel_output, wheel_inputs
 from .kernel import layout
 from .methods.numbers import check_choice
-from .results.columns import DEPTH_SIZES, SIDES
+from .results.columns import DEPTH_SIZES
+from .results.layout import SIDES
 from .results.names import listed
-from .state import Side
+from .results.views import N
+from .state import K, S, Side, WheelsetState
+from .stepper import Stepper
 from .system import ContactSystem
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
-class WheelState(Side):
+    from .keywords import Depth, OneProfile, Wanted, WheelInputs, WheelKeywords
+
+
+class WheelState(Side[N, K], Generic[N, K, S]):
     """Result of one wheel: what a wheelset's state has of this side, ``state.right``, and the outcome.
 
     Attributes
@@ -33,26 +47,34 @@ class WheelState(Side):
 
     __slots__ = ("side", "_state")
 
-    def __init__(self, state, side):
+    def __init__(self, state: WheelsetState[N, K, S], side: Literal["left", "right"]) -> None:
         """The wheel of this ``side`` of a wheelset's ``state``."""
-        super().__init__(state._values, SIDES[side])
+        super().__init__(state._values, SIDES[side], state.layout)
         self._state, self.side = state, side
 
     @property
-    def status(self):
+    def status(self) -> S:
         """The outcome."""
         return self._state.status
 
     @property
-    def inputs(self):
+    def inputs(self) -> dict[str, N]:
         """Inputs by name."""
         return {own: self._state[row.name] for own, row in wheel_inputs(self.side).items()}
 
     @property
-    def names(self):
+    def names(self) -> tuple[str, ...]:
         """Names of the outputs that are there: ``patch_count``, ..., ``patch[1].area``, ..."""
         return tuple(name.partition(".")[2] for name in self._state.names if name.startswith(f"{self.side}."))
 
+    @overload
+    def __getitem__(self, key: str) -> N: ...
+    @overload
+    def __getitem__(self, key: int) -> WheelState: ...
+    @overload
+    def __getitem__(
+        self, key: slice | NDArray[Any]
+    ) -> WheelState[NDArray[Any], NDArray[Any], NDArray[Any]]: ...
     def __getitem__(self, key):
         """An output or input by its name, ``state["patch[1].area"]``; of a table also a row or rows."""
         if not isinstance(key, str):
@@ -66,7 +88,7 @@ class WheelState(Side):
         """This table; of one pose a table of one row."""
         return WheelState(self._state._as_table(), self.side)
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Status, inputs and all outputs by name, dicts in dicts."""
         single = self._values.ndim == 1
         status = int(self.status) if single else self.status
@@ -107,12 +129,22 @@ class WheelContact:
         in one sentence with name, value, unit and permitted range or choices.
     """
 
-    def __init__(self, wheel="S1002", rail="UIC60", *, side="right", **parameters):
+    side: Literal["left", "right"]
+    system: ContactSystem
+
+    def __init__(
+        self,
+        wheel: OneProfile = "S1002",
+        rail: OneProfile = "UIC60",
+        *,
+        side: Literal["left", "right"] = "right",
+        **parameters: Unpack[WheelKeywords],
+    ) -> None:
         check_choice("side", side, SIDES)
         self.side = side
         self.system = WheelSystem(**checked_wheel({"wheel": wheel, "rail": rail, **parameters}))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         inside = repr(self.system).partition("(")[2]
         return f"WheelContact(side={self.side!r}, {inside}"
 
@@ -121,7 +153,7 @@ class WheelContact:
         """Rows of the inputs by the wheel's names."""
         return wheel_inputs(self.side)
 
-    def evaluate(self, *, outputs="all", **inputs):
+    def evaluate(self, *, outputs: Wanted = "all", **inputs: Unpack[WheelInputs]) -> WheelState:
         """The contact at one pose: a :class:`WheelState`, NaN where its status is 2, 3 or 4.
 
         Parameters
@@ -134,7 +166,14 @@ class WheelContact:
             self.side,
         )
 
-    def evaluate_many(self, *, outputs="all", processes=1, threads=None, **inputs):
+    def evaluate_many(
+        self,
+        *,
+        outputs: Wanted = "all",
+        processes: int = 1,
+        threads: int | None = None,
+        **inputs: ArrayLike,
+    ) -> WheelState[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
         (n, ...).
 
@@ -151,7 +190,7 @@ class WheelContact:
             self.side,
         )
 
-    def stepper(self, outputs="all"):
+    def stepper(self, outputs: Depth = "all") -> Stepper:
         """A :class:`~wrcontact.Stepper` that computes this wheel alone.
 
         Its inputs and outputs have the names of a wheelset, ``right.friction`` and ``right.force.x``; what
@@ -159,7 +198,9 @@ class WheelContact:
         """
         return self.system.stepper(self.side, outputs)
 
-    def derivatives(self, of, by, **inputs):
+    def derivatives(
+        self, of: Iterable[str], by: Iterable[str], **inputs: Unpack[WheelInputs]
+    ) -> NDArray[Any]:
         """How outputs follow inputs at one pose, an array (len(of), len(by)); as
         :meth:`wrcontact.ContactSystem.derivatives`, with the wheel's names: ``of=["force.y"]``,
         ``by=["rail_lateral"]``."""

@@ -8,8 +8,8 @@
 #include "sentences.h"
 
 /* One line to the host's log. */
-static void tell(const fmi2CallbackFunctions *callbacks, const char *name, fmi2Status status, const char *category,
-                 const char *sentence)
+static void log_message(const fmi2CallbackFunctions *callbacks, const char *name, fmi2Status status, const char *category,
+                        const char *sentence)
 {
     char message[2 * MODEL_SENTENCE];
     if (callbacks->logger)
@@ -17,11 +17,11 @@ static void tell(const fmi2CallbackFunctions *callbacks, const char *name, fmi2S
                           sentence_doubled(sentence, "%#", message, sizeof message));
 }
 
-static void tell_warning(void *owner, const char *sentence)
+static void log_warning(void *owner, const char *sentence)
 {
     const instance *self = owner;
     if (self->warnings)
-        tell(&self->callbacks, self->name, fmi2Warning, "logStatusWarning", sentence);
+        log_message(&self->callbacks, self->name, fmi2Warning, "logStatusWarning", sentence);
 }
 
 /* What an action's outcome is to the host. */
@@ -30,7 +30,7 @@ fmi2Status fmi2_answer(const instance *self, int refused)
     if (!refused)
         return fmi2OK;
     if (self->errors)
-        tell(&self->callbacks, self->name, fmi2Error, "logStatusError", self->wheelset->sentence);
+        log_message(&self->callbacks, self->name, fmi2Error, "logStatusError", self->wheelset->sentence);
     return fmi2Error;
 }
 
@@ -46,7 +46,7 @@ const char *fmi2GetVersion(void) { return fmi2Version; }
 
 static fmi2Component refuse_instance(const fmi2CallbackFunctions *callbacks, const char *name, const char *sentence)
 {
-    tell(callbacks, name ? name : "", fmi2Error, "logStatusError", sentence);
+    log_message(callbacks, name ? name : "", fmi2Error, "logStatusError", sentence);
     return NULL;
 }
 
@@ -71,7 +71,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         return refuse_instance(callbacks, name, "fmi2Instantiate: not enough memory");
     self->callbacks = *callbacks;
     self->name = malloc(strlen(name) + 1);
-    self->wheelset = wheelset_new(tell_warning, self, type == fmi2ModelExchange);
+    self->wheelset = wheelset_new(log_warning, self, type == fmi2ModelExchange);
     if (!self->name || !self->wheelset)
     {
         fmi2FreeInstance(self);

@@ -1,4 +1,4 @@
-/* An instance in FMI 2.0: a wheelset, and how the host is told of errors. */
+/* An instance in FMI 2.0: a wheelset, and how errors are logged. */
 #ifndef FMI2_INSTANCE_H
 #define FMI2_INSTANCE_H
 

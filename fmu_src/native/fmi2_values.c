@@ -11,8 +11,7 @@ static int check_pointers(instance *self, const char *function, const void *refe
 static int check_reference(instance *self, fmi2ValueReference reference)
 {
     if (reference > MODEL_BLOCKS || model_blocks[reference].first == BLOCK_RETIRED)
-        return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 0 to %d",
-                               (unsigned long)reference, MODEL_BLOCKS);
+        return wheelset_refuse(self->wheelset, REFUSE_UNKNOWN, (unsigned long)reference, 0, MODEL_BLOCKS);
     return 0;
 }
 

@@ -8,19 +8,19 @@
 #include "sentences.h"
 
 /* One line to the host's log. */
-static void tell(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, fmi3Status status, const char *category,
-                 const char *sentence)
+static void log_message(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, fmi3Status status, const char *category,
+                        const char *sentence)
 {
     char message[2 * MODEL_SENTENCE];
     if (log)
         log(environment, status, category, sentence_doubled(sentence, "#", message, sizeof message));
 }
 
-static void tell_warning(void *owner, const char *sentence)
+static void log_warning(void *owner, const char *sentence)
 {
     const instance *self = owner;
     if (self->warnings)
-        tell(self->environment, self->log, fmi3Warning, "logStatusWarning", sentence);
+        log_message(self->environment, self->log, fmi3Warning, "logStatusWarning", sentence);
 }
 
 /* What an action's outcome is to the host. */
@@ -29,7 +29,7 @@ fmi3Status fmi3_answer(const instance *self, int refused)
     if (!refused)
         return fmi3OK;
     if (self->errors)
-        tell(self->environment, self->log, fmi3Error, "logStatusError", self->wheelset->sentence);
+        log_message(self->environment, self->log, fmi3Error, "logStatusError", self->wheelset->sentence);
     return fmi3Error;
 }
 
@@ -44,7 +44,7 @@ const char *fmi3GetVersion(void) { return fmi3Version; }
 
 static fmi3Instance refuse_instance(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, const char *sentence)
 {
-    tell(environment, log, fmi3Error, "logStatusError", sentence);
+    log_message(environment, log, fmi3Error, "logStatusError", sentence);
     return NULL;
 }
 
@@ -64,7 +64,7 @@ static fmi3Instance create(const char *function, fmi3String name, fmi3String tok
         self = calloc(1, sizeof *self);
     }
     if (self)
-        self->wheelset = wheelset_new(tell_warning, self, exchange);
+        self->wheelset = wheelset_new(log_warning, self, exchange);
     if (!self || !self->wheelset)
     {
         free(self);

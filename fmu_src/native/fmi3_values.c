@@ -53,8 +53,7 @@ static int check_type(instance *self, const model_block *block, model_type type,
 static int check_reference(instance *self, fmi3ValueReference reference)
 {
     if (reference > MODEL_BLOCKS || model_blocks[reference].first == BLOCK_RETIRED)
-        return wheelset_refuse(self->wheelset, "value reference %lu does not exist; they run from 1 to %d",
-                               (unsigned long)reference, MODEL_BLOCKS);
+        return wheelset_refuse(self->wheelset, REFUSE_UNKNOWN, (unsigned long)reference, 1, MODEL_BLOCKS);
     return 0;
 }
 
@@ -133,7 +132,7 @@ GET(fmi3GetBoolean, fmi3Boolean, MODEL_BOOLEAN, 0, self->wheelset->core.values[F
 GET(fmi3GetUInt64, fmi3UInt64, MODEL_UNSIGNED, 0, self->wheelset->core.stations)
 GET(fmi3GetString, fmi3String, MODEL_STRING, 0, self->wheelset->core.text[model_variables[FIRST].slot])
 
-/* Whether a Float64 can be set; arrays are outputs, which the first of their values tells. */
+/* Whether a Float64 can be set; arrays are outputs, which the first of their values shows. */
 static int may_set_float(instance *self, int first, double value)
 {
     if (first == BLOCK_TIME)

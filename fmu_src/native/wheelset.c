@@ -33,12 +33,12 @@ static int initialise(wheelset *self)
     return 0;
 }
 
-wheelset *wheelset_new(wheelset_tell *tell, void *owner, bool exchange)
+wheelset *wheelset_new(wheelset_log *log, void *owner, bool exchange)
 {
     wheelset *self = calloc(1, sizeof *self);
     if (!self)
         return NULL;
-    self->tell = tell;
+    self->log = log;
     self->owner = owner;
     self->core.exchange = exchange;
     self->workspace = calloc(MODEL_WORK, sizeof(double));
@@ -89,11 +89,9 @@ int wheelset_experiment(wheelset *self, double start, bool stops, double stop)
 {
     char first[40], last[40];
     if (self->core.phase != PHASE_INSTANTIATED)
-        return wheelset_refuse(self, "initialisation is permitted once, with startTime and stopTime, after instantiation or a "
-                               "reset");
+        return wheelset_refuse(self, REFUSE_STARTED);
     if (!isfinite(start) || (stops && !(stop >= start)))
-        return wheelset_refuse(self, "startTime is %s s and stopTime %s s; permitted are a finite startTime and a stopTime "
-                               "not before it", sentence_shortest(start, first, sizeof first),
+        return wheelset_refuse(self, REFUSE_TIMES, sentence_shortest(start, first, sizeof first),
                                sentence_shortest(stops ? stop : INFINITY, last, sizeof last));
     self->core.time = start;
     self->core.stop = stops ? stop : INFINITY;
@@ -121,7 +119,7 @@ int wheelset_enter(wheelset *self)
     if (self->core.phase == PHASE_CONFIGURING)
         return wheelset_refuse(self, "configuration mode must be left before initialisation mode is entered");
     if (self->core.phase != PHASE_INSTANTIATED)
-        return wheelset_refuse(self, "initialisation mode can be entered once, after instantiation or a reset");
+        return wheelset_refuse(self, REFUSE_ENTERED);
     if (initialise(self))
         return 1;
     self->core.phase = PHASE_INITIALISING;
@@ -131,12 +129,12 @@ int wheelset_enter(wheelset *self)
 int wheelset_exit(wheelset *self)
 {
     if (self->core.phase != PHASE_INITIALISING)
-        return wheelset_refuse(self, "initialisation mode can be left only after it was entered");
+        return wheelset_refuse(self, REFUSE_NOT_ENTERED);
     if (initialise(self))
         return 1;
     self->core.locked = 1;
     wheelset_refresh(self);
-    self->core.told = 0;
+    self->core.logged = 0;
     self->core.phase = self->core.exchange ? PHASE_EVENT : PHASE_RUNNING;
     wheelset_accept(self);
     return 0;
@@ -145,7 +143,7 @@ int wheelset_exit(wheelset *self)
 int wheelset_terminate(wheelset *self)
 {
     if (self->core.phase != PHASE_RUNNING && self->core.phase != PHASE_EVENT && self->core.phase != PHASE_CONTINUOUS)
-        return wheelset_refuse(self, "only a running simulation can be terminated");
+        return wheelset_refuse(self, REFUSE_NOT_RUNNING);
     self->core.phase = PHASE_TERMINATED;
     return 0;
 }
@@ -206,19 +204,19 @@ int wheelset_step(wheelset *self, double time, double size)
     if (self->core.exchange)
         return wheelset_refuse(self, "steps are permitted in co-simulation only; this instance is for model exchange");
     if (self->core.phase != PHASE_RUNNING)
-        return wheelset_refuse(self, "the wheelset cannot step: it %s", self->core.phase == PHASE_TERMINATED
-                               ? "has been terminated" : "has not been initialised");
+        return self->core.phase == PHASE_TERMINATED ? wheelset_refuse(self, REFUSE_NO_STEP_AFTER)
+                                                    : wheelset_refuse(self, REFUSE_NO_STEP_BEFORE);
     if (!isfinite(time) || !isfinite(time + size) || size < 0.0)
-        return wheelset_refuse(self, "a step of %s s at %s s is not possible; permitted are finite times and sizes of 0 s or more",
+        return wheelset_refuse(self, REFUSE_STEP,
                                sentence_shortest(size, first, sizeof first), sentence_shortest(time, second, sizeof second));
     if (time + size > self->core.stop + 1e-6 * size + ROUNDING * fabs(self->core.stop))
-        return wheelset_refuse(self, "a step of %s s at %s s ends after the stopTime %s s; permitted are steps up to it",
+        return wheelset_refuse(self, REFUSE_PAST_STOP,
                                sentence_shortest(size, first, sizeof first), sentence_shortest(time, second, sizeof second),
                                sentence_shortest(self->core.stop, third, sizeof third));
     wheelset_refresh(self);
-    if (self->core.status != 0.0 && !self->core.told)
-        wheelset_tell_status(self);
-    self->core.told = 0;
+    if (self->core.status != 0.0 && !self->core.logged)
+        wheelset_log_status(self);
+    self->core.logged = 0;
     self->core.time = time + size;
     return 0;
 }

@@ -41,7 +41,7 @@ typedef struct {
     int32_t built;                          /* the tables belong to the parameters as last initialised */
     int32_t locked;                         /* the parameters are fixed */
     int32_t stale;                          /* an input has changed since the last evaluation */
-    int32_t told;                           /* this step's status has been told */
+    int32_t logged;                         /* this step's status has been logged */
     int32_t balanced;                       /* the equilibrium is that of the inputs */
     int32_t exchange;                       /* model exchange, not co-simulation */
     int32_t accepts;                        /* there has been an accepted point with valid outputs */
@@ -62,11 +62,11 @@ typedef struct wheelset_state {
     wheelset_saved saved;
 } wheelset_state;
 
-typedef void wheelset_tell(void *owner, const char *sentence);
+typedef void wheelset_log(void *owner, const char *sentence);
 
 typedef struct {
     wheelset_core core;
-    wheelset_tell *tell;                    /* is told one sentence for every step whose status is not 0 */
+    wheelset_log *log;                    /* logs one sentence for every step whose status is not 0 */
     void *owner;
     array_double_1d tables;
     double *workspace;
@@ -74,11 +74,11 @@ typedef struct {
     double built_values[MODEL_VARIABLES];   /* the parameters that the tables were made with */
     char built_text[MODEL_STRINGS][MODEL_TEXT];
     wheelset_state *states;                 /* those that the host has not freed */
-    bool remarked;                          /* an unusual load has been told */
+    bool remarked;                          /* an unusual load has been logged */
     char sentence[MODEL_SENTENCE];
 } wheelset;
 
-wheelset *wheelset_new(wheelset_tell *tell, void *owner, bool exchange);        /* NULL: there is no memory */
+wheelset *wheelset_new(wheelset_log *log, void *owner, bool exchange);        /* NULL: there is no memory */
 void wheelset_free(wheelset *self);
 void wheelset_reset(wheelset *self);
 

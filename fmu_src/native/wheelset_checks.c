@@ -21,7 +21,7 @@ int wheelset_check(wheelset *self, uint32_t reference, model_type type)
     static const char *const NAMES[] = {"Real", "Integer", "Boolean", "String", "UInt64"};
     const model_variable *variable = model_variables + reference;
     if (variable->type != type)
-        return wheelset_refuse(self, "%s is of type %s, not %s", variable->name, NAMES[variable->type], NAMES[type]);
+        return wheelset_refuse(self, REFUSE_TYPE, variable->name, NAMES[variable->type], NAMES[type]);
     return 0;
 }
 
@@ -30,8 +30,7 @@ int wheelset_may_get(wheelset *self, uint32_t reference, model_type type)
     if (wheelset_check(self, reference, type))
         return 1;
     if (model_variables[reference].causality == MODEL_OUTPUT && self->core.phase == PHASE_INSTANTIATED)
-        return wheelset_refuse(self, "%s is an output and cannot be read before the initialisation",
-                               model_variables[reference].name);
+        return wheelset_refuse(self, REFUSE_UNREAD, model_variables[reference].name);
     return 0;
 }
 
@@ -39,9 +38,9 @@ int wheelset_may_get(wheelset *self, uint32_t reference, model_type type)
 static int check_settable(wheelset *self, const model_variable *variable)
 {
     if (self->core.phase == PHASE_TERMINATED)
-        return wheelset_refuse(self, "%s cannot be set: the simulation has been terminated", variable->name);
+        return wheelset_refuse(self, REFUSE_TERMINATED, variable->name);
     if (variable->causality == MODEL_OUTPUT)
-        return wheelset_refuse(self, "%s is an output and cannot be set", variable->name);
+        return wheelset_refuse(self, REFUSE_OUTPUT, variable->name);
     return 0;
 }
 
@@ -52,8 +51,7 @@ int wheelset_may_set_real(wheelset *self, uint32_t reference, double value)
         return 1;
     if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked
         && self->core.values[reference] != value)
-        return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s",
-                               model_variables[reference].name,
+        return wheelset_refuse(self, REFUSE_FIXED, model_variables[reference].name,
                                sentence_shortest(self->core.values[reference], present, sizeof present),
                                sentence_shortest(value, wanted, sizeof wanted));
     return 0;
@@ -66,13 +64,13 @@ int wheelset_may_set_string(wheelset *self, uint32_t reference, const char *valu
         return 1;
     const model_variable *variable = model_variables + reference;
     if (!value)
-        return wheelset_refuse(self, "%s is a NULL pointer; permitted are texts", variable->name);
+        return wheelset_refuse(self, REFUSE_NULL, variable->name);
     if (strlen(value) >= MODEL_TEXT)
         return wheelset_refuse(self, "%s has %lu bytes; permitted are at most %d", variable->name, (unsigned long)strlen(value),
                                MODEL_TEXT - 1);
     const char *held = self->core.text[variable->slot];
     if (self->core.locked && strcmp(held, value) != 0)
-        return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s", variable->name,
+        return wheelset_refuse(self, REFUSE_FIXED, variable->name,
                                sentence_quoted(held, present, sizeof present), sentence_quoted(value, wanted, sizeof wanted));
     return 0;
 }
@@ -88,8 +86,7 @@ int wheelset_may_set_boolean(wheelset *self, uint32_t reference, bool value)
         return 1;
     const bool changes = (self->core.values[reference] != 0.0) != value;
     if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked && changes)
-        return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s",
-                               model_variables[reference].name, value ? "False" : "True", value ? "True" : "False");
+        return wheelset_refuse(self, REFUSE_FIXED, model_variables[reference].name, value ? "False" : "True", value ? "True" : "False");
     if (self->core.phase == PHASE_CONTINUOUS && changes)
         return wheelset_refuse(self, "%s is a Boolean and can be changed only in event mode, not in continuous-time mode",
                                model_variables[reference].name);

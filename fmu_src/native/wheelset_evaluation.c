@@ -18,12 +18,12 @@ bool wheelset_is_compliant(const wheelset *self)
     return strcmp(self->core.text[MODEL_MODE_SLOT], "compliant") == 0;
 }
 
-void wheelset_tell_status(wheelset *self)
+void wheelset_log_status(wheelset *self)
 {
     char sentence[MODEL_SENTENCE];
     sentence_of_status((int)self->core.status, self->core.values, wheelset_is_compliant(self), sentence, sizeof sentence);
-    self->tell(self->owner, sentence);
-    self->core.told = 1;
+    self->log(self->owner, sentence);
+    self->core.logged = 1;
 }
 
 wrcontact_handle wheelset_handle(wheelset *self)
@@ -76,12 +76,12 @@ void wheelset_find_equilibrium(wheelset *self)
         core->values[MODEL_EQUILIBRIUM] = outputs[layout__OUT_VERTICAL_SHIFT];
         core->values[MODEL_EQUILIBRIUM + 1] = outputs[layout__OUT_ROLL];
     }
-    else if (core->status <= layout__UNLOADED)      /* otherwise the step has told why */
+    else if (core->status <= layout__UNLOADED)      /* otherwise the step has logged why */
     {
         char sentence[MODEL_SENTENCE] = "equilibrium: ";
         const size_t begun = strlen(sentence);
         sentence_of_status(status, core->values, false, sentence + begun, sizeof sentence - begun);
-        self->tell(self->owner, sentence);
+        self->log(self->owner, sentence);
     }
     core->balanced = 1;
 }
@@ -98,7 +98,7 @@ static void remark_load(wheelset *self)
              model_variables[MODEL_LOAD].name, SIX_DIGITS(load), model_variables[MODEL_LOAD].unit, SIX_DIGITS(MODEL_LOAD_LEAST),
              SIX_DIGITS(MODEL_LOAD_MOST), model_variables[MODEL_LOAD].unit);
     self->remarked = true;
-    self->tell(self->owner, sentence);
+    self->log(self->owner, sentence);
 }
 
 /* In model exchange a solver tries points, so that the last valid outputs are those of a point that it may have left.  Where
@@ -134,5 +134,5 @@ void wheelset_evaluate(wheelset *self)
     if (!wheelset_is_compliant(self))
         wheelset_find_equilibrium(self);        /* which costs nothing */
     if (status && core->phase != PHASE_EVENT && core->phase != PHASE_CONTINUOUS)
-        wheelset_tell_status(self);
+        wheelset_log_status(self);
 }

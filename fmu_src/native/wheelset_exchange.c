@@ -60,7 +60,7 @@ int wheelset_complete_step(wheelset *self)
     wheelset_refresh(self);
     wheelset_accept(self);
     if (self->core.status != 0.0)
-        wheelset_tell_status(self);
+        wheelset_log_status(self);
     return 0;
 }
 

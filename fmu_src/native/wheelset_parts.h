@@ -22,6 +22,6 @@ wrcontact_handle wheelset_handle(wheelset *self);           /* the kernel's arra
 void wheelset_set_mode(wheelset *self, double mode);        /* let the tables be those of a contact mode */
 void wheelset_evaluate(wheelset *self);                     /* one step of the kernel, and its outcome */
 void wheelset_accept(wheelset *self);           /* let the present inputs be those to hold to, if their outputs are valid */
-void wheelset_tell_status(wheelset *self);
+void wheelset_log_status(wheelset *self);
 
 #endif

@@ -31,12 +31,12 @@ static void save(const wheelset *self, wheelset_saved *saved)
 static int check_saved(wheelset *self, const wheelset_saved *saved, size_t size)
 {
     if (size < sizeof saved->format || memcmp(saved->format, FORMAT, sizeof FORMAT) != 0)
-        return wheelset_refuse(self, "the saved state is not one of this version; the present state is kept");
+        return wheelset_refuse(self, REFUSE_OTHER_STATE);
     if (size != sizeof *saved)
         return wheelset_refuse(self, "the saved state holds %lu bytes, expected are %lu; the present state is kept",
                                (unsigned long)size, (unsigned long)sizeof *saved);
     if (saved->size != sizeof *saved || saved->checksum != checksum(&saved->core, sizeof saved->core))
-        return wheelset_refuse(self, "the saved state is damaged (its checksum differs); the present state is kept");
+        return wheelset_refuse(self, REFUSE_DAMAGED_STATE);
     if (memcmp(saved->token, model_token, sizeof model_token) != 0)
         return wheelset_refuse(self, "the saved state comes from another FMU; the present state is kept");
     return 0;

@@ -6,7 +6,7 @@
  *  - a host that is no Python gets libpython, whose functions PythonFMU takes from the process;
  *  - the FMU's program is imported here first: PythonFMU calls what an import has not found, as without numpy.
  *
- * What cannot be loaded or found is told to the host's logger, and there is no instance.
+ * What cannot be loaded or found is written to the host's logger, and there is no instance.
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>

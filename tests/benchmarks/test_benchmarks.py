@@ -103,7 +103,7 @@ def test_a_cost_is_the_smallest_of_its_rounds():
     assert slow.microseconds == pytest.approx(3.0)
 
 
-def test_the_noise_of_a_run_is_told():
+def test_the_noise_of_a_run_is_reported():
     record.restart()
     one = [record.unit() for _ in range(3)]
     count, least, median, high = record.spread()

@@ -48,7 +48,7 @@ RANDOM = {
 
 def compared(model, name):
     """Errors (3, n) [%] at all loaded wheels of a run."""
-    run = data.columns(data.POSITIONS if name == "positions" else data.TRAJECTORIES / f"{name}.csv")
+    run = data.columns(data.POSITIONS if name == "positions" else data.TRAJECTORIES[name])
     given = {row.name: run[row.name] for row in INPUTS if row.name in run}
     table = system_of(model).evaluate_many(**given)
     assert not np.any(table.status > 1)

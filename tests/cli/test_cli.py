@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import wrcontact
+from data import HUNTING
 from tests.helpers.command_line import read_csv, start
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem
@@ -339,10 +340,9 @@ KINDS = {
     ],
 )
 def test_plot_draws_every_kind(run, tmp_path, monkeypatch, kind):
-    """In the working directory, under the name of its kind."""
+    """In the working directory, under the name of its kind; a checkout may have spaces in its path."""
     monkeypatch.chdir(tmp_path)
-    table = ROOT / "data" / "trajectories" / "hunting.csv"  # a checkout may have spaces in its path
-    words = [word.format(run=table) for word in KINDS[kind].split()]
+    words = [word.format(run=HUNTING) for word in KINDS[kind].split()]
     name = f"{kind}.{'gif' if kind == 'animation' else 'png'}"
     assert run("plot", kind, *words) == (0, f"picture written to {name}\n", "")
     assert (tmp_path / name).read_bytes()[:4] in (b"\x89PNG", b"GIF8")

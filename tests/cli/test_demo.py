@@ -11,7 +11,6 @@ from matplotlib.image import imread
 import wrcontact.fmu
 from tests.helpers.cases import INPUT_NAMES
 from tests.helpers.command_line import read_csv, start
-from tests.helpers.paths import TRAJECTORIES
 from wrcontact import ContactSystem
 from wrcontact.cli import demo as demo_module
 from wrcontact.cli.demo import compare, stored_inputs, stored_run
@@ -81,11 +80,6 @@ def test_demo_picture_shows_something(demo):
     assert picture.shape[0] > 1000 and picture.shape[1] > 1000
     assert len(np.unique((255 * picture).astype(int) @ (65536, 256, 1))) > 1000  # colours
     assert 0.05 < np.mean(np.any(picture < 0.95, axis=-1)) < 0.6  # share of the paper that is not white
-
-
-def test_stored_run_is_the_reference_trajectory():
-    shipped = Path(demo_module.__file__).parent / "data" / demo_module.RUN
-    assert shipped.read_bytes() == (TRAJECTORIES / demo_module.RUN).read_bytes()
 
 
 @pytest.fixture

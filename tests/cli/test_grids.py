@@ -109,8 +109,8 @@ def test_a_table_in_a_store(run, tmp_path):
     np.testing.assert_array_equal(found["left_friction_power"].values.ravel(), direct["left.friction_power"])
     code, out, err = run(*words, "--right-friction", 0.1)
     assert (code, out) == (2, "") and err == (
-        f"wrcontact: the store {store} answers another question: right_friction is 0.1, there 0.3; permitted "
-        "is the same question, or another store\n"
+        f"wrcontact: the store {store} has another specification: right_friction is 0.1, there 0.3; permitted "
+        "is the same specification, or another store\n"
     )
     code, out, err = run("sweep", "--axis", "yaw=0.5", "--outputs", "roll", "--store", tmp_path / "b.zarr")
     assert (code, out) == (2, "")

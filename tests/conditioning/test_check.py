@@ -5,6 +5,7 @@ import csv
 import dataclasses
 import json
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,9 +16,11 @@ from data import brute_force
 from data.noisy_profiles import even_points, noisy_points
 from tests.helpers.cases import MM
 from wrcontact import ContactSystem, Profile
+from wrcontact.conditioning import measures
 from wrcontact.conditioning.conicity import OFF_PROFILE
 from wrcontact.conditioning.table import table_text
 from wrcontact.conditioning.text import check_text
+from wrcontact.interface.units import by_name
 from wrcontact.plots import check_figure
 from wrcontact.profiles.zones import Polynomial
 
@@ -106,7 +109,7 @@ def test_the_table_of_a_cone_has_closed_forms():
     roll turns both contact angles by as much, one up and one down."""
     text = table_text(wrcontact.check(ContactSystem("cone20")))
     comments = [line for line in text.splitlines() if line.startswith("#")]
-    assert comments[0].startswith("# cone20 on UIC60: gauge 1435 mm, inclination 1:40") and len(comments) == 7
+    assert comments[0].startswith("# cone20 on UIC60: gauge 1435 mm, inclination 1:40") and len(comments) == 8
     heads, *rows = csv.reader(line for line in text.splitlines() if not line.startswith("#"))
     read = dict(zip(heads, np.array([[float(cell or "nan") for cell in row] for row in rows]).T))
     shift = read["lateral_shift [mm]"]
@@ -123,12 +126,34 @@ def test_the_table_of_a_cone_has_closed_forms():
         np.testing.assert_allclose(radius, 460 - y / 20, atol=1e-6)
     difference = read["right.rolling_radius [mm]"] - read["left.rolling_radius [mm]"]
     np.testing.assert_allclose(difference, read["radius_difference [mm]"], atol=1e-6)
+    tangents = [np.tan(np.radians(read[f"{side}.contact_angle [deg]"])) for side in ("right", "left")]
+    np.testing.assert_allclose(read["delta_tan_gamma [1]"], tangents[0] - tangents[1], atol=1e-8)
+    # Redtenbacher: along a curve of radius r e / (difference of the radii), to the left if the right wheel is larger
+    apart = 1.5 + 1e-3 * (read["right.contact.y_wheel [mm]"] + read["left.contact.y_wheel [mm]"])
+    mean = 0.5e-3 * (read["right.rolling_radius [mm]"] + read["left.rolling_radius [mm]"])
+    np.testing.assert_allclose(
+        read["free_curvature [1/m]"], -1e-3 * difference / (mean * apart), rtol=1e-3, atol=1e-9
+    )
 
 
 def test_a_cell_without_a_value_is_empty(uic60):
     """The rolling radius difference of the outermost shifts has no oscillation around it."""
     last = table_text(uic60).splitlines()[-1]
     assert last.startswith("15,") and last.endswith(",,")
+
+
+def test_a_wheelset_rolls_freely_in_the_curve_of_its_place(uic60):
+    """Both wheels touch without longitudinal creepage where the track bends as much, and only there."""
+    curves = uic60.curves
+    system = ContactSystem(tangential_model="fastsim", normal_model="hertz")
+    for shift in (-5.5e-3, -2e-3, 1e-3, 5.5e-3):
+        at = int(np.argmin(np.abs(curves.lateral_shift - shift)))
+        bend = float(curves.free_curvature[at])
+        assert bend * shift < 0.0
+        for curvature, free in ((bend, True), (0.0, False)):
+            state = system.evaluate(shift, speed=10.0, track_curvature=curvature)
+            slip = state.right.patches[0].creepage.x - state.left.patches[0].creepage.x
+            assert abs(slip) < 1e-7 if free else abs(slip) > 1e-3, (shift, curvature, slip)
 
 
 @pytest.mark.full  # README's command installs none of the tables' packages
@@ -162,7 +187,7 @@ def hollow(y, z, depth):
     return z - depth * np.exp(-((y / 14.0) ** 2))
 
 
-def test_points_are_told(tmp_path):
+def test_points_are_reported(tmp_path):
     y, z = noisy_points("wheel", 0.2, 10e-3, 5)
     z[300] += 0.8
     with pytest.warns(wrcontact.ProfileWarning):
@@ -180,7 +205,7 @@ def test_points_are_told(tmp_path):
 
 
 @pytest.mark.full
-def test_noise_that_is_not_smoothed_is_told(tmp_path):
+def test_noise_that_is_not_smoothed_is_reported(tmp_path):
     """10 um every 0.2 mm are curvatures of 10 um / (0.2 mm)^2 = 250 1/m and more; the
     conicity averages them away."""
     wheel = Profile.from_file(
@@ -208,7 +233,7 @@ def test_hollow_wear_raises_the_conicity(tmp_path, depth):
     assert np.all(report.conicity.level[:3] > 1.5 * np.array([0.354, 0.219, 0.174]))
 
 
-def test_kink_is_told():
+def test_kink_is_reported():
     halves = Polynomial(-70, -9, (-0.045, -0.055), -9.0), Polynomial(-9, 60, (-0.045, -0.05), -9.0)
     wheel = Profile("bent", "wheel", halves, smooth=False)
     report = wrcontact.check(ContactSystem(wheel))
@@ -246,7 +271,7 @@ def test_a_contact_beyond_the_end_of_a_wheel_is_none():
     assert system.evaluate(lateral_shift=-5 * MM).status == wrcontact.Status.OFF_PROFILE
 
 
-def test_ends_of_the_profiles_are_told():
+def test_ends_of_the_profiles_are_reported():
     report = wrcontact.check(ContactSystem(short_wheel(8.0), "60E1"))
     first, last = report.usable_shifts
     assert -first == pytest.approx(last, abs=2e-6) and 1 * MM < last < 3 * MM and report.usable
@@ -259,7 +284,7 @@ def test_ends_of_the_profiles_are_told():
     assert math.isfinite(report.conicity.level[0])
 
 
-def test_flange_contact_is_told():
+def test_flange_contact_is_reported():
     """10 mm less gauge is 5 mm less play."""
     wide, narrow = (wrcontact.check(ContactSystem(rail="60E1", gauge=gauge)) for gauge in (1.435, 1.425))
     # the other side rolls with it
@@ -271,7 +296,7 @@ def test_flange_contact_is_told():
     assert "a flange is in contact already in the centred position" in none.remarks
 
 
-def test_pair_without_contact_is_told():
+def test_pair_without_contact_is_reported():
     report = wrcontact.check(ContactSystem(gauge=1.6))
     assert not report.usable and math.isnan(report.usable_shifts[0]) and report.jumps == ()
     assert report.remarks[0].startswith("there is no contact in the centred position")
@@ -356,3 +381,29 @@ def test_picture_draws_the_numbers(standard):
     # lines join places that touch: at their lower ends the rail has the height it is drawn with
     places = panels["places"]
     assert len([line for line in places.lines if len(line.get_xdata()) == 2]) == 65 + 2 * 3
+
+
+# --- the table of numbers --------------------------------------------------------------------------
+
+
+def test_numbers_are_shown_in_the_unit_that_is_named():
+    """By a table of units that is written here; a name stands for the attribute that has it."""
+    sizes = {"": 1, "1/m": 1, "m": 1, "mm": 1e3, "um": 1e6, "deg": 180 / np.pi, "mm/mm": 1, "mrad/mm": 1}
+    tables = (
+        measures.MOVES,
+        measures.QUALITIES,
+        measures.READINGS,
+        measures.JUMPS,
+        measures.ZONES,
+        measures.CONICITIES,
+        measures.PAIR,
+    )
+    for table in tables:
+        for name, one in table.items():
+            assert one.factor == pytest.approx(sizes[one.shown_unit]), name
+    zone = SimpleNamespace(**{name: 0.5 + k for k, name in enumerate(measures.ZONES)})
+    jump = SimpleNamespace(**{name: 0.5 + k for k, name in enumerate(measures.JUMPS)})
+    for owner, table in ((zone, measures.ZONES), (jump, measures.JUMPS)):
+        assert [one.read(owner) for one in table.values()] == list(vars(owner).values())
+    with pytest.raises(ValueError, match="measure 'start' is declared twice"):
+        by_name(measures.ZONES["start"], measures.QUALITIES["start"])

@@ -5,7 +5,7 @@ import pytest
 
 from data.creep_cases import Model, full_slip, vector
 from wrcontact.creep import elliptic_patch
-from wrcontact.kernel.binding.kalker_table import kalker_coefficients
+from wrcontact.creep.kalker_table import kalker_coefficients
 
 FRICTION, LOAD = 0.3, 8e4
 BOUND, SHEAR, POISSON = FRICTION * LOAD, 210e9 / (2 * 1.28), 0.28

@@ -7,11 +7,10 @@ import pytest
 from scipy import integrate
 
 from data.creep_cases import CREEP
-from wrcontact.creep import elliptic_nodes
+from tools.tables import rolling_table, strip_nodes
+from wrcontact.creep import kalker_table
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding import kalker_table, rolling_table
-from wrcontact.kernel.binding import rolling_table as reach_table
-from wrcontact.kernel.binding.fixed_tables import fixed_tables
+from wrcontact.kernel.binding.fixed_tables import CORRECTION, CORRECTION_UNIT, fixed_tables
 from wrcontact.kernel.creep import stiffness, tractions
 from wrcontact.kernel.prepare import tables as fixed
 
@@ -84,7 +83,8 @@ def test_reaches_are_their_integrals(eta):
         over_square(lambda r, t, u: spin(t, u) * (eta / r) ** 3) * 2.0 / np.pi**2,
     ]
     found = [
-        np.interp(np.log(eta), reach_table.reach_nodes(), row[0]) for row in reach_table.stored()["reaches"]
+        np.interp(np.log(eta), rolling_table.reach_nodes(), row[0])
+        for row in rolling_table.stored()["reaches"]
     ]
     # straight lines between the nodes here: an eighth of the cell's width squared times the bend
     np.testing.assert_allclose(found, wanted, atol=5e-4)
@@ -130,21 +130,21 @@ def test_strips_of_an_ellipse_have_kalkers_stiffness(nu, allowed):
     tables.parameters.poisson_ratio = nu
     work = layout.Work.at(np.zeros(layout.WORK_SIZE))
     for ratio in np.exp(rolling_table.shape_nodes()[1::4]):
-        found = elliptic_nodes.strip_coefficients(tables, work, ratio)
+        found = strip_nodes.strip_coefficients(tables, work, ratio)
         np.testing.assert_allclose(found, kalker_table.kalker_coefficients(ratio, nu)[:, 0], rtol=allowed)
 
 
 def test_the_correction_is_that_of_these_strips():
     """At some nodes of each Poisson's ratio it is exact minus strips; else it would have to be made anew
     (tools/make_rolling_correction.py)."""
-    with np.load(rolling_table.CORRECTION) as stored:
-        correction = stored["correction"] * rolling_table.CORRECTION_UNIT
+    with np.load(CORRECTION) as stored:
+        correction = stored["correction"] * CORRECTION_UNIT
     for column, nu in enumerate(rolling_table.CORRECTION_NODES):
-        exact = elliptic_nodes.exact_forces(nu)
+        exact = strip_nodes.exact_forces(nu)
         some = {name: values[::2] if name in ("alpha", "rho") else values for name, values in exact.items()}
         some["forces"] = exact["forces"][:, :, ::2, ::2]
-        apart = some["forces"] - elliptic_nodes.strip_forces(some, nu)
+        apart = some["forces"] - strip_nodes.strip_forces(some, nu)
         assert apart.size > 1000
         np.testing.assert_allclose(
-            correction[column][:, :, ::2, ::2], apart, rtol=0, atol=0.51 * rolling_table.CORRECTION_UNIT
+            correction[column][:, :, ::2, ::2], apart, rtol=0, atol=0.51 * CORRECTION_UNIT
         )

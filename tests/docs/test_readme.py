@@ -72,7 +72,7 @@ TOOLS = {
     "simulate_fmu": "simulated_exchange",
     "ecospy": '"ecospy"',
     "libcosimpy": '"libcosimpy"',
-    "a C host": "native_host.c",
+    "a C host": "host.c",
 }
 
 

@@ -17,10 +17,10 @@ from tests.helpers.paths import ROOT
 from tests.helpers.platforms import needs, needs_zig
 from tools.make_fixed_tables import made_tables
 from wrcontact.kernel.binding.compiler import ZIG, find_compiler
-from wrcontact.kernel.binding.exact_tables import INFLUENCE_MAP
 from wrcontact.kernel.binding.files import host_platform
 from wrcontact.kernel.binding.fixed_tables import stored_tables
 from wrcontact.kernel.binding.library import Kernel
+from wrcontact.kernel.layout import INFLUENCE_MAP
 
 pytestmark = pytest.mark.full
 FEW, SOME, MANY = 3, 25, 100  # emulation is slow

@@ -33,7 +33,7 @@ def refused(run):
     return refused
 
 
-def test_a_full_disk_is_told_in_one_sentence(tmp_path, refused):
+def test_a_full_disk_is_reported_in_one_sentence(tmp_path, refused):
     """A device that is always full, and a limit to the size of files."""
     picture = tmp_path / "picture.png"
     picture.symlink_to("/dev/full")

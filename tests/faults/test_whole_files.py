@@ -12,7 +12,7 @@ import pytest
 
 from tests.helpers.faults import WRITER, largest_file, needs_linux, parts_in
 from wrcontact.storage import atomic
-from wrcontact.storage.atomic import ABANDONED, MACHINE, SILENT, write_atomically
+from wrcontact.storage.atomic import ABANDONED, write_atomically
 
 pytestmark = needs_linux
 
@@ -58,24 +58,6 @@ def test_what_a_killed_writer_left_is_removed_by_the_next_one_when_it_is_old(tmp
         os.utime(part, (time.time() - age,) * 2)
     write_atomically(tmp_path / "file", b"whole")
     assert parts_in(tmp_path) == [young] and (tmp_path / "file").read_bytes() == b"whole"
-
-
-def test_what_a_process_that_has_ended_left_is_removed_at_once(tmp_path):
-    """Of this machine; not that of a process that lives, of another machine, or written just now."""
-    ended = subprocess.Popen([sys.executable, "-c", ""])
-    ended.wait()
-    ages = {
-        f"{MACHINE}-{ended.pid}": SILENT + 1.0,
-        f"{MACHINE}-{os.getpid()}": SILENT + 1.0,
-        f"00000000-{ended.pid}": SILENT + 1.0,
-        f"{MACHINE}-0{ended.pid}": 0.0,
-    }
-    for name, age in ages.items():
-        part = tmp_path / f".wrcontact-{name}-0.part"
-        part.write_text("half")
-        os.utime(part, (time.time() - age,) * 2)
-    write_atomically(tmp_path / "file", b"whole")
-    assert {part.name for part in parts_in(tmp_path)} == {f".wrcontact-{name}-0.part" for name in [*ages][1:]}
 
 
 def test_writers_of_one_file_at_once(tmp_path):

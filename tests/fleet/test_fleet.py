@@ -20,6 +20,7 @@ from tests.helpers.foreign_files import inclined_rail
 from tests.helpers.paths import ROOT
 from tests.helpers.profile_points import Y, Z, columns, simpack
 from wrcontact.conditioning.curves import merged_jumps
+from wrcontact.conditioning.measures import PAIR
 from wrcontact.fleet import run as fleet_run
 from wrcontact.fleet import table, workers
 from wrcontact.fleet.files import named_sources, slug
@@ -80,7 +81,7 @@ def test_every_pair_has_a_row_and_every_broken_file_one(fleet, files):
     with pytest.raises(ValueError) as alone:
         wrcontact.ContactSystem(wheel=files[0] / "damaged.txt")
     assert row["error"] == str(alone.value) and (row["wheel"], row["rail"]) == ("damaged", "")
-    assert not row["usable"] and all(row[name] is None for name in table.NUMBERS)
+    assert not row["usable"] and all(row[name] is None for name in PAIR)
     assert repr(fleet) == "Fleet(4 pairs, 4 of them usable; rows with an error: 1)"
 
 
@@ -305,7 +306,7 @@ def test_a_pair_that_lacks_its_picture_is_done_again(tmp_path, examined):
     assert len(examined) == 3 and other["conicity_3mm"] != row["conicity_3mm"]
 
 
-def test_a_full_disk_is_told_with_the_file(files, tmp_path, monkeypatch):
+def test_a_full_disk_is_reported_with_the_file(files, tmp_path, monkeypatch):
     class Full:
         def __enter__(self):
             return self
@@ -358,12 +359,12 @@ def test_the_report_has_every_row_with_what_it_sorts_by(fleet, folder):
     assert head == [] and len(rows) == len(fleet) and {len(row) for row in rows} == {read.heads}
     for row, cells in zip(fleet, rows):
         assert [cells[0][1], cells[1][1]] == [row["wheel"], row["rail"]]
-        for (name, _, _, factor, digits), (value, shown) in zip(COLUMNS, cells[4:]):
+        for name, (value, shown) in zip(COLUMNS, cells[4:]):
             if row[name] is None:
                 assert value is None and shown == ""
             else:
                 assert float(value) == pytest.approx(row[name], rel=1e-8), name
-                assert shown == f"{row[name] * factor:.{digits}f}", name
+                assert shown == f"{row[name] * PAIR[name].factor:.{PAIR[name].digits}f}", name
         assert all(words in cells[2][1] for words in (row["error"], *row["remarks"]))
         assert unescape(text).count(row["error"]) >= 2  # it stands above the table, too
     assert set(read.addresses) == {row["json"] for row in fleet if row["json"]}  # and nothing from the net
@@ -388,7 +389,7 @@ def test_a_click_on_a_heading_sorts(fleet, folder):
         page.on("request", lambda request: request.url.startswith("file:") or wrong.append(request.url))
         page.goto((folder / "report.html").as_uri())
         heads = page.query_selector_all("th")
-        for k, name in [(0, "wheel"), *((k + 4, row[0]) for k, row in enumerate(COLUMNS))]:
+        for k, name in [(0, "wheel"), *((k + 4, name) for k, name in enumerate(COLUMNS))]:
             for back in (False, True):
                 heads[k].click()
                 shown = page.eval_on_selector_all(
@@ -408,8 +409,8 @@ def test_a_click_on_a_heading_sorts(fleet, folder):
 
 def test_the_page_names_every_column():
     page = (ROOT / "docs" / "guides" / "fleets.md").read_text(encoding="utf-8")
-    rows = [f"| `{name}` | {unit} | {meaning} |" for name, (unit, meaning) in table.NUMBERS.items()]
-    assert "\n".join(rows) in page and all(f"`{name}`" in page for name in table.TOLD)
+    rows = [f"| `{name}` | {one.unit} | {one.meaning} |" for name, one in PAIR.items()]
+    assert "\n".join(rows) in page and all(f"`{name}`" in page for name in table.OTHERS)
 
 
 # --- files ----------------------------------------------------------------------------------------
@@ -511,7 +512,7 @@ def test_processes_give_the_same_files(fleet, files, folder, tmp_path):
 
 
 @pytest.mark.full
-def test_a_script_without_the_question_for_its_name_is_told(files, tmp_path):
+def test_a_script_without_the_question_for_its_name_is_reported(files, tmp_path):
     """Its processes run it again as they start.  The second is late here, and must leave no pool behind."""
     script = tmp_path / "fleet.py"
     script.write_text(
@@ -539,7 +540,7 @@ def test_a_scheduler_gives_the_same_rows(fleet, files):
 
 
 @pytest.mark.full
-def test_a_scheduler_that_does_not_answer_is_told(monkeypatch):
+def test_a_scheduler_that_does_not_answer_is_reported(monkeypatch):
     pytest.importorskip("distributed")
     monkeypatch.setattr("wrcontact.workers.PATIENCE", 0.5)
     with pytest.raises(ValueError, match="scheduler is 'tcp://127.0.0.1:9', where no dask scheduler answers"):

@@ -122,7 +122,7 @@ def test_statuses_and_empty_patches(outcomes):
     assert lifted["vertical_shift"] == -1e-3
 
 
-def test_an_unusual_load_is_told_once_and_with_the_sentence_of_the_package(run):
+def test_an_unusual_load_is_logged_once_and_with_the_sentence_of_the_package(run):
     """78.5 for 78.5 kN, and 78.5e6; a load of zero lifts a wheel."""
     valid = {name: START[name] for name in REAL_INPUT_NAMES}
     cases = {"usual": {"normal_force": 78.5e3}, "kN": {"normal_force": 78.5}, "again": {"normal_force": 78.0}}

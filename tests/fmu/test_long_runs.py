@@ -10,7 +10,7 @@ import threading
 import numpy as np
 import pytest
 
-from data.native_host import native_host
+from tests.helpers.c_host import linked_host
 from tests.helpers.fmus import command, needs_glibc, question
 from tests.helpers.walker import HOME, RETURN, Walker
 from wrcontact import ContactSystem
@@ -42,9 +42,9 @@ needs_library = pytest.mark.skipif(
 
 @pytest.fixture(scope="session")
 def hosts(fmus, tmp_path_factory):
-    """The program native_host with the library of each version of FMI."""
+    """The C host with the library of each version of FMI."""
     return {
-        version: native_host(fmu, version, tmp_path_factory.mktemp("host")) for version, fmu in fmus.items()
+        version: linked_host(fmu, version, tmp_path_factory.mktemp("host")) for version, fmu in fmus.items()
     }
 
 
@@ -125,7 +125,7 @@ def walked(seed, steps):
     return walker.at
 
 
-#: Variants of native_host.c, with vertical loads and creep forces by strips: elastic strips, rigid ANALYN.
+#: Variants of the C host, with vertical loads and creep forces by strips: elastic strips, rigid ANALYN.
 ELASTIC, RIGID = 1, 21
 
 

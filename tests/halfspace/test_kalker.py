@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from tests.helpers.creep import stored
+from tools.tables.exact_nodes import RATIOS, creep_coefficients
+from wrcontact.creep.kalker_table import POISSON_NODES, asymptotes
 from wrcontact.halfspace.rolling import roll_ellipse
-from wrcontact.halfspace.rolling.nodes import RATIOS, creep_coefficients
-from wrcontact.kernel.binding.kalker_table import POISSON_NODES, asymptotes
 
 #: Linear force over the friction limit.  Between them the ratio of true to linear force is a straight line,
 #: which leads to the limit of no slip; the rest is 1e-5.

@@ -55,7 +55,7 @@ def test_other_models_need_no_processes(monkeypatch):
 
 
 @pytest.mark.full
-def test_a_script_without_the_question_for_its_name_is_told(tmp_path):
+def test_a_script_without_the_question_for_its_name_is_reported(tmp_path):
     """Its processes run it again as they start; without an answer they would start others without end.  The
     second process is late here: it is stopped while it works, and must not leave a pool behind, whose
     semaphores are then reported below the sentence."""

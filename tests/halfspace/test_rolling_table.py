@@ -1,18 +1,18 @@
 """The stored exact forces: their making on a few nodes, their symmetries, and the tool."""
 
-import importlib.util
 import shutil
 
 import numpy as np
 import pytest
 
-from tests.helpers.paths import ROOT
-from wrcontact.halfspace.rolling import nodes, roll_ellipse
+from tools import make_rolling_tables as tool
+from tools.tables import exact_nodes as nodes
+from tools.tables.strip_nodes import EXACT
+from wrcontact.halfspace.rolling import roll_ellipse
 from wrcontact.halfspace.rolling.extrapolation import COARSE_CELLS
 
 pytestmark = pytest.mark.check
 
-FOLDER = ROOT / "wrcontact" / "kernel" / "data"
 POISSON_RATIOS = (0.25, 0.28, 0.30)
 #: Of the friction limit, and of its moment at sqrt(ab): the solver's residual, which depends on where it
 #: started, and 1e-5 of the load, which the stations of the stored ellipses lose.
@@ -21,18 +21,9 @@ TOLERANCE = 3e-5
 STICK = 1.0 / (0.25 * np.pi * COARSE_CELLS**2)
 
 
-def tool():
-    """The module tools/make_rolling_tables.py."""
-    path = ROOT / "tools" / "make_rolling_tables.py"
-    spec = importlib.util.spec_from_file_location("make_rolling_tables", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.fixture(scope="module", params=POISSON_RATIOS, ids="nu {}".format)
 def table(request):
-    with np.load(FOLDER / tool().file_name(request.param)) as stored:
+    with np.load(EXACT / tool.file_name(request.param)) as stored:
         return dict(stored)
 
 
@@ -111,7 +102,7 @@ def test_poissons_ratio_changes_the_forces_evenly():
     friction limit at most (measured 0.032 %, 0.002 % in the mean), while the ends differ by 3 %."""
     tables = []
     for ratio in POISSON_RATIOS:
-        with np.load(FOLDER / tool().file_name(ratio)) as stored:
+        with np.load(EXACT / tool.file_name(ratio)) as stored:
             tables.append(stored["forces"][..., :3])
     low, middle, high = tables
     assert np.abs(high - low).max() > 0.02
@@ -120,7 +111,6 @@ def test_poissons_ratio_changes_the_forces_evenly():
 
 def test_the_tool_goes_on_where_it_was_interrupted(tmp_path, monkeypatch):
     """Two ratios, two angles each, on few cells: interrupted after two lines, with half a row written."""
-    module = tool()
     for name, values in (
         ("RATIO", nodes.RATIO[[0, 4]]),
         ("BETA", nodes.BETA[[0, 5]]),
@@ -137,24 +127,24 @@ def test_the_tool_goes_on_where_it_was_interrupted(tmp_path, monkeypatch):
         return solve(line, poisson_ratio, 6)
 
     monkeypatch.setattr(nodes, "solve_line", few_cells)
-    whole = np.load(module.make_table(0.28, 1, tmp_path))["forces"]
+    whole = np.load(tool.make_table(0.28, 1, tmp_path))["forces"]
     assert len(solved) == 6 and whole.shape == (2, 2, 3, 2, 4) and np.all(np.isfinite(whole))
     again = tmp_path / "again"
     solved.clear()
     monkeypatch.setattr(nodes, "solve_line", lambda *line, **nu: few_cells(*line, **nu, limit=2))
     with pytest.raises(KeyboardInterrupt):
-        module.make_table(0.28, 1, again)
+        tool.make_table(0.28, 1, again)
     parts = again / "rolling_nu028.parts"
     parts.write_text(parts.read_text() + "1 0 0 0.5 0.2")
     monkeypatch.setattr(nodes, "solve_line", few_cells)
-    path = module.make_table(0.28, 1, again)
+    path = tool.make_table(0.28, 1, again)
     assert len(solved) == 6 and not parts.exists()
     assert np.load(path)["forces"] == pytest.approx(whole, abs=1e-6)
     shutil.rmtree(again)
 
 
 def test_the_tool_compares_a_few_nodes(capsys):
-    tool().compare(0.28, 10, FOLDER)
+    tool.compare(0.28, 10, EXACT)
     words = capsys.readouterr().out.split()
     apart = [
         float(words[place + 1].rstrip(","))

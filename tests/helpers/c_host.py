@@ -1,15 +1,20 @@
-"""Answers of data/native_host.c, and the compilers' flags that it is built with."""
+"""The C host of the native FMUs, tests/fmu/native/host.c: how it is built, and its answers."""
 
 import json
 import shutil
 import subprocess
 import tempfile
+import zipfile
 from pathlib import Path
 
 import pytest
 
-from tests.helpers.fmus import header_functions
+from tests.helpers.fmus import header_functions, unpacked_library
+from tests.helpers.paths import TESTS
 
+SOURCE = TESTS / "fmu" / "native" / "host.c"
+#: Inputs of a row that the host reads; height and roll of compliant contact stay at their start values.
+MOVED = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer")
 HOOKS = ["-Dmalloc=hooked_malloc", "-Dcalloc=hooked_calloc", "-Drealloc=hooked_realloc"]
 SANITIZERS = (
     "-O1",
@@ -32,6 +37,24 @@ def can_use(flags):
 
 needs_sanitizers = pytest.mark.skipif(not can_use(SANITIZERS), reason="no sanitizers here")
 needs_race_detector = pytest.mark.skipif(not can_use(RACES), reason="no thread sanitizer here")
+
+
+def linked_host(fmu, version, folder):
+    """The program with the library in an FMU, which is unpacked into ``folder``; every allocation of its process is
+    counted."""
+    with zipfile.ZipFile(fmu) as archive:
+        archive.extractall(folder)
+    library = unpacked_library(fmu, version, folder)
+    sources = shutil.copy(SOURCE, folder / "sources"), folder / "sources" / "model.c"
+    flags = ["-std=gnu11", "-O2", f"-DFMI={version}", "-DINTERPOSE", f"-Wl,-rpath,{library.parent}"]
+    program = folder / "host"
+    subprocess.run(["cc", *flags, *sources, library, "-o", program, "-lm", "-pthread"], check=True)
+    return program
+
+
+def rows_text(rows):
+    """Rows of inputs as the host reads them."""
+    return "".join(" ".join(repr(float(row[name])) for name in MOVED) + "\n" for row in rows)
 
 
 def answer_of(program, *arguments):

@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 
 import wrcontact
-from tests.helpers.paths import DATA, TRAJECTORIES
+from data import TRAJECTORIES
+from tests.helpers.paths import DATA
 from wrcontact import ContactSystem
 from wrcontact.interface.variables import INPUT, OUTPUT, REAL, VARIABLES
 from wrcontact.methods import CHOICES, TangentialModel
@@ -32,7 +33,7 @@ def pressed_poses(count):
 
 def stored(name):
     """Times, inputs and expected outputs of a stored trajectory; empty cells are left out."""
-    with open(TRAJECTORIES / f"{name}.csv", newline="", encoding="utf-8") as file:
+    with open(TRAJECTORIES[name], newline="", encoding="utf-8") as file:
         table = [
             {key: float(cell) for key, cell in row.items() if cell.strip()} for row in csv.DictReader(file)
         ]

@@ -36,7 +36,7 @@ def endurance(fmu, steps):
 
 def walk(fmu, seed, steps, resumed=False):
     """A random walk, now and then going on from a saved state: what was seen on it, as
-    native_host.c's walks."""
+    the C host's walks (tests/fmu/native/host.c)."""
     instance, elsewhere = fmu.running(logging=False), Walker(~seed % 2**64)
     reference = {name: variable.valueReference for name, variable in fmu.variables.items()}
     reals = [

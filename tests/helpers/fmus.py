@@ -143,7 +143,7 @@ KINDS = ("python", pytest.param(2, marks=needs_compiler), pytest.param(3, marks=
 
 def session(lines=None, **start):
     """The session that the Python FMU runs, initialised."""
-    made = Session(tell=(lambda sentence: None) if lines is None else lines.append)
+    made = Session(log=(lambda sentence: None) if lines is None else lines.append)
     for name, value in start.items():
         setters = {STRING: made.set_strings, BOOLEAN: made.set_booleans}
         setters.get(VARIABLES[PLACE[name]].type, made.set_reals)([REFERENCE[name]], [value])
@@ -189,10 +189,10 @@ def measured(name, file, step=1e-4):
     return file
 
 
-def outline_of_both(values):
+def outline_of_both(values, layout):
     """Both sides' runs of an outline by the names of FMI 3; those of wear are zero where they are not
     computed."""
-    state = WheelsetState(values, 0, None)
+    state = WheelsetState(values, 0, None, layout)
     found = {}
     for side in ("left", "right"):
         outline = getattr(state, side).outline.to_dict()

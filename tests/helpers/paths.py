@@ -7,5 +7,3 @@ TESTS = HELPERS.parent
 ROOT = TESTS.parent
 #: Stored results of other programs, and the programs.
 DATA = ROOT / "data"
-#: Runs of many poses, with their expected outputs.
-TRAJECTORIES = DATA / "trajectories"

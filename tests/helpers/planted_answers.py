@@ -275,7 +275,7 @@ ANSWERS = [
         "shift = 0.0 if profile.kind == ",
         "MiniProf's file of a wheel does not begin at the back of its flange",
         WRITERS,
-        f"{PROFILES}/writers.py",
+        f"{PROFILES}/formats/miniprof.py",
     ),
     (
         "written_side",
@@ -283,7 +283,7 @@ ANSWERS = [
         "columns(y, z)",
         "GENSYS's file has the flange on the other side",
         WRITERS,
-        f"{PROFILES}/writers.py",
+        f"{PROFILES}/formats/gensys.py",
     ),
     (
         "written_kind",
@@ -291,15 +291,15 @@ ANSWERS = [
         'int(profile.kind == "rail")',
         "Simpack's file of a wheel says that it is a rail",
         WRITERS,
-        f"{PROFILES}/writers.py",
+        f"{PROFILES}/formats/simpack.py",
     ),
     (
         "written_ending",
-        '".ban": ("rail", _miniprof)',
-        '".ban": ("rail", _gensys)',
-        "MiniProf's file of a rail is one of GENSYS",
+        '{".wheel": "wheel", ".rail": "rail"}',
+        '{".wheel": "wheel", ".rail": "wheel"}',
+        "GENSYS's file of a rail is taken for one of a wheel",
         WRITERS,
-        f"{PROFILES}/writers.py",
+        f"{PROFILES}/formats/gensys.py",
     ),
     # --- profiles by name
     (

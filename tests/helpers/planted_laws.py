@@ -559,9 +559,9 @@ LAWS = [
     ),
     (
         "silent_steps",
-        "    if (self->core.status != 0.0)\n        wheelset_tell_status(self);\n    return 0;",
+        "    if (self->core.status != 0.0)\n        wheelset_log_status(self);\n    return 0;",
         "    return 0;",
-        "a completed step without a valid result is not told",
+        "a completed step without a valid result is not logged",
         "fmu/native/test_model_exchange.py",
         "fmu_src/native/wheelset_exchange.c",
     ),

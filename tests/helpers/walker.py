@@ -1,5 +1,5 @@
 """A seeded random walk of a wheelset over tread, flange root and flange: the one of
-native_host.c, number by number."""
+tests/fmu/native/host.c, number by number."""
 
 #: Lateral shift [m], yaw [rad], roll guess [rad], normal force [N], load transfer: bounds and longest step.
 LOWEST = (-8e-3, -0.035, -0.02, 1e3, -0.95)

@@ -33,7 +33,7 @@ SYSTEM = ContactSystem(normal_model="hertz")
         ("xyz", "inputs are lateral_shift, yaw, "),
     ],
 )
-def test_an_unknown_input_is_told_from_known_ones(door, name, end):
+def test_an_unknown_input_is_refused_with_known_ones(door, name, end):
     with pytest.raises(TypeError) as refusal:
         getattr(SYSTEM, door)(**{name: 0.3})
     assert str(refusal.value).startswith(f"there is no input {name!r}; {end}")
@@ -48,7 +48,7 @@ def test_an_unknown_input_is_told_from_known_ones(door, name, end):
         ("left_rail_profile", "in Python it is left_rail"),
     ],
 )
-def test_an_unknown_parameter_is_told_from_known_ones(name, end):
+def test_an_unknown_parameter_is_refused_with_known_ones(name, end):
     with pytest.raises(TypeError) as refusal:
         ContactSystem(**{name: 0.3})
     assert str(refusal.value) == f"ContactSystem has no parameter {name!r}; {end}"
@@ -275,7 +275,7 @@ def test_warnings_point_to_the_line_of_the_user():
     assert len(list(parts)) == 1 and system.centre_height == 0.9
 
 
-def test_a_repaired_profile_is_told_at_the_line_of_the_user(tmp_path):
+def test_a_repaired_profile_is_warned_of_at_the_line_of_the_user(tmp_path):
     path = noisy_wheel(tmp_path)
     for door in (lambda: ContactSystem(wheel=str(path)), lambda: wrcontact.Profile.from_file(path, "wheel")):
         with pytest.warns(wrcontact.ProfileWarning) as given:

@@ -2,6 +2,7 @@
 does not fit is an error."""
 
 import inspect
+import re
 
 import numpy as np
 import pytest
@@ -14,8 +15,11 @@ from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.outputs import PATCH, SIDE, STRIPS, WEAR, WHEELSET
 from wrcontact.interface.parameters import KERNEL_PARAMETERS, PARAMETERS
 from wrcontact.interface.rows import Blocks, Input, Run, Vector
-from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
+from wrcontact.interface.variables import FIRST_OUTPUT, FIRST_WEAR, STATUS, VARIABLES
 from wrcontact.kernel import layout
+from wrcontact.kernel.patch.outline import row_size
+from wrcontact.results.layout import Layout
+from wrcontact.status import Status
 
 
 def names(record):
@@ -41,21 +45,45 @@ def test_a_unit_that_is_declared_twice_is_refused():
     assert units.by_name(units.Unit("N", {}))["N"].quantity == ""
 
 
-def test_every_output_is_a_property_of_a_result_that_reads_its_place():
-    values = np.arange(float(STATUS - FIRST_OUTPUT + layout.WEAR_END))  # with the outputs of wear
+@pytest.mark.parametrize("wear", [False, True])
+@pytest.mark.parametrize("stations", [3, 31, 201])
+def test_every_output_is_a_property_of_a_result_that_reads_its_place(stations, wear):
+    """All places of a row have one name, but for those of strips; those of an outline of other stations stand
+    behind the others, where a row of 31 has them among those of its side."""
+    rows = Layout(stations, wear)
+    stepper = wrcontact.ContactSystem(stations=stations, wear_outputs=wear).stepper()
+    assert stepper.layout == rows and rows.size == row_size(layout.Tables.at(stepper.tables))
+    scalars = [v for v in VARIABLES[FIRST_OUTPUT:FIRST_WEAR] if not v.name.endswith("]")]
+    runs = sum(isinstance(row, Run) for row in SIDE) + len(WEAR) * wear
+    places = list(rows.places.values())
+    assert len(set(places)) == len(places) == len(scalars) + 2 * runs * stations
+    values = np.arange(float(rows.size))
     values[[layout.OUT_LEFT, layout.OUT_RIGHT]] = layout.PATCH_LIMIT
-    result = wrcontact.WheelsetState(values, 0, np.zeros(layout.INPUT_COUNT))
-    for variable in VARIABLES[FIRST_OUTPUT:STATUS]:
-        if variable.name.endswith("patch_count"):
+    result = wrcontact.WheelsetState(values, 0, np.zeros(layout.INPUT_COUNT), rows)
+    for name, place in rows.places.items():
+        if name.endswith("patch_count"):
             continue
-        found = result
-        for part in variable.name.replace("]", "").split("."):
-            name, _, number = part.partition("[")
-            if name in {row.name for row in (*SIDE, *WEAR) if isinstance(row, Run)}:
-                found = found.outline
-            name = "patches" if name == "patch" else name
-            found = getattr(found, name)[int(number) - 1] if number else getattr(found, name)
-        assert found == variable.index, variable.name
+        assert property_of(result, name) == result[name] == place, name
+    if stations == 31:
+        usual = VARIABLES[FIRST_OUTPUT : STATUS if wear else FIRST_WEAR]
+        assert rows.places == {variable.name: variable.index for variable in usual}
+
+
+def property_of(result, name):
+    """The value of an output by its properties."""
+    found = result
+    for part in name.replace("]", "").split("."):
+        name, _, number = part.partition("[")
+        if name in {row.name for row in (*SIDE, *WEAR) if isinstance(row, Run)}:
+            found = found.outline
+        name = "patches" if name == "patch" else name
+        found = getattr(found, name)[int(number) - 1] if number else getattr(found, name)
+    return found
+
+
+def test_a_row_of_another_layout_is_refused():
+    with pytest.raises(ValueError, match=r"^values has rows of \d+ numbers, those of the layout have \d+$"):
+        wrcontact.WheelsetState(np.zeros(Layout(7).size), 0, None, Layout(61))
 
 
 def test_properties_have_the_words_and_units_of_their_rows():
@@ -148,3 +176,11 @@ def test_units_for_display_are_multiples_by_their_prefix():
         power = 2 if unit.name == "m2" else 1
         assert unit.display_factor == pytest.approx(prefixes[unit.display[0]] ** power, rel=1e-15)
     assert units.UNITS["rad"].display == "deg" and units.UNITS["rad"].display_factor * np.pi == 180.0
+
+
+def test_the_declared_range_of_the_status_has_every_status():
+    """... and its description names each number once."""
+    status = VARIABLES[STATUS]
+    assert (status.minimum, status.maximum) == (min(Status), max(Status))
+    words = status.description.partition("(")[0]
+    assert [int(number) for number in re.findall(r"\d", words)] == list(Status)

@@ -52,7 +52,7 @@ def answered(name):
     page = ElementTree.fromstring(PAGES["python"])
     known = {v.get("name"): (int(v.get("valueReference")), v[0].tag) for v in page.find("ModelVariables")}
     start, inputs, _ = SCENES[name]
-    session = Session(tell=lambda sentence: None)
+    session = Session(log=lambda sentence: None)
     for key, value in {**start, **inputs}.items():
         reference, kind = known[key]
         {"String": session.set_strings, "Boolean": session.set_booleans}.get(kind, session.set_reals)(

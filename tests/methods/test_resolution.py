@@ -181,20 +181,20 @@ def test_pickled_and_shown():
         ),
         (
             {"strips": 12},
-            "strips is 12; permitted with the normal_model 'analyn' is None, only 'analyn_strip' or 'auto' has strips",
+            "strips is 12; it cannot be given with the normal_model 'analyn', only 'analyn_strip' or 'auto' has it",
         ),
         (
             {"sweeps": 2},
-            "sweeps is 2; permitted with the normal_model 'analyn' is None, only 'analyn_strip' or 'auto' has sweeps",
+            "sweeps is 2; it cannot be given with the normal_model 'analyn', only 'analyn_strip' or 'auto' has it",
         ),
         (
             {"normal_model": "hertz", "nodes": 15},
-            "nodes is 15; permitted with the normal_model 'hertz' is None, only "
-            f"{' or '.join(map(repr, NormalModel.family.with_keyword('nodes')))} has nodes",
+            "nodes is 15; it cannot be given with the normal_model 'hertz', only "
+            f"{' or '.join(map(repr, NormalModel.family.with_keyword('nodes')))} has it",
         ),
         (
             {"normal_model": "halfspace", "strips": 12},
-            "strips is 12; permitted with the normal_model 'halfspace' is None, only 'analyn_strip' or 'auto' has strips",
+            "strips is 12; it cannot be given with the normal_model 'halfspace', only 'analyn_strip' or 'auto' has it",
         ),
     ],
 )

@@ -8,8 +8,8 @@ import wrcontact
 from data.hertz import MODULUS, hertz
 from tests.helpers.cases import planar_cases
 from tests.helpers.constant_curvatures import lay_constant_curvatures
+from wrcontact.halfspace.hertz import coefficients
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.exact_tables import coefficients
 from wrcontact.kernel.binding.fixed_tables import hertz_table
 from wrcontact.kernel.normal import analyn
 from wrcontact.kernel.normal.coefficients import FLOOR, hertz_coefficients, hertz_stiffness

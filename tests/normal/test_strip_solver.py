@@ -8,8 +8,8 @@ from scipy.integrate import quad
 
 import wrcontact
 from tests.helpers.strips import errors
+from tools.tables.exact_tables import influence, near_constant, spacing
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.exact_tables import influence, near_constant, spacing
 from wrcontact.kernel.binding.fixed_tables import hertz_table, influence_table
 from wrcontact.kernel.layout import INFLUENCE_MAP, SPACING_CELLS, InfluenceTable
 from wrcontact.kernel.normal.coefficients import STEEPEST_SLANT, hertz_coefficients, skewed_coefficients

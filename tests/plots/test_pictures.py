@@ -14,7 +14,7 @@ from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem, plots
 from wrcontact.plots.creepage import MODELS
 from wrcontact.plots.lines import APART
-from wrcontact.plots.solid import on_rail, wheel_surface
+from wrcontact.plots.view_3d import on_rail, wheel_surface
 
 MM, MPA, KN = 1e-3, 1e6, 1e3
 SYSTEM = ContactSystem(tangential_model="strips")
@@ -378,5 +378,5 @@ def test_the_first_picture_of_the_readme_has_lines_and_a_patch(tmp_path):
     figure = plots.hero_figure(system, system.evaluate(4.95e-3, speed=20.0, free_rolling=True))
     lines, patch = figure.axes[:2]
     assert len(lines_of(lines, "line")) == 65 and len(meshes(patch)) == 2
-    file = plots.save(figure, tmp_path / "hero.png", resolution=40)
+    file = plots.save(figure, tmp_path / "title_picture.png", resolution=40)
     assert file.read_bytes().startswith(b"\x89PNG")

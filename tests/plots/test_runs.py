@@ -7,12 +7,12 @@ import pytest
 from fmpy.util import write_csv
 from PIL import Image
 
-from tests.helpers.paths import ROOT
-from wrcontact import ContactSystem, plots
-from wrcontact.plots.film import film_of
+from data import HUNTING
+from wrcontact import ContactSystem, WheelContact, plots
+from wrcontact.plots.animation_frames import frames_of
+from wrcontact.results.runs import Run
 
 SYSTEM = ContactSystem()
-HUNTING = ROOT / "data" / "trajectories" / "hunting.csv"
 MM = 1e-3
 
 
@@ -51,10 +51,25 @@ def test_a_table_of_states_and_an_array_have_histories():
     assert len(plots.history(result, "roll", over=[0.0, 1.0, 2.0]).lines[0].get_xdata()) == 3
 
 
+def test_a_run_of_one_wheel_has_its_names():
+    """Inputs too; a state of one pose has numbers, and what is no run is refused."""
+    table = WheelContact(side="left").evaluate_many(vertical_shift_input=[1e-4, 2e-4], friction=0.4)
+    run = Run.of(table)
+    assert run["friction"].tolist() == [0.4, 0.4] and "left.friction" not in run
+    assert run["force.z"].tolist() == table.force.z.tolist()
+    assert plots.history(table, "area", over="vertical_shift_input").lines[0].get_xdata().tolist() == [
+        0.1,
+        0.2,
+    ]
+    assert Run.of(SYSTEM.evaluate(1e-3))["lateral_shift"] == 1e-3
+    with pytest.raises(ValueError, match="^run is int; permitted are the path of a .csv or .parquet file"):
+        Run.of(3)
+
+
 @pytest.mark.parametrize(
     "text, given, words",
     [
-        ("time,yaw\n0,1\n", "yav", "there is no 'yav'; did you mean yaw?"),
+        ("time,yaw\n0,1\n", "yav", "run.csv has no column 'yav'; did you mean yaw?"),
         (
             "time,yaw,roll\n0,1,2\n",
             ["yaw", "time"],
@@ -92,14 +107,14 @@ def test_a_file_that_fmpy_wrote_is_read(tmp_path):
 def test_a_film_has_the_states_of_the_run():
     """Frames are evenly chosen; contact points are those of the file, which another program computed."""
     run = plots.read_run(HUNTING)
-    film = film_of(SYSTEM, run, 9)
-    assert len(film.rows) == 9 and film.time[[0, -1]].tolist() == run["time"][[0, -1]].tolist()
-    for row, time in zip(film.rows, film.time):
+    shown = frames_of(SYSTEM, run, 9)
+    assert len(shown.rows) == 9 and shown.time[[0, -1]].tolist() == run["time"][[0, -1]].tolist()
+    for row, time in zip(shown.rows, shown.time):
         at = int(np.argmin(np.abs(run["time"] - time)))
         assert row.inputs.lateral_shift == run["lateral_shift"][at]
         assert row.right.contact.y_wheel == pytest.approx(run["right.contact.y_wheel"][at], abs=1e-6)  # [m]
         across = row.right.outline.station + row.right.contact.y_rail
-        assert film.window[0] - 5 < across[0] / MM and across[-1] / MM < film.window[1] + 5
+        assert shown.window[0] - 5 < across[0] / MM and across[-1] / MM < shown.window[1] + 5
 
 
 def test_a_film_of_a_compliant_wheelset_has_its_height_and_roll():
@@ -112,10 +127,10 @@ def test_a_film_of_a_compliant_wheelset_has_its_height_and_roll():
         "time": np.array([0.0, 0.1]),
         "speed": np.array([10.0, 20.0]),
     }
-    film = film_of(system, run, 5)
-    assert film.distance.tolist() == [0.0, pytest.approx(1.5)]
-    assert film.rows[1].right.patches[0].penetration == pytest.approx(8e-5, rel=0.05)
-    assert film.rows[1].vertical_shift == run["vertical_shift"][1]
+    shown = frames_of(system, run, 5)
+    assert shown.distance.tolist() == [0.0, pytest.approx(1.5)]
+    assert shown.rows[1].right.patches[0].penetration == pytest.approx(8e-5, rel=0.05)
+    assert shown.rows[1].vertical_shift == run["vertical_shift"][1]
 
 
 @pytest.mark.full

@@ -478,7 +478,7 @@ def test_more_room_is_found(monkeypatch):
         np.testing.assert_array_equal(tables_of(wrcontact.ContactSystem()), expected)
 
 
-def test_no_room_is_told(monkeypatch):
+def test_no_room_is_reported(monkeypatch):
     monkeypatch.setattr(library, "TABLE_ROOM", 1000)
     monkeypatch.setattr(library, "MOST_ROOM", 2000)
     with pytest.raises(ValueError, match="S1002 and UIC60 have too many points"):

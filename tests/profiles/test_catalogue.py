@@ -142,10 +142,13 @@ def test_names_are_read_in_any_case_and_by_other_names():
         "UIC 54": "54E1",
         "bs-113a": "56E1",
         "p65": "R65",
+        "\u042065": "R65",
         "lma": "LMA",
         "en15302_c": "P8",
         "S1002/H30/E31.50/15": "S1002/h30/e31.5/15%",
         "1/40 / h28 / e32.5 / 6.7 %": "1-40/h28/e32.5/6.7%",
+        "EN 13715 – 1-40 / h 28 / e 32,5 / 6,7 %": "1-40/h28/e32.5/6.7%",
+        "EN13715_S1002_h30_e32.5_6.7%": "S1002/h30/e32.5/6.7%",
     }.items():
         assert standard_name(name) == known
         kind = standard_profile(known).kind
@@ -167,9 +170,22 @@ def test_names_are_read_in_any_case_and_by_other_names():
         (
             "GOST 10791",
             "wheel",
-            "'GOST 10791', of which no public source with enough numbers was found; permitted is a file",
+            "'GOST 10791': no public source with enough numbers was found of GOST10791; permitted is a file",
         ),
-        ("136re", "rail", "'136re', of which no public source"),
+        ("a GOST wheel", "wheel", "no public source with enough numbers was found of GOST;"),
+        ("ГОСТ 10791-2011", "wheel", "found of GOST10791;"),
+        ("136re", "rail", "'136re': no public source with enough numbers was found of 136RE"),
+        ("AREMA 136RE", "rail", "found of 136RE"),
+        ("AAR-1B wide", "wheel", "found of AAR1B"),
+        ("EPS/h28/e32.5/6.7%", "wheel", "found of EPS"),
+        ("EPS/h28.csv", "wheel", "found of EPS"),
+        ("steps.csv", "wheel", "there is no such file"),
+        ("folder/LMD.csv", "wheel", "there is no such file"),
+        ("GOST", "rail", "permitted are UIC60"),
+        ("LMX", "wheel", "permitted are S1002"),
+        ("P100", "wheel", "permitted are S1002"),
+        ("S1002/h30", "wheel", "a wheel of EN 13715 is written S1002/h28/e32.5/6.7% or 1-40/h28"),
+        ("1-20/h28/e32.5/6.7%", "wheel", "a wheel of EN 13715 is written"),
         ("R65", "wheel", "a profile of the other kind"),
         (
             "S1002/h33/e30/15%",
@@ -203,7 +219,7 @@ def test_nothing_is_read_before_a_name_is_asked():
 # --- printed zones --------------------------------------------------------------------------------------------
 
 
-def test_steps_between_printed_zones_are_joined_from_the_inside_out_and_told():
+def test_steps_between_printed_zones_are_joined_from_the_inside_out_with_a_remark():
     zones = (
         Polynomial(-40.0, -20.0, (0.009, -0.1), -20.0),
         Polynomial(-20.0, 20.0, (0.0, 0.0)),

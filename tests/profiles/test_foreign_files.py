@@ -149,7 +149,7 @@ def test_a_miniprof_wheel_counts_from_the_back_wherever_it_begins(tmp_path, firs
     assert np.abs(profile.height(y) - exact.height(y)).max() < 1e-6
 
 
-def test_a_back_that_is_not_at_zero_is_told(tmp_path):
+def test_a_back_that_is_not_at_zero_is_reported(tmp_path):
     _, said = read(tmp_path, miniprof(Y + 73.0, 12.0 - Z), "wheel", "own.whl")
     assert "the back of its flange is at y = 3 mm" in said and "not at 0, where MiniProf has it" in said
 
@@ -190,7 +190,7 @@ def test_numbers_in_a_header_are_no_points(tmp_path, numbers):
 
 @pytest.mark.parametrize("name, separator", [("own.txt", ";"), ("own.csv", ","), ("own.whl", ";")])
 @pytest.mark.parametrize("empty", ["{y}{s}", "{s}{y}", "{y}"])
-def test_a_line_with_an_empty_field_is_told(tmp_path, name, separator, empty):
+def test_a_line_with_an_empty_field_is_reported(tmp_path, name, separator, empty):
     lines = columns(Y + 70.0 * name.endswith("whl"), Z, separator).splitlines()
     for k in range(300, 400, 10):
         lines[k] = empty.format(y=lines[k].split(separator)[0], s=separator)
@@ -199,7 +199,7 @@ def test_a_line_with_an_empty_field_is_told(tmp_path, name, separator, empty):
     assert profile.reading.points == len(Y) - 10
 
 
-def test_a_line_with_an_empty_field_is_told_in_a_vampire_file(tmp_path):
+def test_a_line_with_an_empty_field_is_reported_in_a_vampire_file(tmp_path):
     text = vampire("wheel", Y, Z).splitlines()
     text[104] = text[104].rsplit(",", 1)[0]
     _, said = read(tmp_path, "\n".join(text), "wheel", "own.whe")
@@ -305,7 +305,7 @@ def test_points_that_run_back_cut_nothing(tmp_path, place, back, apart, words):
     assert profile.start == Y[0] * MM and error(profile) < apart + 0.01
 
 
-def test_a_fold_behind_which_the_flange_is_lost_is_told(tmp_path):
+def test_a_fold_behind_which_the_flange_is_lost_is_reported(tmp_path):
     """Points that run back by 3 mm are no stretch that was measured twice."""
     profile, said = read(tmp_path, columns(*run_back(-54.0, 3.0, 0.3)))
     assert re.search(

@@ -210,7 +210,7 @@ def test_an_ambiguous_shape_is_reported(tmp_path):
     z = z + 0.8 * np.exp(-(((y + 12.0) / 4.0) ** 2))
     _, said = read(tmp_path, miniprof(y, -z), "rail", "own.ban")
     assert "the gauge side cannot be found from the shape; the smaller y is used" in said
-    assert "its head is not symmetric, so its shape does not tell whether it is already inclined" in said
+    assert "its head is not symmetric, so its shape does not show whether it is already inclined" in said
 
 
 def test_a_new_upright_rail_says_nothing(tmp_path):
@@ -252,7 +252,7 @@ def test_a_given_shift_replaces_the_one_from_the_shape(tmp_path):
             dict(select=0),
             "select is 0; permitted are the number of a profile in the file, from 1, and its name",
         ),
-        (dict(select=2), "contains one profile; select is 2; permitted is None"),
+        (dict(select=2), "contains one profile; select is 2 and cannot be given"),
     ],
 )
 def test_options_that_are_not_permitted_are_refused(tmp_path, options, sentence):

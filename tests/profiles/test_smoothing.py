@@ -218,7 +218,7 @@ def test_few_digits_at_close_points_leave_the_contact(tmp_path, form, step):
     assert found.right.max_pressure[:4] == pytest.approx(exact.right.max_pressure[:4], rel=0.03)
 
 
-def test_rough_points_are_told_without_a_check(tmp_path):
+def test_rough_points_are_warned_of_without_a_check(tmp_path):
     """As `check` does: through every point of a noisy wheel the curvature scatters."""
     (tmp_path / "own.txt").write_text(columns(*noisy("wheel", 2e-3, 5)))
     with pytest.warns(

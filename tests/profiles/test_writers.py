@@ -8,14 +8,15 @@ import pytest
 
 from wrcontact import Profile
 from wrcontact.profiles import standard_profile
-from wrcontact.profiles.writers import FORMATS, points
+from wrcontact.profiles.formats.base import FORMATS, Format, register
+from wrcontact.profiles.writers import WRITTEN, points
 
 MM = 1e-3
 PAIRS = [
     (name, ending)
     for name in ("S1002", "EN15302-H", "APTA240", "60E1", "46E1")
-    for ending, (kind, _) in FORMATS.items()
-    if kind in (None, standard_profile(name).kind)
+    for ending, kind in WRITTEN.items()
+    if kind in ("", standard_profile(name).kind)
 ]
 
 
@@ -25,7 +26,7 @@ def test_what_is_written_is_read_back(tmp_path, name, ending):
     profile.save(path)
     given = {"file_inclination": 0.0} if profile.kind == "rail" else {}
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # the order of points is told, and that corners stay
+        warnings.simplefilter("ignore")  # a warning says the order of points, and that corners stay
         found = Profile.from_file(path, profile.kind, smoothing=0.0, **given)
     y, z = points(profile)
     y, z = (
@@ -40,6 +41,17 @@ def test_what_is_written_is_read_back(tmp_path, name, ending):
     np.testing.assert_allclose(
         found.height(between), profile.height(between), rtol=0, atol=2e-6 if name == "EN15302-H" else 5e-7
     )
+
+
+@pytest.mark.parametrize("name", ["60E1", "R65", "CHN60"])
+def test_a_head_is_the_same_between_its_points(tmp_path, name):
+    """A cubic spline swings where arcs meet, by less than 1 nm where points are close."""
+    rail = standard_profile(name)
+    rail.save(tmp_path / "a.prr")
+    found = Profile.from_file(tmp_path / "a.prr", "rail", smoothing=0.0, file_inclination=0.0)
+    y = np.linspace(rail.start, rail.stop, 40001)[1:-1]
+    apart = (found.height(y) - rail.height(y)) / np.hypot(1.0, rail.slope(y))
+    np.testing.assert_allclose(apart, 0.0, atol=1e-9)
 
 
 def test_points_are_close_and_include_the_joints():
@@ -87,7 +99,7 @@ def test_endings_are_refused_in_a_sentence(tmp_path):
         wheel.save(tmp_path / "wheel.xyz")
     with pytest.raises(
         ValueError,
-        match="a file of a rail, and the profile is a wheel; permitted for it are .csv, .txt, .prw",
+        match="a file of a rail, and the profile is a wheel; permitted for it are .csv, .txt, .wheel, .whl, .prw",
     ):
         wheel.save(tmp_path / "wheel.prr")
     worn = Profile(
@@ -101,3 +113,12 @@ def test_endings_are_refused_in_a_sentence(tmp_path):
     with pytest.raises(ValueError, match="worn is 1 mm high at its running circle"):
         worn.save(tmp_path / "worn.whl")
     assert not list(tmp_path.iterdir())
+
+
+def test_a_format_that_takes_anothers_ending_is_refused():
+    """A format registers itself, once: the list is as it was."""
+    before = list(FORMATS)
+    for other in (Format("other", 99, {".ban": "rail"}), Format("other", before[0].turn, {".xyz": ""})):
+        with pytest.raises(ValueError, match="formats .* and other have one turn or one ending"):
+            register(other)
+    assert before == FORMATS and [one.turn for one in FORMATS] == sorted(one.turn for one in FORMATS)

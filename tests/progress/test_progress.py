@@ -12,8 +12,8 @@ import pytest
 from tests.helpers.command_line import OUTSIDE
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem, Stepper, progress
+from wrcontact.progress.board import Lines
 from wrcontact.progress.left import TimeLeft
-from wrcontact.progress.lines import Lines
 
 
 class Terminal(io.StringIO):

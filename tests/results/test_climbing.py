@@ -75,7 +75,7 @@ def test_tables_states_and_runs_agree_and_mirror():
     np.testing.assert_allclose(swapped.sum_margin, whole.sum_margin, rtol=1e-6, atol=1e-6)
     stated = wrcontact.flange_climb(table, flange_angle=np.radians(70.0))
     np.testing.assert_allclose(stated.left_limit, np.tan(np.radians(70.0) - np.arctan(0.3)))
-    with pytest.raises(ValueError, match="no 'left.friction'"):
+    with pytest.raises(ValueError, match="no column 'left.friction'"):
         wrcontact.flange_climb({"left.derailment_quotient": [0.1]})
     with pytest.raises(ValueError, match="flange_angle is 70"):
         wrcontact.flange_climb(table, 70)
@@ -107,6 +107,42 @@ def test_climb_distances_of_a_sine():
     assert begins == [0.0] and lengths == [distance[-1]]
     with pytest.raises(ValueError, match="distance"):
         wrcontact.climb_distances(quotient, 1.0, distance[::-1])
+
+
+def test_climb_distance_of_tcrp_71():
+    """The printed coefficients in feet, inches, degrees and mrad, term by term; A feet without an angle of attack, and
+    A B L over the angle at a large one."""
+    foot, inch, angle = 0.3048, 0.0254, np.radians(72.0)
+    length = 0.75
+    first, second = 100.0 / (-137.7216 + 146.56) + 3.1, -0.0092 * 5184.0 + 87.4944 - 39.031
+    a = first * length - 1.0 / second + 1.23
+    b = (10.0 / (-15.86775 + 2.1052) + 0.05) * 72.0 + 10.0 / (0.2016 - 0.0266) - 5.0
+    limit = wrcontact.climb_distance_limit
+    attacks = np.array([-4e-3, 0.0, 5e-3, 10e-3, 1e3])
+    wanted = foot * a * b * length / (np.array([0.0, 0.0, 5.0, 10.0, 1e6]) + b * length)
+    np.testing.assert_allclose(limit(attacks, angle, length * inch), wanted, rtol=1e-12)
+    assert limit(0.0, angle, length * inch) == pytest.approx(a * foot, rel=1e-12)
+    assert limit(1e3, angle, length * inch) == pytest.approx(a * b * length * foot / 1e6, rel=1e-5)
+    # 3.65 ft at 5 mrad: shorter than 49 CFR 213.333's window of 5 ft, and falling with the angle of attack
+    assert limit(5e-3, angle, length * inch) == pytest.approx(3.65 * foot, abs=2e-3)
+    assert (np.diff(limit(np.linspace(0.0, 50e-3, 20), angle, 19e-3)) < 0.0).all()
+
+
+def test_climb_distances_between_the_poles_of_the_fit():
+    """Denominators of A vanish at 55.1, 76.6 and 77.0 deg; in the permitted range distances are 1 ft ... 10 m."""
+    poles = [146.56 / 1.9128, *np.roots([-0.0092, 1.2152, -39.031])]
+    assert sorted(round(float(pole), 1) for pole in poles) == [55.1, 76.6, 77.0]
+    for angle in np.radians(np.linspace(60.0, 75.0, 7)):
+        for length in np.linspace(10e-3, 26e-3, 5):
+            found = wrcontact.climb_distance_limit([0.0, 2e-3, 10e-3, 30e-3], angle, length)
+            assert (np.diff(found) < 0.0).all() and 0.1 < found[-1] < found[0] < 11.0, (angle, length, found)
+    for wrong, words in (
+        ((1e-3, 70.0, 19e-3), "flange_angle is 70.0; permitted are numbers of 1.047 ... 1.309, in rad"),
+        ((1e-3, 1.2, 0.75), "flange_length is 0.75; permitted are numbers of 0.01 ... 0.026, in m"),
+        (([1e-3, np.nan], 1.2, 19e-3), "angle_of_attack"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            wrcontact.climb_distance_limit(*wrong)
 
 
 def run_of(sum_y, q=80e3):

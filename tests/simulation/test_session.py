@@ -39,7 +39,7 @@ def lines():
 def session(monkeypatch, lines):
     monkeypatch.setattr(module, "ContactSystem", FakeSystem)
     monkeypatch.setattr(FakeSystem, "made", [])
-    return Session(tell=lines.append)
+    return Session(log=lines.append)
 
 
 @pytest.fixture
@@ -267,7 +267,7 @@ def test_one_line_per_step_whose_status_is_not_zero(running, lines):
 
 
 @pytest.mark.parametrize("load, words", [(78.5, "normal_force is 78.5 N"), (78.5e6, "is 7.85e+07 N")])
-def test_an_unusual_load_is_told_once(running, lines, load, words):
+def test_an_unusual_load_is_logged_once(running, lines, load, words):
     """78.5 for 78.5 kN; not a load of zero, which lifts a wheel."""
     running.set_reals([FORCE], [0.0])
     running.step()
@@ -292,7 +292,7 @@ def test_invalid_input_keeps_the_last_outputs(running):
     assert running.get_reals([SHIFT]) == [1.0] and roll(running) == pytest.approx(before + 1.1)
 
 
-def test_invalid_start_is_told_at_the_first_instant(session, lines):
+def test_invalid_start_is_logged_at_the_first_instant(session, lines):
     session.set_reals([FORCE], [-1.0])
     session.start()
     assert session.status == 4 and len(lines) == 1
@@ -329,14 +329,14 @@ def test_snapshot_goes_on_bit_by_bit(running):
     straight = advance(running, [0.3, 0.7, 0.9])
     running.restore(saved)
     assert advance(running, [0.3, 0.7, 0.9]) == straight
-    other = Session(tell=None)
+    other = Session(log=None)
     other.restore(saved)
     assert advance(other, [0.3, 0.7, 0.9]) == straight
     assert len(FakeSystem.made) == 2, "the system was built anew where it was there"
 
 
 def test_snapshot_holds_parameters_and_pending_inputs(running):
-    other = Session(tell=None)
+    other = Session(log=None)
     other.set_reals([REFERENCE["gauge"]], [1.5])
     other.start()
     other.set_reals([SHIFT], [0.5])
@@ -348,7 +348,7 @@ def test_snapshot_holds_parameters_and_pending_inputs(running):
 @pytest.mark.parametrize("mode", ["elastic", "compliant"])
 def test_snapshot_of_a_real_wheelset_goes_on_bit_by_bit(mode):
     """With the kernel itself: its state and the inputs are all that decides how it goes on."""
-    session, other = Session(tell=None), Session(tell=None)
+    session, other = Session(log=None), Session(log=None)
     session.set_strings([REFERENCE["contact_mode"]], [mode])
     session.set_reals([REFERENCE["vertical_shift_input"]], [0.25e-3])
     session.start()
@@ -366,7 +366,7 @@ def test_snapshot_before_initialisation(session):
     saved = session.snapshot()
     session.start()
     session.restore(saved)
-    assert not session.life.locked
+    assert not session.machine.locked
     session.set_reals([REFERENCE["gauge"]], [1.6])
     session.start()
     assert FakeSystem.made[-1]["gauge"] == 1.6
@@ -383,7 +383,7 @@ def test_state_of_another_build_is_refused(running, monkeypatch):
 @pytest.mark.parametrize("count", [500, pytest.param(20_000, marks=pytest.mark.full)])
 def test_damaged_states_of_a_session_are_refused(count):
     """Those of the FMUs are in tests/fmu."""
-    one, other = (Session(tell=lambda sentence: None) for _ in range(2))
+    one, other = (Session(log=lambda sentence: None) for _ in range(2))
     for session in (one, other):
         session.start()
         session.set_reals([0, 1], [3e-3, 1e-3])

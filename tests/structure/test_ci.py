@@ -132,7 +132,7 @@ def test_what_a_step_says_is_shown(steps, tmp_path, capsys):
     )
 
 
-def test_all_failures_are_told_at_the_end_with_what_repeats_them(three):
+def test_all_failures_are_reported_at_the_end_with_what_repeats_them(three):
     """The last line is as pytest's own, with the sums of all test runs; the line that failed is an error."""
     *lines, last = three.report().splitlines()
     assert "    echo first && exit 3" in lines

@@ -251,7 +251,7 @@ def test_failures_are_results(system):
     assert not exact_result(system, 0.2).converged
 
 
-def test_contact_in_the_last_profile_is_told(system):
+def test_contact_in_the_last_profile_is_reported(system):
     assert "last profile (right)" in Search3D(system, profiles=101).solve(6.5e-3, deg(1)).remark
 
 

@@ -11,7 +11,7 @@ import wrcontact
 from tests.helpers.faults import needs_linux
 from tests.helpers.sweeps import AXES, in_memory, points_file
 from wrcontact.sweeps import workers
-from wrcontact.sweeps.question import asked
+from wrcontact.sweeps.specification import asked
 from wrcontact.sweeps.stores import opened
 from wrcontact.sweeps.workers import Task
 
@@ -55,9 +55,9 @@ def test_workers_die(tmp_path, client, dying, after):
 
 def test_a_cluster_goes_on_where_this_process_was(tmp_path, client):
     """And says when a worker does not see the folder."""
-    question = asked(wrcontact.ContactSystem(), AXES, ["roll"], {})
-    store = opened(tmp_path / "a.zarr", question, 20, None)
-    task = Task(question, store)
+    specification = asked(wrcontact.ContactSystem(), AXES, ["roll"], {})
+    store = opened(tmp_path / "a.zarr", specification, 20, None)
+    task = Task(specification, store)
     for corner in task.missing()[:7]:
         task.solve(corner)
     told = []

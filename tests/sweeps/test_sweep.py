@@ -1,4 +1,4 @@
-"""Tables over a grid: the bits of evaluate_many, a store that goes on, and questions that it refuses."""
+"""Tables over a grid: the bits of evaluate_many, a store that goes on, and specifications that it refuses."""
 
 import itertools
 import os
@@ -12,7 +12,7 @@ import pytest
 import wrcontact
 from tests.helpers.paths import ROOT
 from tests.helpers.sweeps import AXES, OUTPUTS, PROGRAM, VARIABLES, in_memory, points_file
-from wrcontact.sweeps.question import asked, system_of
+from wrcontact.sweeps.specification import asked, system_of
 from wrcontact.sweeps.stores import Memory
 from wrcontact.sweeps.workers import Task
 
@@ -101,10 +101,10 @@ def test_status_is_written_last(system):
             written.append(name)
             return super().__getitem__(name)
 
-    question, written = asked(system, {"yaw": [0.0, 1e-3]}, ["roll", "right.area"], {}), []
-    memory = Memory(question, 10)
+    specification, written = asked(system, {"yaw": [0.0, 1e-3]}, ["roll", "right.area"], {}), []
+    memory = Memory(specification, 10)
     memory._arrays = Recorder(memory.arrays())
-    Task(question, memory).solve([0])
+    Task(specification, memory).solve([0])
     assert written == ["roll", "right_area", "status"]
 
 
@@ -199,7 +199,7 @@ QUESTION = {"axes": {"yaw": [0.0, 1e-3], "normal_force": [50e3, 60e3]}, "outputs
         ({"system": {"left_rail": "54E1"}}, "the left rail profile has another content"),
     ],
 )
-def test_another_question_is_refused(tmp_path, change, words):
+def test_another_specification_is_refused(tmp_path, change, words):
     def sweep(system=None, axes=QUESTION["axes"], outputs=QUESTION["outputs"], **more):
         return wrcontact.sweep(
             wrcontact.ContactSystem(**system or {}),
@@ -213,13 +213,15 @@ def test_another_question_is_refused(tmp_path, change, words):
     before = sweep().load()
     with pytest.raises(ValueError) as refused:
         sweep(**{"outputs": QUESTION["outputs"], **change})
-    assert str(refused.value).startswith(f"the store {tmp_path / 'a.zarr'} answers another question: {words}")
-    xarray.testing.assert_identical(sweep(speed=0.0).load(), before)  # a default is no other question
+    assert str(refused.value).startswith(
+        f"the store {tmp_path / 'a.zarr'} has another specification: {words}"
+    )
+    xarray.testing.assert_identical(sweep(speed=0.0).load(), before)  # a default is no other specification
 
 
 def test_another_version_is_refused(tmp_path, system, monkeypatch):
     wrcontact.sweep(system, {"yaw": [0.0, 1e-3]}, ["roll"], tmp_path / "a.zarr", progress=False)
-    monkeypatch.setattr("wrcontact.sweeps.question.__version__", "9.9")
+    monkeypatch.setattr("wrcontact.sweeps.specification.__version__", "9.9")
     with pytest.raises(ValueError, match=f"wrcontact is 9.9, there {wrcontact.__version__}"):
         wrcontact.sweep(system, {"yaw": [0.0, 1e-3]}, ["roll"], tmp_path / "a.zarr", progress=False)
 
@@ -279,11 +281,11 @@ def test_a_store_has_the_whole_system(tmp_path, options):
         else wheel
     )
     system = wrcontact.ContactSystem(**{**options, "wheel": wheel})
-    question = asked(system, {"yaw": [0.0]}, "all", {})
-    again = system_of(question.record(), question.profiles())
+    specification = asked(system, {"yaw": [0.0]}, "all", {})
+    again = system_of(specification.record(), specification.profiles())
     own, other = system.evaluate(3e-3, yaw=2e-3, speed=10.0), again.evaluate(3e-3, yaw=2e-3, speed=10.0)
     np.testing.assert_array_equal(own.values, other.values)
-    assert file not in str(question.record()) + str(question.profiles())
+    assert file not in str(specification.record()) + str(specification.profiles())
 
 
 # --- lost and damaged chunks --------------------------------------------------------------------------------

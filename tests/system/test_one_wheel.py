@@ -217,8 +217,11 @@ def test_names_of_one_wheel():
     "given, words",
     [
         ({"contact_mode": "rigid"}, "contact_mode is 'rigid'; permitted with one wheel is 'compliant'"),
-        ({"load": "vertical"}, "load is given; permitted with one wheel is none, since its load follows"),
-        ({"left_wheel": "S1002"}, "left_wheel is given; one wheel has wheel, and side='left'"),
+        ({"load": "vertical"}, "load cannot be given for one wheel: its load follows"),
+        (
+            {"left_wheel": "S1002"},
+            "left_wheel cannot be given for one wheel, which has wheel, and side='left'",
+        ),
         ({"rail": ("UIC60", "54E1")}, "rail is .*; permitted with one wheel is one value"),
         ({"side": "both"}, "side is 'both'; permitted are 'left', 'right'"),
     ],
@@ -243,7 +246,7 @@ def test_inputs_without_meaning_are_refused(name, words):
 
 
 @pytest.mark.parametrize("name", ["left.force.z", "force_z"])
-def test_an_unknown_output_is_told_by_the_wheel_s_own_names(name):
+def test_an_unknown_output_is_refused_by_the_wheel_s_own_names(name):
     with pytest.raises(ValueError) as refusal:
         WheelContact(side="left").derivatives(of=[name], by=["yaw"], vertical_shift_input=2e-4)
     assert str(refusal.value) == (

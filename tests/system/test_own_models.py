@@ -92,7 +92,7 @@ def test_the_circle_of_the_page_is_the_closed_form(page, mode):
     assert side.max_pressure == pytest.approx(1.5 * 90e3 / (pi * half**2), rel=1e-5)
 
 
-def test_what_a_function_cannot_do_is_told():
+def test_what_a_function_cannot_do_is_reported():
     own = ContactSystem(tangential_model=polach)
     with pytest.raises(RuntimeError, match="no derivatives, since the kernel runs uncompiled"):
         own.derivatives(["force.y"], ["yaw"])

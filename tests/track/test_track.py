@@ -53,6 +53,19 @@ def test_variance_of_american_track(number, size):
     assert track.spectrum(f"AAR {number}") is track.spectrum(f"FRA {number}")
 
 
+def test_american_track_beside_another_text():
+    """Fryba (1996), A b^2 (f^2 + a^2) / (f^4 (f^2 + b^2)) over waves per metre, as TTB-2D quotes it: the corner b is the
+    same, deviations of waves of 3 ... 25 m are 3 ... 8 times smaller."""
+    a, b = 23.3e-3, 13.1e-2
+    assert 2.0 * np.pi * b == pytest.approx(0.8245, rel=3e-3)
+    sizes = np.array([15.53, 8.85, 4.92, 2.75, 1.57, 0.98]) * 1e-8
+    variance = quad(lambda f: b**2 * (f**2 + a**2) / (f**4 * (f**2 + b**2)), 1 / 25.0, 1 / 3.0)[0]
+    found = [track.spectrum(f"FRA {number}").variance("vertical", 25.0, 3.0) for number in range(1, 7)]
+    ratio = np.sqrt(np.array(found) / (sizes * variance))
+    assert ((ratio > 3.4) & (ratio < 8.3)).all(), ratio
+    assert 1e3 * np.sqrt([found[5], sizes[5] * variance]) == pytest.approx([1.43, 0.41], abs=5e-3)
+
+
 def test_powers_meet_at_their_ends():
     """The pieces of the Chinese spectra meet to 8 %, as their constants are printed."""
     china = track.spectrum("china ballastless")

@@ -135,7 +135,7 @@ def test_its_fatigue_is_that_of_the_side(side):
     np.testing.assert_allclose(*both, rtol=LAST_DIGITS, atol=1e-15)
     single = wrcontact.fatigue(table(side)[7], yield_shear=300e6)
     np.testing.assert_array_equal(single.damage[0], found.damage[7])
-    with pytest.raises(ValueError, match="side is 'left'; permitted with one wheel is none"):
+    with pytest.raises(ValueError, match="side is 'left'; it cannot be given for one wheel"):
         found.histogram("damage", side="left")
     shown = plots.shakedown_figure(found).axes[0].collections
     assert [len(points.get_offsets()) for points in shown] == [np.isfinite(found.damage).sum()]

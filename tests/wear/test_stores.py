@@ -142,7 +142,7 @@ def digit(text):
         ("worn_00000_left.json", None),
     ],
 )
-def test_a_damaged_store_is_told_in_a_sentence(kept, tmp_path, name, damage):
+def test_a_damaged_store_is_reported_in_a_sentence(kept, tmp_path, name, damage):
     path = copied(kept, tmp_path) / name
     if damage is None:
         path.unlink()
@@ -192,7 +192,7 @@ def test_many_rows_that_lack_numbers_are_refused():
 
 
 @pytest.mark.parametrize("name", ["right.power", "left.slip", "right.wheel_place"])
-def test_a_station_that_is_not_there_is_told(name):
+def test_a_station_that_is_not_there_is_reported(name):
     columns = columns_of(table())
     last = max(int(key.partition("[")[2][:-1]) for key in columns if key.startswith("right.power["))
     del columns[f"{name}[{last}]"]
@@ -206,10 +206,13 @@ def test_a_station_that_is_not_there_is_told(name):
     "content, words",
     [
         (b"time,speed\n0,20\n\xff\xfe,20\n", r"result.csv is not text in UTF-8 \(byte 16\)"),
-        (b"time,speed,status\n0,20\n1,20\n2,20\n", "has 3 names in its first line and 2 cells in the others"),
+        (
+            b"time,speed,status\n0,20\n1,20\n2,20\n",
+            "row 2 of .* has 2 values; permitted are as many as there are names, 3",
+        ),
     ],
 )
-def test_a_file_that_is_no_table_is_told(tmp_path, content, words):
+def test_a_file_that_is_no_table_is_reported(tmp_path, content, words):
     (tmp_path / "result.csv").write_bytes(content)
     with pytest.raises(ValueError, match=words):
         wrcontact.Wear(system(), energy).add_fmu(tmp_path / "result.csv")

@@ -52,7 +52,7 @@ def test_other_modes_are_there(mode):
 def session():
     """A compliant wheelset, and the lines that it tells."""
     lines = []
-    made = Session(tell=lines.append)
+    made = Session(log=lines.append)
     made.set_strings([REFERENCE["contact_mode"]], ["compliant"])
     made.start()
     lines.clear()

@@ -8,9 +8,9 @@ from rich import box
 from rich.table import Table
 
 from ..methods.words import did_you_mean
-from ..profiles.catalogue import every_profile, standard_name, standard_profile
+from ..profiles.catalogue import every_profile, standard_name, standard_profile, words_on_missing
 from ..profiles.standards import PATTERNS, names, standards
-from .door import Refused, check_file, sentences
+from .errors import Refused, check_file, sentences
 from .pictures import PICTURES
 from .report import console
 
@@ -37,7 +37,7 @@ def profiles(
 ):
     """List the standard profiles: rails and wheels by name, with the standard, and how many sources agree.
 
-    With names, each is told in full. A wheel of EN 13715 is named by its designation: tread, height and
+    With names, each is described in full. A wheel of EN 13715 is named by its designation: tread, height and
     thickness of the flange in mm, outer slope.
 
     Example: wrcontact profiles R65 --save r65.prr
@@ -50,7 +50,7 @@ def profiles(
         _draw(found, output)
     if found:
         for profile in found:
-            print(_told(profile))
+            print(_described(profile))
     else:
         _list()
     if plot:
@@ -61,6 +61,9 @@ def _profile(name):
     """The profile of this name, a rail or a wheel."""
     known = standard_name(name)
     if known is None:
+        lost = next(filter(None, (words_on_missing(name, kind) for kind in KINDS)), None)
+        if lost:
+            raise Refused(f"NAME is {name!r}{lost}")
         every = (*names("rail"), *names("wheel"), *PATTERNS)
         raise Refused(
             f"{name!r} is no standard profile; `wrcontact profiles` lists them{did_you_mean(name, every)}"
@@ -68,7 +71,7 @@ def _profile(name):
     return standard_profile(known)
 
 
-def _told(profile):
+def _described(profile):
     start, stop = (1e3 * end for end in (profile.start, profile.stop))
     return f"{profile.name}: {profile.kind}, y = {start:.4g} ... {stop:.4g} mm; {profile.source}"
 
@@ -81,10 +84,13 @@ def _list():
         for name in names(kind):
             table.add_row(name, kind, *_row(standards()[kind + "s"][name]))
     for name in PATTERNS:
-        told = "any h 28 ... 32 mm, e 28.5 ... 32.5 mm, outer slope 6.7 ... 15 %"
+        sizes = "any h 28 ... 32 mm, e 28.5 ... 32.5 mm, outer slope 6.7 ... 15 %"
         row = _row(standards()["en13715"])
-        table.add_row(name, "wheel", *row[:-1], told)
-    console().print(table)
+        table.add_row(name, "wheel", *row[:-1], sizes)
+    out = console()
+    out.print(table)
+    lost = ", ".join(name for kind in KINDS for name in standards()["missing"][kind])
+    out.print(f"No public source with enough numbers was found of {lost}.", soft_wrap=True)
 
 
 def _row(entry):

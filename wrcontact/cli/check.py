@@ -1,7 +1,6 @@
 """``wrcontact check``: the report on a pair of profiles, as text, and that on a fleet."""
 
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,49 +9,19 @@ from rich import box
 from rich.table import Table
 
 from ..conditioning import check
-from ..conditioning.conformal import NEAR
 from ..conditioning.curves import merged_jumps
+from ..conditioning.measures import CONICITIES, JUMPS, MOVES, PAIR, QUALITIES, READINGS, ZONES
 from ..conditioning.table import table_text
 from ..conditioning.text import check_text, headline
 from ..profiles.remarks import Grave
 from ..progress import working
-from ..results.words import fixed
 from ..storage.atomic import write_atomically
-from .door import Refused, check_folder, sentences
+from .errors import Refused, check_folder, sentences
 from .report import console
 from .typed import typed
 
 #: Lateral shifts of the printed table [mm].
 PRINTED = (0, 1, 2, 3, 4, 5, 6, 7, 8)
-#: Columns of that table: heading, reader of the curves, factor to the printed unit, digits.
-MOVES = (
-    ("roll\nmrad/mm", lambda curves: curves.roll_rate, 1.0, 3),
-    ("on wheel\nmm/mm", lambda curves: curves.right.wheel_rate, 1.0, 2),
-    ("on rail\nmm/mm", lambda curves: curves.right.rail_rate, 1.0, 2),
-    ("next jump\nmm", lambda curves: curves.jump_distance, 1e3, 2),
-    ("angle\ndeg", lambda curves: curves.right.contact_angle, math.degrees(1), 1),
-    ("curvature\n1/m", lambda curves: curves.right.curvature, 1.0, 1),
-    ("close\nmm", lambda curves: curves.right.near_width, 1e3, 1),
-)
-#: Rows of the table of profiles: name, unit, factor to that unit, digits, reader of a Quality; READINGS read
-#: its Reading.
-QUALITIES = (
-    ("profile from", "mm", 1e3, 2, lambda quality: quality.start),
-    ("to", "mm", 1e3, 2, lambda quality: quality.stop),
-    ("contacts within 8 mm of shift from", "mm", 1e3, 2, lambda quality: quality.visited[0]),
-    ("to", "mm", 1e3, 2, lambda quality: quality.visited[1]),
-    ("pieces", "", 1.0, 0, lambda quality: quality.pieces),
-    ("kinks there", "", 1.0, 0, lambda quality: len(quality.kinks)),
-    ("largest curvature step there", "1/m", 1.0, 1, lambda quality: quality.curvature_step),
-    ("roughness of the curvature there", "1/m", 1.0, 2, lambda quality: quality.roughness),
-)
-READINGS = (
-    ("points", "", 1.0, 0, lambda reading: reading.points),
-    ("spacing, median", "mm", 1e3, 3, lambda reading: reading.spacing),
-    ("spacing, largest", "mm", 1e3, 3, lambda reading: reading.widest),
-    ("noise", "um", 1e6, 2, lambda reading: reading.noise),
-    ("smoothing", "um", 1e6, 2, lambda reading: reading.smoothing),
-)
 
 
 def check_one(system, output, file, table):
@@ -135,29 +104,21 @@ def print_check(report):
         out.print(f" * {typed(remark)}", soft_wrap=True)
 
 
-def _mm(value):
-    return f"{value * 1e3:.6g}"
-
-
-def _shown(value, factor, digits, significant=1):
-    """``value`` times ``factor`` as text, see :func:`~wrcontact.results.words.fixed`."""
-    return fixed(float(value) * factor, digits, significant)
-
-
 def _range_words(report):
-    first, last = report.usable_shifts
-    if not math.isfinite(first):
+    if not math.isfinite(report.usable_shifts[0]):
         return "no contact in the centred position"
-    flange = f"{report.flange_shift * 1e3:.2f} mm" if math.isfinite(report.flange_shift) else "nowhere"
+    first, last, flange = (PAIR[name].text(report) for name in ("usable_from", "usable_to", "flange_shift"))
     return (
-        f"contact at lateral shifts from {first * 1e3:.2f} to {last * 1e3:.2f} mm; on the flange "
-        f"(steeper than 45 deg) from: {flange}"
+        f"contact at lateral shifts from {first} to {last} mm; on the flange (steeper than 45 deg) from: "
+        f"{flange + ' mm' if math.isfinite(report.flange_shift) else 'nowhere'}"
     )
 
 
-def _table(*headings):
+def _table(measures, *before):
+    """An empty table with a column for each of the ``measures``, after those ``before``."""
     table = Table(box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0))
-    for heading in headings:
+    headings = [f"{one.heading}\n{one.shown_unit}".rstrip() for one in measures.values()]
+    for heading in (*before, *headings):
         table.add_column(heading, justify="right", vertical="bottom", no_wrap=True)
     return table
 
@@ -169,65 +130,45 @@ def profile_table(report, side="right"):
     table = Table("", "", box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0))
     for quality in both:
         table.add_column(f"{quality.kind} {quality.name}", justify="right")
-    for words, unit, factor, digits, read in QUALITIES:
-        table.add_row(words, unit, *(_shown(read(quality), factor, digits) for quality in both))
-    for words, unit, factor, digits, read in READINGS if any(quality.reading for quality in both) else ():
-        table.add_row(
-            words,
-            unit,
-            *(_shown(read(quality.reading), factor, digits) if quality.reading else "-" for quality in both),
-        )
+    for one in QUALITIES.values():
+        table.add_row(one.heading, one.shown_unit, *map(one.text, both))
+    for one in READINGS.values() if any(quality.reading for quality in both) else ():
+        texts = (one.text(quality.reading) if quality.reading else "-" for quality in both)
+        table.add_row(one.heading, one.shown_unit, *texts)
     return table
 
 
 def jump_table(report, side="right"):
     """Lateral shift of each jump of a side, and the positions on wheel and rail before and
     after it, for rising shift."""
-    table = _table("shift\nmm", "on wheel\nbefore", "after\nmm", "on rail\nbefore", "after\nmm")
+    table = _table(JUMPS)
     for jump in merged_jumps(report.jumps, side):
-        places = (jump.before, jump.after, jump.rail_before, jump.rail_after)
-        table.add_row(_shown(jump.lateral_shift, 1e3, 4), *(_shown(y, 1e3, 2) for y in places))
+        table.add_row(*(one.text(jump) for one in JUMPS.values()))
     return table
 
 
 def move_table(curves, side="right"):
     """Rates of roll and contact position, and the contact's geometry, of a side at the shifts PRINTED."""
-    if side == "left":
-        curves = replace(curves, right=curves.left)
-    table = _table("shift\nmm", *(heading for heading, *_ in MOVES))
+    table = _table(MOVES, "shift\nmm")
     for shift in PRINTED:
         at = int(np.argmin(np.abs(curves.lateral_shift - shift * 1e-3)))
         if np.isfinite(curves.roll[at]):
-            table.add_row(
-                str(shift), *(_shown(read(curves)[at], factor, digits) for _, read, factor, digits in MOVES)
-            )
+            table.add_row(str(shift), *(one.said(one.read(curves, side)[at]) for one in MOVES.values()))
     return table
 
 
 def conicity_table(conicity):
     """Amplitude, equivalent conicity without and with roll, and wavelength without roll."""
-    table = _table("amplitude\nmm", "without\nroll", "with\nroll", "wavelength\nm")
-    columns = (
-        (conicity.amplitude, 1e3, 0),
-        (conicity.level, 1.0, 3),
-        (conicity.rolled, 1.0, 3),
-        (conicity.wavelength, 1.0, 1),
-    )
+    table = _table(CONICITIES)
     for row in range(len(conicity.amplitude)):
-        table.add_row(*(_shown(values[row], factor, digits, 3) for values, factor, digits in columns))
+        table.add_row(*(one.said(one.read(conicity)[row]) for one in CONICITIES.values()))
     return table
 
 
 def zone_table(report, side="right"):
     """Ranges of lateral shift over which the contact of a side is conformal."""
-    table = _table(
-        "from\nmm", "to\nmm", "on wheel\nfrom", "to\nmm", f"within\n{_mm(NEAR)} mm over", "turns by\ndeg"
-    )
+    table = _table(ZONES)
     for zone in report.conformal:
         if zone.side == side:
-            table.add_row(
-                *(_shown(y, 1e3, 2) for y in (zone.start, zone.stop)),
-                *(_shown(y, 1e3, 1) for y in (zone.y_low, zone.y_high, zone.width)),
-                _shown(zone.turn, math.degrees(1), 1),
-            )
+            table.add_row(*(one.text(zone) for one in ZONES.values()))
     return table

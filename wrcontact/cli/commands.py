@@ -18,9 +18,9 @@ from ..status import Status
 from ..system import ContactSystem
 from ..version import __version__
 from .catalogue import profiles
-from .door import Door, Refused, check_file, check_folder, sentences
+from .errors import CommandGroup, Refused, check_file, check_folder, sentences
 from .export import export
-from .grids import grid_options, refuse_beside_axes, sweeps_grids, write_grid
+from .grids import grid_options, refuse_beside_axes, shifts_of, sweeps_grids, write_grid
 from .help import Command, with_all
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
 from .pictures import PICTURES, draws
@@ -36,14 +36,13 @@ from .report import (
     sweep_columns,
     sweep_outputs,
 )
-from .shifts import shifts_of
 from .tables import writes_tables
 from .typed import Typed, remark_lines, typed
 from .wear import wear
 
 main = typer.Typer(
     name="wrcontact",
-    cls=Door,
+    cls=CommandGroup,
     add_completion=False,
     pretty_exceptions_enable=False,
     help="Wheel-rail contact of a railway wheelset: where each wheel touches its rail, the roll of the "
@@ -164,7 +163,7 @@ def build(
 
     Example: wrcontact build --native --wheel my_wheel.csv --rail 54E1 --output fmus
     """
-    from ..fmu.command import built
+    from ..fmu.build import built
     from ..fmu.settings import settings_of
 
     if platforms and not native:

@@ -1,12 +1,11 @@
 """``wrcontact demo``: build the FMU, step it through the stored run, compare, write a table and a picture."""
 
-import csv
 import signal
 import threading
 import time
 from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib.resources import files
+from importlib.resources import as_file, files
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -27,7 +26,8 @@ from ..interface.variables import (
     select,
 )
 from ..progress import working
-from .door import Refused, sentences
+from ..results.runs import read_run
+from .errors import Refused, sentences
 from .report import console
 from .tables import write_table
 
@@ -82,7 +82,7 @@ def run_demo(folder, native=False):
         advance(words="drawing the picture")
         write_table(Path(folder, CSV_NAME), {"time": stored["time"], **all_inputs(stored), **answers})
         draw(Path(folder, PICTURE_NAME), answers, stored)
-    return tell(folder, fmu, compare(answers, stored), seconds)
+    return report(folder, fmu, compare(answers, stored), seconds)
 
 
 def built(folder, native):
@@ -96,9 +96,8 @@ def built(folder, native):
 
 def stored_run():
     """The stored run: inputs and expected outputs, arrays (n,) in SI by FMU name."""
-    with files(__package__).joinpath("data", RUN).open(encoding="utf-8", newline="") as file:
-        names, *rows = csv.reader(file)
-    return dict(zip(names, np.array(rows, dtype=float).T))
+    with as_file(files(__package__).joinpath("data", RUN)) as file:
+        return read_run(file)
 
 
 def stored_inputs(stored):
@@ -250,7 +249,7 @@ def draw(path, answers, stored):
     save(demo_figure(ContactSystem(), answers, stored), path)
 
 
-def tell(folder, fmu, checks, seconds):
+def report(folder, fmu, checks, seconds):
     """Print the summary; True if every check passed."""
     failed = [check.quantity for check in checks if not check.passed]
     cost = (

@@ -8,11 +8,12 @@ import typer
 
 from ..interface.inputs import INPUTS
 from ..methods.numbers import check_choice
+from ..results.runs import read_run
 from ..status import Status
 from ..system import ContactSystem
-from .door import Refused, check_file, check_folder, sentences
+from .errors import Refused, check_file, check_folder, sentences
+from .grids import shifts_of
 from .profile_files import Smoothing
-from .shifts import shifts_of
 from .typed import typed
 
 TARGETS = ("contact", "table")
@@ -114,6 +115,11 @@ def _table(system, pose, shifts, yaws, output):
     """Write the table of contacts."""
     from ..export import contact_table, write_contact_table
 
+    if output.suffix.lower() == ".kpfr":
+        raise Refused(
+            f"--output is {str(output)!r}, a file of GENSYS, whose columns were not found in a public text; permitted is a file that "
+            "ends in .csv"
+        )
     if output.suffix.lower() != ".csv":
         raise Refused(f"--output is {str(output)!r}; permitted is a file that ends in .csv")
     check_file(output)
@@ -142,8 +148,6 @@ def _for_contact(system, pose, run, output):
         if run is None:
             found = system.evaluate(**pose)
         else:
-            from ..plots import read_run
-
             if pose:
                 raise Refused("--run and inputs of a pose are given; permitted is one of them")
             columns = read_run(run)

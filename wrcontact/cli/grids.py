@@ -1,21 +1,18 @@
-"""The options of ``wrcontact sweep`` for a table over several inputs, kept in a Zarr store."""
+"""The lateral shifts of ``wrcontact sweep``, and its options for a table over several inputs, kept in a Zarr
+store."""
 
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import wraps
-from inspect import Parameter, signature
 from pathlib import Path
-from typing import Annotated
 
 import numpy as np
-import typer
 
 from ..results.columns import DEPTH_SIZES
 from ..status import Status
 from ..sweeps.grid import checked_axes
 from ..sweeps.run import sweep
-from ..workers import dask_client
-from .door import Refused, sentences
+from .adding import adding, option
+from .errors import Refused, sentences
 from .groups import GRID
 from .typed import typed
 
@@ -24,6 +21,10 @@ FORM = (
 )
 #: Values of one axis at most.
 MOST = 10_000_000
+#: Rows of a table over the lateral shift at most, and of one that is printed.
+MOST_ROWS, MOST_PRINTED = 1_000_000, 10_000
+WIDEST = 1000.0  # lateral shift [mm]
+START, STOP, STEP = -8.0, 8.0, 0.5  # [mm]
 WORDS = {
     "axis": (
         list[str],
@@ -53,6 +54,25 @@ OPTIONS = {
 }
 
 
+def shifts_of(start, stop, step, to_file):
+    """Lateral shifts [m] from ``start`` to ``stop`` [mm], both included where ``step`` [mm] fits, and the
+    step; None are the usual ones.  A file may have more of them than are printed."""
+    start, stop, step = (
+        usual if given is None else given for given, usual in zip((start, stop, step), (START, STOP, STEP))
+    )
+    if not (-WIDEST <= start <= stop <= WIDEST and 0 < step < np.inf):
+        raise Refused(
+            f"--from-mm {start:g}, --to-mm {stop:g}, --step-mm {step:g} do not define a sweep; "
+            f"permitted are --step-mm > 0 and {-WIDEST:g} <= --from-mm <= --to-mm <= {WIDEST:g}"
+        )
+    count = np.floor((stop - start) / step + 1e-9) + 1 if step > 1e-300 else np.inf
+    most = MOST_ROWS if to_file else MOST_PRINTED
+    if count > most:
+        files = "" if to_file else f", with --output FILE at most {MOST_ROWS}"
+        raise Refused(f"--step-mm {step:g} gives {count:.10g} rows; permitted are at most {most}{files}")
+    return np.round(start + step * np.arange(int(count)), 9) / 1e3, step
+
+
 @dataclass(frozen=True)
 class Grid:
     """What the options ask for: ``axes`` {keyword: array}, {} without any, and the values of the others;
@@ -68,32 +88,27 @@ class Grid:
 def sweeps_grids(command):
     """Decorator that adds these options; the command receives ``grid``, a :class:`Grid`."""
 
-    @wraps(command)
-    def with_options(**given):
+    def fold(given):
         chosen = {name: given.pop(name) for name in WORDS}
         outputs = chosen["outputs"]
         if outputs is not None and ("," in outputs or outputs not in DEPTH_SIZES):
             chosen["outputs"] = outputs.split(",")
-        return command(**given, grid=_grid(**chosen))
+        return given | {"grid": _grid(**chosen)}
 
     options = [
-        Parameter(
+        option(
             name,
-            Parameter.KEYWORD_ONLY,
-            default=None,
-            annotation=Annotated[
-                kind | None,
-                typer.Option(
-                    f"--{name}", metavar=metavar, help=words, rich_help_panel=GRID, hidden=name == "workers"
-                ),
-            ],
+            kind,
+            None,
+            f"--{name}",
+            metavar=metavar,
+            help=words,
+            rich_help_panel=GRID,
+            hidden=name == "workers",
         )
         for name, (kind, metavar, words) in WORDS.items()
     ]
-    own = [p for p in signature(command).parameters.values() if p.name != "grid"]
-    with_options.__signature__ = signature(command).replace(parameters=own + options)
-    with_options.__annotations__ = {p.name: p.annotation for p in own + options}
-    return with_options
+    return adding(command, options, fold, ("grid",))
 
 
 def _grid(axis, store, outputs, workers, scheduler):
@@ -135,9 +150,9 @@ def _axis(text):
 
 def grid_options(sentence):
     """A sentence of the sweep with options in place of its arguments."""
-    for word, option in OPTIONS.items():
+    for word, said in OPTIONS.items():
         if sentence.startswith(word):
-            return option + sentence.removeprefix(word)
+            return said + sentence.removeprefix(word)
     return typed(sentence)
 
 
@@ -150,6 +165,8 @@ def refuse_beside_axes(options):
 
 def write_grid(grid, system, load):
     """Compute what is missing of a table with the inputs ``load`` fixed, and print how many states it has."""
+    from ..workers import dask_client  # slow to import
+
     with _stopped(grid.store), sentences(grid_options), dask_client(grid.scheduler) as client:
         try:
             table = sweep(

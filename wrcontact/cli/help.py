@@ -1,14 +1,13 @@
 """Help texts: options in groups, the usual ones with ``--help`` and all of them with ``--help-all``."""
 
 import re
-from functools import wraps
-from inspect import Parameter, cleandoc, signature
+from inspect import cleandoc
 from textwrap import wrap
-from typing import Annotated
 
 import typer
 from typer.core import TyperCommand
 
+from .adding import adding, option
 from .groups import ORDER
 
 #: Width of the column of names; a longer name has a line of its own.
@@ -59,18 +58,18 @@ def _columns(rows, width):
 def _options(command, context):
     """Title and rows (name, words) of every group of options that is shown."""
     found = {title: [] for title in (OWN, *ORDER)}
-    for option in command.get_params(context):
-        if not getattr(option, "hidden", False) and option.param_type_name == "option":
-            found[getattr(option, "rich_help_panel", None) or OWN].append(_row(option))
+    for one in command.get_params(context):
+        if not getattr(one, "hidden", False) and one.param_type_name == "option":
+            found[getattr(one, "rich_help_panel", None) or OWN].append(_row(one))
     return [(title, rows) for title, rows in found.items() if rows]
 
 
-def _row(option):
+def _row(one):
     """An option with what it takes, and its words."""
-    flag = getattr(option, "is_flag", False) or not option.metavar
-    names = " / ".join((*option.opts, *option.secondary_opts)) + ("" if flag else f" {option.metavar}")
-    start = "" if flag or option.default in (None, "") else f" (default: {option.default})"
-    return names, " ".join((option.help or "").split()) + start
+    flag = getattr(one, "is_flag", False) or not one.metavar
+    names = " / ".join((*one.opts, *one.secondary_opts)) + ("" if flag else f" {one.metavar}")
+    start = "" if flag or one.default in (None, "") else f" (default: {one.default})"
+    return names, " ".join((one.help or "").split()) + start
 
 
 def _commands(command):
@@ -87,8 +86,8 @@ def _commands(command):
 def _show_all(context, wanted):
     """Print the help with every option, and end."""
     if wanted and not context.resilient_parsing:
-        for option in context.command.params:
-            option.hidden = False
+        for one in context.command.params:
+            one.hidden = False
         print(context.get_help())
         raise typer.Exit
 
@@ -96,15 +95,6 @@ def _show_all(context, wanted):
 def with_all(command):
     """Decorator that adds ``--help-all`` to a command with options that --help does not show."""
 
-    @wraps(command)
-    def with_option(help_all=False, **given):
-        return command(**given)
-
-    shown = typer.Option("--help-all", is_eager=True, callback=_show_all, help="Show all options and exit")
-    option = Parameter("help_all", Parameter.KEYWORD_ONLY, default=False, annotation=Annotated[bool, shown])
-    own = list(signature(command).parameters.values())
-    with_option.__signature__ = signature(command).replace(
-        parameters=[one.replace(kind=Parameter.KEYWORD_ONLY) for one in own] + [option]
-    )
-    with_option.__annotations__ = {one.name: one.annotation for one in (*own, option)}
-    return with_option
+    more = {"is_eager": True, "callback": _show_all, "help": "Show all options and exit"}
+    shown = option("help_all", bool, False, "--help-all", **more)
+    return adding(command, [shown], lambda given: {name: given[name] for name in given if name != "help_all"})

@@ -4,21 +4,21 @@ package's default.
 """
 
 import re
-from functools import wraps
-from inspect import Parameter, Signature, signature
-from math import radians
-from typing import Annotated
+from math import isnan, radians
 
 import typer
 
 from ..interface.parameters import GEOMETRY as GEOMETRY_NAMES
 from ..interface.parameters import LEFT, PARAMETERS
 from ..interface.variables import BOOLEAN, INPUT, PARAMETER, REAL, UNITS, VARIABLES
+from ..methods.numbers import ALSO_RATIO, ratio_of
 from ..methods.words import did_you_mean
 from ..results.words import unit_name
 from ..status import distinct
-from .door import Refused
-from .groups import USUAL, WORDS, group_of, words_of
+from .adding import adding, option
+from .errors import Refused
+from .groups import OF_KINDS, USUAL, group_of
+from .typed import described, display_of, name_of, option_of
 
 #: From display units to SI.  Division by a power of ten is correctly rounded; multiplication by 0.001 is not.
 TO_SI = {
@@ -40,14 +40,11 @@ def number(text):
 
 
 def ratio(text):
-    """The slope of ``1:40``, ``1/40`` or ``0.025``."""
-    try:
-        rise, _, run = str(text).replace("/", ":").partition(":")
-        return float(rise) / float(run or 1)
-    except (ValueError, ZeroDivisionError):
-        raise typer.BadParameter(
-            f"{text!r} is neither a ratio such as 1:40 nor a slope such as 0.025"
-        ) from None
+    """The slope of ``1:40``, ``1/40`` or ``0.025``; typer's BadParameter if it is none."""
+    slope = ratio_of(text)
+    if isnan(slope):
+        raise typer.BadParameter(f"{text!r} is neither a ratio such as 1:40 nor a slope such as 0.025")
+    return slope
 
 
 #: Without roll_guess, which changes the cost of a result but never the result, and without switches.
@@ -67,42 +64,11 @@ def takes(**groups):
     values given, with the names of the arguments of :class:`~wrcontact.ContactSystem` and its ``evaluate``.
     """
 
-    def decorate(command):
-        @wraps(command)
-        def with_options(**given):
-            taken = {group: _values(variables, given) for group, variables in groups.items()}
-            return command(**taken, **given)
+    def fold(given):
+        return {group: _values(variables, given) for group, variables in groups.items()} | given
 
-        options = [_option(variable) for variables in groups.values() for variable in variables]
-        own = [
-            p.replace(kind=Parameter.KEYWORD_ONLY)
-            for p in signature(command).parameters.values()
-            if p.name not in groups
-        ]
-        with_options.__signature__ = Signature(options + own)
-        with_options.__annotations__ = {p.name: p.annotation for p in options + own}
-        return with_options
-
-    return decorate
-
-
-def name_of(variable):
-    """The Python name of a variable: ``wheel`` for the FMU's ``wheel_profile``."""
-    return variable.keyword or variable.name.replace(".", "_")
-
-
-def option_of(variable):
-    """The option of a variable, such as ``--nominal-radius-mm``; ``--roll-deg`` for ``roll_input``."""
-    words = [
-        name_of(variable).removesuffix("_input").replace("_", "-"),
-        _display(variable).lower().replace(".", ""),
-    ]
-    return "--" + "-".join(word for word in words if word)
-
-
-def _display(variable):
-    """The display unit of a variable, which its option's name has; "" for names and other numbers."""
-    return UNITS[variable.unit].display if variable.type == REAL else ""
+    options = [_option(variable) for variables in groups.values() for variable in variables]
+    return lambda command: adding(command, options, fold, groups)
 
 
 def _unit(variable):
@@ -120,19 +86,20 @@ def _option(variable):
         else variable.start
     )
     if row and row.right:
-        words, start = (
-            f"{WORDS.get(row.right, row.right.replace('_', ' ').capitalize())}, on the left side",
-            "as right",
-        )
+        words = _words(PARAMETERS[row.right])
+        words, start = f"Left side: {words[0].lower()}{words[1:]}", "as right"
     else:
-        words = words_of(name, variable, row and row.family)
+        words = _words(row) if row else described(variable.description)
     words += (f" [{unit}]" if unit else "") + f" (default: {start})"
     kind, reading = str, {"metavar": "|".join(row.family.names()) if row and row.family else "NAME"}
     if variable.type == REAL:
         kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name.endswith(RATIO) else number}
     if variable.type == BOOLEAN:
         kind, reading, start = bool, {}, "no"
-    option = typer.Option(
+    return option(
+        name,
+        kind,
+        None,
         option_of(variable),
         help=words,
         show_default=False,
@@ -140,7 +107,15 @@ def _option(variable):
         rich_help_panel=group_of(name),
         **reading,
     )
-    return Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[kind | None, option])
+
+
+def _words(row):
+    """What the help says of a parameter, without unit and default."""
+    if not row.family:
+        also = ALSO_RATIO if row.number and row.number.ratio else ""
+        return OF_KINDS.get(row.name) or described(row.meaning) + also
+    methods = "; ".join(f"{method.name}: {method.words}" for method in row.family.methods)
+    return described(f"{row.family.decides[0].upper()}{row.family.decides[1:]}. {methods}")
 
 
 def _values(variables, given):
@@ -154,13 +129,13 @@ def _values(variables, given):
 
 def _checked(variable, value):
     """The value of an option in SI; Refused, in the option's name and unit, if it is not permitted."""
-    found, option = _in_si(variable, value), option_of(variable)
+    found, flag = _in_si(variable, value), option_of(variable)
     if variable.causality != PARAMETER:  # an input's limits are those of a status
         return found
     family = PARAMETERS[name_of(variable)].family
     if family and value not in family.names():
         raise Refused(
-            f"{option} is {value!r}; permitted are {', '.join(map(repr, family.names()))}"
+            f"{flag} is {value!r}; permitted are {', '.join(map(repr, family.names()))}"
             f"{did_you_mean(value, family.names())}"
         )
     known = PARAMETERS[PARAMETERS[name_of(variable)].right or name_of(variable)].number
@@ -168,10 +143,10 @@ def _checked(variable, value):
         unit = UNITS[variable.unit]
         low, high = (limit * unit.display_factor for limit in (known.low, known.high))
         text = distinct(value, high if value > high else low)
-        words = f"{option} is {text}; permitted is {low:g} ... {high:g} {_unit(variable)}".rstrip()
+        words = f"{flag} is {text}; permitted is {low:g} ... {high:g} {_unit(variable)}".rstrip()
         raise Refused(words + known.meant(value, unit.display_factor, _unit(variable)))
     return found
 
 
 def _in_si(variable, value):
-    return TO_SI.get(_display(variable), lambda same: same)(value)
+    return TO_SI.get(display_of(variable), lambda same: same)(value)

@@ -3,18 +3,18 @@
 import re
 import sys
 from dataclasses import dataclass
-from functools import wraps
-from inspect import Parameter, signature
+from inspect import Parameter
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from ..methods.numbers import check_choice
-from .door import Refused, check_file, sentences
+from .adding import adding, option
+from .errors import Refused, check_file, sentences
 from .options import POSE, SYSTEM, name_of, option_of
 
-PICTURES, FILMS = (".png", ".svg", ".pdf"), (".gif", ".mp4")
+PICTURES, ANIMATIONS = (".png", ".svg", ".pdf"), (".gif", ".mp4")
 
 
 @dataclass(frozen=True)
@@ -39,50 +39,23 @@ KINDS = {
     "history": Kind("none", system=False, options=("run", "names", "over")),
     "animation": Kind("none", options=("run", "frames")),
 }
+STARTS = {"side": "right", "colour": "pressure", "frames": 60}
+#: Options by name: kind of value, metavar and words.
 OWN = {
     "output": (
-        Path | None,
-        typer.Option(
-            "--output",
-            metavar="FILE",
-            show_default=False,
-            help="Its file: .png, .svg, .pdf, animations .gif, .mp4 (default: KIND.png or .gif)",
-        ),
+        Path,
+        "FILE",
+        "Its file: .png, .svg, .pdf, animations .gif, .mp4 (default: KIND.png or .gif)",
     ),
-    "side": (
-        str,
-        typer.Option("--side", metavar="left|right", help="Wheel of lines, wheel, patch and creep"),
-    ),
-    "colour": (str, typer.Option("--colour", metavar="pressure|shear|slip", help="Colours of a patch")),
-    "over": (
-        str | None,
-        typer.Option(
-            "--over",
-            metavar="NAME",
-            show_default=False,
-            help="Axis of creep: creepage_x, creepage_y, spin; of history: a column",
-        ),
-    ),
-    "run": (
-        Path | None,
-        typer.Option(
-            "--run",
-            metavar="FILE",
-            show_default=False,
-            help="CSV file of history and animation, in SI with the names of the FMU",
-        ),
-    ),
-    "names": (
-        str | None,
-        typer.Option(
-            "--names", metavar="NAME[,NAME]", show_default=False, help="Columns of a history, of one unit"
-        ),
-    ),
-    "frames": (int, typer.Option("--frames", metavar="NUMBER", hidden=True, help="Frames of an animation")),
+    "side": (str, "left|right", "Wheel of lines, wheel, patch and creep"),
+    "colour": (str, "pressure|shear|slip", "Colours of a patch"),
+    "over": (str, "NAME", "Axis of creep: creepage_x, creepage_y, spin; of history: a column"),
+    "run": (Path, "FILE", "CSV file of history and animation, in SI with the names of the FMU"),
+    "names": (str, "NAME[,NAME]", "Columns of a history, of one unit"),
+    "frames": (int, "NUMBER", "Frames of an animation"),
 }
 #: An option's name in Python at the beginning of a sentence.
 OPTION = re.compile(rf"^({'|'.join(OWN)})\b(?= is )")
-STARTS = {"side": "right", "colour": "pressure", "frames": 60}
 
 
 @dataclass(frozen=True)
@@ -104,10 +77,10 @@ class Picture:
 
     def check(self, pose, system):
         """Refuse options that this kind does not read, a wrong choice, and a file that cannot be written."""
-        for option in set(OWN) - {"output", *self.kind.options}:
-            if self.chosen[option] != STARTS.get(option):
-                kinds = " or ".join(name for name, kind in KINDS.items() if option in kind.options)
-                raise Refused(f"--{option} is given; it is permitted only with plot {kinds}")
+        for own in set(OWN) - {"output", *self.kind.options}:
+            if self.chosen[own] != STARTS.get(own):
+                kinds = " or ".join(name for name, kind in KINDS.items() if own in kind.options)
+                raise Refused(f"--{own} is given; it is permitted only with plot {kinds}")
         read = {"all": set(pose), "yaw": {"yaw"}, "none": set()}[self.kind.pose]
         for variables, unread in (
             (POSE, set(pose) - read),
@@ -126,7 +99,7 @@ class Picture:
         with sentences():
             check_choice("--side", self.chosen["side"], ("left", "right"))
             check_choice("--colour", self.chosen["colour"], ("pressure", "shear", "slip"))
-        endings = FILMS if self.name == "animation" else PICTURES
+        endings = ANIMATIONS if self.name == "animation" else PICTURES
         if self.output.suffix.lower() not in endings:
             raise Refused(
                 f"--output is {str(self.output)!r}; permitted are files that end in {', '.join(endings)}"
@@ -188,27 +161,26 @@ def draws(command):
     """Decorator that adds the argument KIND and the options of pictures to a command, which gets a
     :class:`Picture` as ``picture``."""
 
-    @wraps(command)
-    def with_picture(**given):
-        name, chosen = given.pop("kind"), {option: given.pop(option) for option in OWN}
+    def fold(given):
+        name, chosen = given.pop("kind"), {own: given.pop(own) for own in OWN}
         with sentences():
             check_choice("KIND", name, KINDS)
         output = chosen.pop("output") or Path(f"{name}.{'gif' if name == 'animation' else 'png'}")
-        return command(picture=Picture(name, output, chosen), **given)
+        return given | {"picture": Picture(name, output, chosen)}
 
-    kind = Parameter(
-        "kind",
-        Parameter.KEYWORD_ONLY,
-        default="pose",
-        annotation=Annotated[str, typer.Argument(metavar="KIND", help="Kind of the picture")],
-    )
+    kind = Annotated[str, typer.Argument(metavar="KIND", help="Kind of the picture")]
     options = [
-        Parameter(name, Parameter.KEYWORD_ONLY, default=STARTS.get(name), annotation=Annotated[typed, option])
-        for name, (typed, option) in OWN.items()
+        option(
+            name,
+            typed,
+            STARTS.get(name),
+            f"--{name}",
+            metavar=metavar,
+            help=words,
+            show_default=name in STARTS,
+            hidden=name == "frames",
+        )
+        for name, (typed, metavar, words) in OWN.items()
     ]
-    own = [one for one in signature(command).parameters.values() if one.name != "picture"]
-    with_picture.__signature__ = signature(command).replace(
-        parameters=[one.replace(kind=Parameter.KEYWORD_ONLY) for one in own] + [kind, *options]
-    )
-    with_picture.__annotations__ = {one.name: one.annotation for one in (*own, kind, *options)}
-    return with_picture
+    kind = Parameter("kind", Parameter.KEYWORD_ONLY, default="pose", annotation=kind)
+    return adding(command, [kind, *options], fold, ("picture",))

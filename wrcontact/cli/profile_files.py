@@ -1,7 +1,5 @@
-"""Options such as ``--rail-mirror-y``, which tell how a file of points is read."""
+"""Options such as ``--rail-mirror-y``, which say how a file of points is read."""
 
-from functools import wraps
-from inspect import Parameter, Signature, signature
 from typing import Annotated
 
 import typer
@@ -9,7 +7,8 @@ import typer
 from ..profiles.files import SMOOTHING
 from ..profiles.options import ENDINGS, ProfileFile, parsed
 from ..profiles.options import WORDS as FILE_WORDS
-from .door import Refused, sentences
+from .adding import adding, option
+from .errors import Refused, sentences
 from .groups import FILES
 from .options import number
 
@@ -21,8 +20,7 @@ def reads_files(command):
     :class:`~wrcontact.ProfileFile` if one of them is given.  Where the command has ``--batch``, they may be
     those of its files."""
 
-    @wraps(command)
-    def with_options(**given):
+    def fold(given):
         if given.get("batch"):
             if given["wheel"] or given["rail"]:
                 raise Refused("--wheel or --rail is given; permitted is that only without --batch")
@@ -36,41 +34,27 @@ def reads_files(command):
             if chosen:
                 with sentences():
                     given[kind] = ProfileFile(given[kind], **chosen)
-        return command(**given)
+        return given
 
-    options = [_file_option(kind, name) for kind in KINDS for name in _names(kind)]
-    own = list(signature(command).parameters.values())
-    with_options.__signature__ = Signature(own + options)
-    with_options.__annotations__ = {p.name: p.annotation for p in own + options}
-    return with_options
+    return adding(command, [_file_option(kind, name) for kind in KINDS for name in _names(kind)], fold)
 
 
 def with_left_side(command):
     """Decorator that adds the profiles of the left side to a command with ``--wheel`` and ``--rail``; the
     command receives each as a pair (left, right)."""
 
-    @wraps(command)
-    def with_options(**given):
-        for kind in KINDS:
-            given[kind] = given.pop(f"left_{kind}"), given[kind]
-        return command(**given)
+    def fold(given):
+        return given | {kind: (given.pop(f"left_{kind}"), given[kind]) for kind in KINDS}
 
     words = "{} profile of the left side, where it differs"
-    options = [
-        Parameter(
-            f"left_{kind}",
-            Parameter.KEYWORD_ONLY,
-            default=None,
-            annotation=Annotated[
-                str | None, typer.Option(metavar="FILE", help=words.format(kind.capitalize()))
-            ],
-        )
-        for kind in KINDS
-    ]
-    own = list(signature(command).parameters.values())
-    with_options.__signature__ = Signature([p.replace(kind=Parameter.KEYWORD_ONLY) for p in own] + options)
-    with_options.__annotations__ = {p.name: p.annotation for p in own + options}
-    return with_options
+    return adding(
+        command,
+        [
+            option(f"left_{kind}", str, None, metavar="FILE", help=words.format(kind.capitalize()))
+            for kind in KINDS
+        ],
+        fold,
+    )
 
 
 def _names(kind):
@@ -95,11 +79,16 @@ def _file_option(kind, name):
             "metavar": {"shift": "Y,Z", "y_range": "FROM,TO"}.get(name, "NUMBER"),
             "parser": _parser(name),
         }
-    option = typer.Option(
-        flags, help=words, show_default=False, hidden=True, rich_help_panel=FILES, **reading
-    )
-    return Parameter(
-        f"{kind}_{name}", Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[value | None, option]
+    return option(
+        f"{kind}_{name}",
+        value,
+        None,
+        flags,
+        help=words,
+        show_default=False,
+        hidden=True,
+        rich_help_panel=FILES,
+        **reading,
     )
 
 

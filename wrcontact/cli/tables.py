@@ -8,18 +8,15 @@ are dimensions, as in :meth:`wrcontact.WheelsetState.to_xarray`.
 import json
 import math
 from contextlib import contextmanager
-from functools import wraps
-from inspect import Parameter, signature
 from pathlib import Path
-from typing import Annotated
 
 import numpy as np
-import typer
 
 from ..interface.variables import INTEGER, VARIABLES
 from ..results.convert import columns_of, data_variables, labels_of, name_of_input, needed
 from ..storage.atomic import open_atomically
-from .door import Refused
+from .adding import adding, option
+from .errors import Refused
 
 INTEGERS = {v.name for v in VARIABLES if v.type == INTEGER}
 #: Rows of a group in a Parquet file, at least.
@@ -151,7 +148,7 @@ def _declare(data, found, count):
 WRITERS = {"csv": _csv, "json": _json, "parquet": _parquet, "netcdf": _netcdf}
 
 
-#: About what a row takes in each format [bytes], with creep forces; and the size that is told before [bytes].
+#: About what a row takes in each format [bytes], with creep forces; and the size that is announced before [bytes].
 ROW_SIZES = {"csv": 8.5e3, "json": 22e3, "parquet": 3.7e3, "netcdf": 4.6e3}
 LARGE = 500e6
 
@@ -192,39 +189,28 @@ def writes_tables(command):
     """Decorator that adds the options for a file; the command receives ``file``, a :class:`TableFile` or
     None."""
 
-    @wraps(command)
-    def with_options(**given):
+    def fold(given):
         chosen = {name: given.pop(name) for name in WORDS}
         chosen = {name: path for name, path in chosen.items() if path is not None}
         if len(chosen) > 1:
             names = " and ".join(f"--{name}" for name in chosen)
             raise Refused(f"{names} are given; permitted is one of them")
-        return command(**given, file=next((_file(name, path) for name, path in chosen.items()), None))
+        return given | {"file": next((_file(name, path) for name, path in chosen.items()), None)}
 
     options = [
-        Parameter(
-            name,
-            Parameter.KEYWORD_ONLY,
-            default=None,
-            annotation=Annotated[
-                Path | None, typer.Option(f"--{name}", metavar="FILE", hidden=name != "output", help=words)
-            ],
-        )
+        option(name, Path, None, f"--{name}", metavar="FILE", hidden=name != "output", help=words)
         for name, words in WORDS.items()
     ]
-    own = [p for p in signature(command).parameters.values() if p.name != "file"]
-    with_options.__signature__ = signature(command).replace(parameters=own + options)
-    with_options.__annotations__ = {p.name: p.annotation for p in own + options}
-    return with_options
+    return adding(command, options, fold, ("file",))
 
 
-def _file(option, path):
+def _file(name, path):
     """The :class:`TableFile` of an option; Refused if the file's ending is not the format's."""
     found = ENDINGS.get(path.suffix.lower())
-    if option == "output" and found:
+    if name == "output" and found:
         return TableFile(path, found)
-    permitted = [ending for ending, format in ENDINGS.items() if option in ("output", format)]
-    if option == "output" or (found != option and path.suffix):
+    permitted = [ending for ending, format in ENDINGS.items() if name in ("output", format)]
+    if name == "output" or (found != name and path.suffix):
         verb = "are files that end in" if len(permitted) > 1 else "is a file that ends in"
-        raise Refused(f"--{option} is {str(path)!r}; permitted {verb} {', '.join(permitted)}")
-    return TableFile(path, option)  # without an ending, such as /dev/stdout
+        raise Refused(f"--{name} is {str(path)!r}; permitted {verb} {', '.join(permitted)}")
+    return TableFile(path, name)  # without an ending, such as /dev/stdout

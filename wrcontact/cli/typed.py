@@ -1,18 +1,41 @@
-"""Sentences of the package in the names and units that the user typed: options in place of keywords."""
+"""Words and sentences of the package in the names and units that the user typed: options in place of
+keywords."""
 
 import re
 
 from ..interface.parameters import PARAMETERS
-from ..interface.variables import INPUT, UNITS, VARIABLES
+from ..interface.variables import INPUT, REAL, UNITS, VARIABLES
 from ..methods.numbers import UnusualValueWarning
 from ..profiles.options import ENDINGS
 from ..results.words import unit_name
 from ..status import Terms, distinct
-from .options import option_of
+
+
+def name_of(variable):
+    """The Python name of a variable: ``wheel`` for the FMU's ``wheel_profile``."""
+    return variable.keyword or variable.name.replace(".", "_")
+
+
+def option_of(variable):
+    """The option of a variable, such as ``--nominal-radius-mm``; ``--roll-deg`` for ``roll_input``."""
+    name, unit = name_of(variable).removesuffix("_input"), display_of(variable).lower().replace(".", "")
+    return f"--{name.replace('_', '-')}{'-' if unit else ''}{unit}"
+
+
+def display_of(variable):
+    """The display unit of a variable, which its option's name has; "" for names and other numbers."""
+    return UNITS[variable.unit].display if variable.type == REAL else ""
+
 
 INPUTS = {v.name: v for v in VARIABLES if v.causality == INPUT}
 OPTIONS = {v.keyword: option_of(v) for v in VARIABLES if v.keyword in PARAMETERS} | {
     "smoothing": "--smoothing-um"
+}
+#: The same with inputs, for descriptions: of names that are no ordinary words.
+DESCRIBED = {
+    name: option
+    for name, option in (OPTIONS | {v.name: option_of(v) for v in INPUTS.values()}).items()
+    if "_" in name
 }
 #: Keywords that are ordinary words, too; they are keywords at the beginning of a sentence.
 ORDINARY = ("wheel", "rail", "left_wheel", "left_rail", "load", "smoothing")
@@ -54,6 +77,12 @@ def typed(sentence):
         first = "^" if keyword in ORDINARY else r"\b(?<![-'])"
         sentence = re.sub(rf"{first}{keyword}\b(?= is |[^\w'-]|$)", option, sentence)
     return sentence.replace(PYTHON, " and the path of a profile file")
+
+
+def described(words):
+    """The description of a variable or a method with options in place of the names of others."""
+    words = re.sub(r"\bparameter (\w+)", lambda found: OPTIONS[found[1]], words)
+    return re.sub(r"[\w.]*\w", lambda found: DESCRIBED.get(found[0], found[0]), words)
 
 
 def of_file(sentence, kind):

@@ -1,8 +1,6 @@
 """``wrcontact wear``: the worn profile after a distance, from the results of an FMU."""
 
 import re
-from functools import wraps
-from inspect import Parameter, Signature, signature
 from pathlib import Path
 from typing import Annotated
 
@@ -20,7 +18,8 @@ from ..wear import Wear, wheel_shape
 from ..wear.accumulate import PARTS, PARTS_OF_ONE
 from ..wear.laws import LAWS
 from ..wheel import WheelContact
-from .door import Refused, check_file, sentences
+from .adding import adding, option
+from .errors import Refused, check_file, sentences
 from .options import number
 from .report import console
 from .typed import typed
@@ -65,25 +64,17 @@ def law_named(law, calibration, constants):
         return LAWS[law](**given)
 
 
-def option(name, kind, default, words, **more):
+def row(name, kind, default, words, flag=None, **more):
     """A row of a group of options."""
     if kind is float:
         more = {"parser": number, "metavar": "NUMBER", **more}
-    return Parameter(
-        name,
-        Parameter.KEYWORD_ONLY,
-        default=default,
-        annotation=Annotated[
-            kind | None if default is None else kind,
-            typer.Option(more.pop("flag", f"--{name.replace('_', '-')}"), help=words, **more),
-        ],
-    )
+    return option(name, kind, default, flag or f"--{name.replace('_', '-')}", help=words, **more)
 
 
 LAW = [
-    option("law", str, "usfd", "Law of wear", metavar="|".join(LAWS)),
-    option("calibration", float, None, "Factor on the law, such as a share of dry running"),
-    option(
+    row("law", str, "usfd", "Law of wear", metavar="|".join(LAWS)),
+    row("calibration", float, None, "Factor on the law, such as a share of dry running"),
+    row(
         "constants",
         list[str],
         None,
@@ -93,14 +84,14 @@ LAW = [
     ),
 ]
 COURSE = [
-    option(
+    row(
         "distance",
         float,
         1000.0,
         "Distance that a wheel runs; of a rail the passages, in thousands",
         flag="--distance-km",
     ),
-    option(
+    row(
         "column",
         str,
         "time*speed",
@@ -108,41 +99,30 @@ COURSE = [
         flag="--distance-column",
         metavar="NAME",
     ),
-    option(
+    row(
         "part",
         str,
         "right.wheel",
         "What wears; wheel or rail with the results of the FMU of one wheel",
         metavar="|".join(PARTS + PARTS_OF_ONE),
     ),
-    option("mirrored", bool, False, "Mean of both sides: the vehicle turns and runs both ways"),
-    option("smoothing", float, 1.0, "Smoothing of the depth over the arc", flag="--smoothing-mm"),
+    row("mirrored", bool, False, "Mean of both sides: the vehicle turns and runs both ways"),
+    row("smoothing", float, 1.0, "Smoothing of the depth over the arc", flag="--smoothing-mm"),
 ]
 
 
-def grouped(**groups):
-    """Decorator that adds groups of options; the command receives each group as a dict."""
+def grouped(command):
+    """Decorator that adds these options; the command receives each group as a dict."""
+    groups = {"law": LAW, "course": COURSE}
 
-    def decorate(command):
-        @wraps(command)
-        def with_options(**given):
-            taken = {group: {row.name: given.pop(row.name) for row in rows} for group, rows in groups.items()}
-            return command(**given, **taken)
+    def fold(given):
+        taken = {group: {one.name: given.pop(one.name) for one in rows} for group, rows in groups.items()}
+        return given | taken
 
-        own = [
-            one.replace(kind=Parameter.KEYWORD_ONLY)
-            for one in signature(command).parameters.values()
-            if one.name not in groups
-        ]
-        rows = [row for group in groups.values() for row in group]
-        with_options.__signature__ = Signature(own[:2] + rows + own[2:])
-        with_options.__annotations__ = {one.name: one.annotation for one in own + rows}
-        return with_options
-
-    return decorate
+    return adding(command, LAW + COURSE, fold, groups)
 
 
-@grouped(law=LAW, course=COURSE)
+@grouped
 def wear(
     geometry,
     results: Annotated[
@@ -212,11 +192,11 @@ def _in_kilometres(found):
 def _in_options(sentence):
     """A sentence of the package with options in place of arguments."""
     sentence = re.sub(r"^distance is (\S+)(?=[,;] )", _in_kilometres, sentence)
-    for name, option in (("smoothing is ", "--smoothing-mm: "),):
+    for name, flag in (("smoothing is ", "--smoothing-mm: "),):
         if sentence.startswith(name):
-            return option + sentence.removeprefix(name)
-    for words, option in OTHERS:
-        sentence = sentence.replace(words, option)
+            return flag + sentence.removeprefix(name)
+    for words, said in OTHERS:
+        sentence = sentence.replace(words, said)
     return sentence
 
 

@@ -60,8 +60,9 @@ class Curves(ShortText):
 
     ``lateral_shift`` [m]; ``roll`` [rad] and its derivative ``roll_rate`` [rad/m]; ``jump_distance`` to the
     nearest jump of either contact [m], infinite without one; ``radius_difference``, right minus left rolling
-    radius [m], and ``level_radius_difference``, the same at zero roll; ``left`` and ``right``, a
-    :class:`SideCurves` each.
+    radius [m], and ``level_radius_difference``, the same at zero roll; ``delta_tan_gamma``, tan of the right minus tan
+    of the left contact angle [1]; ``free_curvature`` of the curve in which a free wheelset rolls without longitudinal
+    creepage [1/m], positive to the right as ``track_curvature``; ``left`` and ``right``, a :class:`SideCurves` each.
     """
 
     lateral_shift: np.ndarray
@@ -70,14 +71,10 @@ class Curves(ShortText):
     jump_distance: np.ndarray
     radius_difference: np.ndarray
     level_radius_difference: np.ndarray
+    delta_tan_gamma: np.ndarray
+    free_curvature: np.ndarray
     left: SideCurves
     right: SideCurves
-
-    @property
-    def delta_tan_gamma(self):
-        """tan of the right minus tan of the left contact angle (n,) [1], as the rolling radius difference is right
-        minus left."""
-        return np.tan(self.right.contact_angle) - np.tan(self.left.contact_angle)
 
 
 def geometry(system, lateral_shift, yaw=0.0):
@@ -86,6 +83,16 @@ def geometry(system, lateral_shift, yaw=0.0):
     return system.evaluate_many(
         lateral_shift=lateral_shift, yaw=yaw, vertical_shift_input=LIFTED, outputs="geometry", threads=1
     )
+
+
+def free_curvature(table):
+    """Curvature (n,) [1/m] of the track on which the wheels of a free wheelset in the states ``table`` both roll without
+    longitudinal creepage: the ratio of their rolling radii is that of the lengths of both rails, Redtenbacher (1855), at
+    the contacts' own distance from the middle of the track."""
+    (left, y_left), (right, y_right) = (
+        (side.rolling_radius, side.contact.y_track) for side in (table.left, table.right)
+    )
+    return (left - right) / (y_right * left - y_left * right)
 
 
 def radius_difference(system, lateral_shift):

@@ -46,7 +46,7 @@ def sentences(found):
 
 
 def _named(equal):
-    """The sides of which something is said: of equal sides the right one."""
+    """The sides that remarks name: of equal sides the right one."""
     return ("right",) if equal else ("left", "right")
 
 
@@ -138,7 +138,7 @@ def _named_profile(profile, side):
 
 
 def _grave(profile, side, system):
-    """What is said of a profile that may be another one than it is taken for."""
+    """The remark on a profile that may be another one than it is taken for."""
     used = getattr(system, f"{side.strip()}_{profile.kind}".strip("_"))
     standing = remarks_on(used, system.parameters) if profile.kind == "wheel" else ()
     read = profile.reading.remarks if profile.reading else ()

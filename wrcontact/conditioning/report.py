@@ -20,6 +20,7 @@ from .curves import (
     Curves,
     SideCurves,
     find_jumps,
+    free_curvature,
     geometry,
     jump_distance,
     radius_difference,
@@ -138,7 +139,7 @@ def _wheelset(system, contact_mode):
     zero roll."""
     chosen = {name: system.parameters[name] for name in (*GEOMETRY, *(LEFT + name for name in SIDED[2:]))}
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # the user has been told
+        warnings.simplefilter("ignore")  # the user has been warned
         return ContactSystem(
             (system.left_wheel, system.wheel),
             (system.left_rail, system.rail),
@@ -212,6 +213,8 @@ def _curves(rolling, level, shifts, table, jumps):
         jump_distance(jumps, shifts),
         table.right.rolling_radius - table.left.rolling_radius,
         radius_difference(level, shifts),
+        np.tan(table.right.contact_angle) - np.tan(table.left.contact_angle),
+        free_curvature(table),
         **sides,
     )
 

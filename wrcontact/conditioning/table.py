@@ -26,6 +26,7 @@ lateral_shift: of the wheelset from the track's centre, positive to the right; r
 contact.y_wheel: from the running circle, positive to the field side; contact.y_rail: from the highest point of the inclined head, positive to the field side
 contact_angle: positive towards the flange; rolling_radius: at the contact point
 radius_difference: right minus left rolling radius; level_radius_difference: the same at zero roll
+delta_tan_gamma: tan of the right minus tan of the left contact angle; free_curvature: of the curve in which a free wheelset rolls without longitudinal creepage, positive to the right
 conicity: equivalent conicity (EN 15302, at zero roll) at an amplitude of |lateral_shift|; rolled_conicity: the same with roll
 empty: no value (no contact, or no oscillation with this amplitude)"""
 
@@ -41,6 +42,8 @@ def table_columns(report):
             found[f"{side}.{name}"] = getattr(getattr(curves, side), field), unit
     for name in ("radius_difference", "level_radius_difference"):
         found[name] = getattr(curves, name), "m"
+    found["delta_tan_gamma"] = curves.delta_tan_gamma, "1"
+    found["free_curvature"] = curves.free_curvature, "1/m"
     for name, swing in (("conicity", "level"), ("rolled_conicity", "rolled")):
         found[name] = _conicities(report.conicity_curves[swing], curves.lateral_shift), "1"
     return {name: (values[there], unit) for name, (values, unit) in found.items()}

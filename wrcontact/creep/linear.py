@@ -3,13 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..kernel.binding.kalker_table import (
-    NODES,
-    POISSON_NODES,
-    hermite,
-    parabola_weights,
-)
-from ..kernel.binding.kalker_table import kalker_coefficients as first_three
+from .kalker_table import NODES, POISSON_NODES, hermite, parabola_weights
+from .kalker_table import kalker_coefficients as first_three
 
 #: Range of the table.
 LEAST, MOST = 0.1, 10.0

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..results.columns import SIDES
+from ..results.layout import SIDES
 from ..state import Patch, Side
 from .patch import CreepPatch, check_number, outlined_patch
 
@@ -63,18 +63,18 @@ def patch_of(
     }
 
 
-def rolling_patch(patch: Patch, **told) -> CreepPatch:
+def rolling_patch(patch: Patch, **more) -> CreepPatch:
     """The :class:`CreepPatch` of a ``patch`` of a result, with the stations of its wheel's outline."""
     values, place = patch._values, patch._offset
     if values.ndim != 1:
         raise ValueError(
             "patch has many poses; permitted is that of one pose, such as table[0].right.patches[0]"
         )
-    outline = Side(values, max(first for first in SIDES.values() if first <= place)).outline
+    outline = Side(values, max(first for first in SIDES.values() if first <= place), patch.layout).outline
     station, half_length, pressure = own_outline(
         patch, *(np.asarray(run) for run in (outline.station, outline.half_length, outline.pressure))
     )
-    return outlined_patch(station, half_length, pressure, normal_force=patch.normal_force, **told)
+    return outlined_patch(station, half_length, pressure, normal_force=patch.normal_force, **more)
 
 
 def own_outline(patch, station, half_length, pressure):
@@ -102,6 +102,6 @@ def own_outline(patch, station, half_length, pressure):
     run = np.arange(first, last + 1)
     run = run[(station[run] > start) & (station[run] < stop)]
     if len(run) == 0:
-        raise ValueError("the outline has no station within the patch; more stations tell its shape")
+        raise ValueError("the outline has no station within the patch; more stations show its shape")
     ends = np.concatenate([[start], station[run], [stop]])
     return ends, np.pad(half_length[run], 1), np.pad(pressure[run], 1)

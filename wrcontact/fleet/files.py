@@ -1,7 +1,6 @@
 """Which profiles a fleet has, and how they are read."""
 
 import glob
-import hashlib
 import os
 import re
 import warnings
@@ -11,6 +10,7 @@ from pathlib import Path
 from ..profiles import Profile, ProfileFile
 from ..profiles.catalogue import NAMES, find_profile, is_standard
 from ..storage.atomic import sentence_of
+from ..storage.hashes import content_hash
 
 
 def named_sources(profiles, kind):
@@ -116,4 +116,4 @@ def mark(*values):
         else repr(value)
         for value in values
     ]
-    return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]
+    return content_hash("\n".join(words))[:32]

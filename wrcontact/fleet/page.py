@@ -1,26 +1,25 @@
 """The report of a fleet in HTML: one file, which needs nothing from elsewhere."""
 
-import math
 from html import escape
 
-from .table import NUMBERS
+from ..conditioning.measures import PAIR
 
-#: Columns with a number: its name, heading, unit, factor to that unit, digits.
+#: Columns with a number.
 COLUMNS = (
-    ("conicity_3mm", "conicity at 3 mm", "", 1.0, 3),
-    ("nonlinearity", "nonlinearity", "1/m", 1.0, 0),
-    ("nearest_jump", "nearest jump", "mm", 1e3, 2),
-    ("jump_count", "jumps", "", 1.0, 0),
-    ("wheel_rate", "fastest on the wheel", "mm/mm", 1.0, 1),
-    ("flange_shift", "flange from", "mm", 1e3, 2),
-    ("usable_to", "contact up to", "mm", 1e3, 2),
-    ("conformal_count", "conformal zones", "", 1.0, 0),
-    ("conformal_width", "close over", "mm", 1e3, 1),
-    ("conformal_turn", "turns by", "deg", math.degrees(1.0), 0),
-    ("wheel_noise", "noise of the wheel", "um", 1e6, 1),
-    ("rail_noise", "noise of the rail", "um", 1e6, 1),
-    ("wheel_roughness", "roughness of the wheel", "1/m", 1.0, 2),
-    ("rail_roughness", "roughness of the rail", "1/m", 1.0, 2),
+    "conicity_3mm",
+    "nonlinearity",
+    "nearest_jump",
+    "jump_count",
+    "wheel_rate",
+    "flange_shift",
+    "usable_to",
+    "conformal_count",
+    "conformal_width",
+    "conformal_turn",
+    "wheel_noise",
+    "rail_noise",
+    "wheel_roughness",
+    "rail_roughness",
 )
 #: Size of the small curve of the conicity at 1 ... 8 mm [px], and its value at the upper edge.
 CURVE, TOP = (88, 22), 1.0
@@ -127,7 +126,7 @@ def _heads():
     numbers = [
         ("remarks", "", "remarks"),
         ("conicity at 1 … 8 mm", f"0 … {TOP:g}", "sorted by 3 mm"),
-        *((heading, unit, NUMBERS[name][1]) for name, heading, unit, _, _ in COLUMNS),
+        *((PAIR[name].heading, PAIR[name].shown_unit, PAIR[name].meaning) for name in COLUMNS),
     ]
     return (
         texts
@@ -147,7 +146,7 @@ def _row(row):
         for name in ("wheel", "rail")
     ]
     cells += [_remarks(row), _curve(row)]
-    cells += [_number(row[name], factor, digits) for name, _, _, factor, digits in COLUMNS]
+    cells += [_number(row[name], PAIR[name]) for name in COLUMNS]
     links = " ".join(
         f'<a href="{escape(row[name])}">{words}</a>'
         for name, words in (("json", "JSON"), ("picture", "picture"))
@@ -171,10 +170,10 @@ def _remarks(row):
     return f'<td class="text" data-v="{count}">{seen}{folded}</td>'
 
 
-def _number(value, factor, digits):
+def _number(value, measure):
     if value is None:
         return "<td></td>"
-    return f'<td data-v="{value:.9g}">{value * factor:.{digits}f}</td>'
+    return f'<td data-v="{value:.9g}">{value * measure.factor:.{measure.digits}f}</td>'
 
 
 def _curve(row):

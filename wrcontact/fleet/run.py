@@ -64,7 +64,7 @@ def check_fleet(
         check_count("processes", processes)
     for name in {"wheel", "rail", "left_wheel", "left_rail"} & parameters.keys():
         raise ValueError(f"{name} is {parameters[name]!r}; permitted are wheels and rails, for both sides")
-    track = ContactSystem(**parameters)  # a wrong one is told before files are read
+    track = ContactSystem(**parameters)  # a wrong one is refused before files are read
     track = track.parameters["rail_inclination"]
     sources = {kind: named_sources(given, kind) for kind, given in zip(KINDS, (wheels, rails))}
     folder = None if output is None else Folder(output)

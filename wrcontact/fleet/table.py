@@ -7,79 +7,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..conditioning.conicity import AMPLITUDES
-from ..conditioning.curves import merged_jumps
-from ..conditioning.remarks import RUNNING
-from ..conventions import SIDES
-from ..profiles.remarks import Grave
+from ..conditioning.measures import PAIR
 from ..results.convert import needed
 from ..results.words import plain
 
-TOLD = ("wheel", "rail", "wheel_file", "rail_file", "error", "usable", "remarks", "json", "picture")
-#: Numbers of a row: name, unit, meaning.
-NUMBERS = {
-    "usable_from": ("m", "first lateral shift with contact around the centred position"),
-    "usable_to": ("m", "last lateral shift with contact around the centred position"),
-    "flange_shift": ("m", "lateral shift from which a contact is steeper than 45 deg"),
-    "nearest_jump": ("m", "distance of the nearest jump from the centred position"),
-    "jump_count": ("1", "jumps of a contact within 8 mm of lateral shift, of the side with more"),
-    "wheel_rate": ("1", "largest rate of a contact on its wheel within 8 mm of lateral shift"),
-    **{
-        f"conicity_{round(value * 1e3)}mm": (
-            "1",
-            f"equivalent conicity at {round(value * 1e3)} mm amplitude, without roll",
-        )
-        for value in AMPLITUDES
-    },
-    "conicity_3mm_rolled": ("1", "equivalent conicity at 3 mm amplitude, with roll"),
-    "nonlinearity": ("1/m", "change of the conicity from 2 to 4 mm amplitude"),
-    "conformal_count": ("1", "conformal zones within 8 mm of lateral shift, of the side with more"),
-    "conformal_width": ("m", "longest close stretch in these zones"),
-    "conformal_turn": ("rad", "largest change of direction in these zones"),
-    "wheel_noise": ("m", "noise of the points of the wheel"),
-    "rail_noise": ("m", "noise of the points of the rail"),
-    "wheel_roughness": ("1/m", "roughness of the wheel's curvature in contact"),
-    "rail_roughness": ("1/m", "roughness of the rail's curvature in contact"),
-    "rail_file_inclination": ("1", "inclination from which the rail in the file was turned upright"),
-    "grave_remarks": ("1", "remarks, the first ones, on what makes all results wrong if it is so"),
-}
+OTHERS = ("wheel", "rail", "wheel_file", "rail_file", "error", "usable", "remarks", "json", "picture")
 
 
 def numbers_of(report):
-    """The NUMBERS of a :class:`~wrcontact.conditioning.Conditioning`; None where there is no value."""
-    near = np.abs(report.curves.lateral_shift) <= RUNNING
-    moves = np.concatenate([getattr(report.curves, side).wheel_rate[near] for side in SIDES])
-    jumps = [
-        sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(report.jumps, side)) for side in SIDES
-    ]
-    zones = [zone for zone in report.conformal if zone.start <= RUNNING and zone.stop >= -RUNNING]
-    counts = [sum(zone.side == side for zone in zones) for side in SIDES]
-    level = report.conicity.level
-    found = {
-        "usable_from": report.usable_shifts[0],
-        "usable_to": report.usable_shifts[1],
-        "flange_shift": report.flange_shift,
-        "nearest_jump": report.nearest_jump,
-        "jump_count": max(jumps),
-        "wheel_rate": float(np.max(np.abs(moves[np.isfinite(moves)]), initial=-math.inf)),
-        **{f"conicity_{round(at * 1e3)}mm": float(value) for at, value in zip(AMPLITUDES, level)},
-        "conicity_3mm_rolled": float(report.conicity.rolled[2]),
-        "nonlinearity": report.conicity.nonlinearity,
-        "conformal_count": max(counts),
-        "conformal_width": max((zone.width for zone in zones), default=0.0),
-        "conformal_turn": max((zone.turn for zone in zones), default=0.0),
-    }
-    for kind in ("wheel", "rail"):
-        quality = getattr(report, kind)
-        found[f"{kind}_noise"] = quality.reading.noise if quality.reading else math.nan
-        found[f"{kind}_roughness"] = quality.roughness
-    read = report.rail.reading
-    found["rail_file_inclination"] = read.inclination if read else 0.0
-    found["grave_remarks"] = sum(isinstance(remark, Grave) for remark in report.remarks)
-    return plain({name: found[name] for name in NUMBERS})
+    """The numbers in PAIR of a :class:`~wrcontact.conditioning.Conditioning`; None where there is no value."""
+    return plain({name: one.read(report) for name, one in PAIR.items()})
 
 
-def empty_row(wheel="", rail="", **told):
+def empty_row(wheel="", rail="", **more):
     """A row without numbers."""
     return {
         "wheel": wheel,
@@ -88,11 +28,11 @@ def empty_row(wheel="", rail="", **told):
         "rail_file": "",
         "error": "",
         "usable": False,
-        **dict.fromkeys(NUMBERS),
+        **dict.fromkeys(PAIR),
         "remarks": [],
         "json": "",
         "picture": "",
-        **told,
+        **more,
     }
 
 
@@ -123,10 +63,10 @@ class Fleet:
     def __getitem__(self, key):
         if not isinstance(key, str):
             return self.rows[key]
-        if key not in (*TOLD, *NUMBERS):
-            raise KeyError(f"{key!r}; there are {', '.join((*TOLD, *NUMBERS))}")
+        if key not in (*OTHERS, *PAIR):
+            raise KeyError(f"{key!r}; there are {', '.join((*OTHERS, *PAIR))}")
         values = [row[key] for row in self.rows]
-        if key in NUMBERS:
+        if key in PAIR:
             return np.array([math.nan if value is None else value for value in values], dtype=float)
         return np.array(values, dtype=bool if key == "usable" else object)
 
@@ -151,12 +91,12 @@ class Fleet:
             in one sentence, if pandas is not installed.
         """
         pandas = needed("pandas", "to_pandas")
-        return pandas.DataFrame({name: self[name] for name in (*TOLD[:6], *NUMBERS, *TOLD[6:])})
+        return pandas.DataFrame({name: self[name] for name in (*OTHERS[:6], *PAIR, *OTHERS[6:])})
 
     def csv_text(self):
         """The table as text for a spreadsheet, in SI; remarks stand in one cell."""
         out = io.StringIO()
-        names = (*TOLD[:6], *NUMBERS, *TOLD[6:])
+        names = (*OTHERS[:6], *PAIR, *OTHERS[6:])
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(names)
         for row in self.rows:

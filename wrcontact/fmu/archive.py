@@ -1,7 +1,6 @@
 """What every FMU has: its profiles, its licences, and the zip archive, with the same bytes
 for the same entries."""
 
-import hashlib
 import io
 import zipfile
 from importlib.metadata import PackageNotFoundError, distribution
@@ -10,6 +9,7 @@ from pathlib import Path
 from ..conventions import MILLIMETRE
 from ..profiles.catalogue import standard_name
 from ..profiles.options import ProfileFile
+from ..storage.hashes import content_hash
 from ..system import ContactSystem
 from .online import PACKAGE
 from .rest import at_rest
@@ -105,10 +105,9 @@ def licence(name):
 
 def fingerprint(entries):
     """SHA-256 over all names and contents, as hexadecimal digits."""
-    digest = hashlib.sha256()
-    for name, content in sorted(entries.items()):
-        digest.update(f"{name}\0{len(content)}\0".encode() + content)
-    return digest.hexdigest()
+    return content_hash(
+        *(f"{name}\0{len(content)}\0".encode() + content for name, content in sorted(entries.items()))
+    )
 
 
 def archive(entries):

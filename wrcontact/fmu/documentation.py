@@ -1,11 +1,12 @@
-"""The FMU's documentation/index.html: use, conventions, equations, and tables of all variables."""
+"""The FMU's documentation/index.html: use, conventions, and tables of all variables.  Equations and tables of messages
+are on the pages of the project (docs/theory, docs/reference)."""
 
 from html import escape
 from xml.etree.ElementTree import fromstring
 
 from ..conventions import SIDES
 from ..interface.variables import folded
-from ..methods import CHOICES, family_of
+from ..methods import CHOICES
 from .archive import SOURCES
 from .variants import WHEELSET
 
@@ -14,10 +15,8 @@ ICON = SOURCES / "icon.svg"
 STYLE = """
 body { font: 16px/1.5 sans-serif; max-width: 76em; margin: 2em auto; padding: 0 1em; color: #222; }
 p { max-width: 60em; }
-sub, sup { line-height: 0; }
 table { border-collapse: collapse; font-size: 90%; }
 th, td { text-align: left; vertical-align: top; padding: .2em .6em; border-bottom: 1px solid #ddd; }
-.equation { margin: .6em 2em; font-family: serif; font-size: 110%; }
 code, td span { white-space: nowrap; }
 h1 svg { width: 1.6em; height: 1.6em; vertical-align: middle; margin-right: .4em; }
 """
@@ -26,7 +25,7 @@ ONE_WHEEL = """
 <p>This FMU is one side of a compliant wheelset by itself. Its pose, velocities and moment are those of the point on the wheel's
 axis that lies half the <code>running_circle_distance</code> inside of the running circle, in the nominal position the centre
 of a wheelset; <code>wheel_rate</code> is the wheel's own rotation. Names have no <code>left.</code> and <code>right.</code>;
-what is said of both wheels, of a load that is given and of other contact modes does not apply.</p>
+statements on both wheels, on a prescribed load and on other contact modes do not apply.</p>
 """
 
 USE = """
@@ -35,22 +34,14 @@ USE = """
 step size is correct, and outputs are valid before the first step. A step with unchanged inputs costs nothing.
 <code>status</code> is the outcome of a step. If it is not 0, one line in the log names the variable, its value and the
 limit. The step itself still succeeds, and the next valid input gives a valid result.</p>
-<table>
-<tr><th>status</th><th>meaning</th><th>outputs</th></tr>
-<tr><td>0</td><td>valid</td><td>valid</td></tr>
-<tr><td>1</td><td>unloaded: a wheel has no normal force, or is lifted in compliant contact</td>
-<td>valid; the patch of that wheel is empty</td></tr>
-<tr><td>2</td><td>off the profile: no contact inside both profiles, or a wheel more than 2 mm deep in its rail</td>
-<td>last valid values</td></tr>
-<tr><td>3</td><td>not converged</td><td>last valid values</td></tr>
-<tr><td>4</td><td>invalid input: not a number, infinite, a negative force, a load transfer beyond &plusmn;1, or friction outside 0 &hellip; 2</td>
-<td>last valid values</td></tr>
-<tr><td>5</td><td>beyond adhesion: friction does not carry the <code>axle_torque</code> of wheels whose rotation follows from it</td>
-<td>last valid values</td></tr>
-</table>
+<p>With <code>contact_mode</code> rigid (default) height and roll are those at which the undeformed wheels touch; elastic: those
+at which each wheel carries its load. Compliant: height and roll are the inputs <code>vertical_shift_input</code> and
+<code>roll_input</code>, the loads follow, and a wheelset with mass can be driven by the outputs <code>force</code> and
+<code>moment</code>; <code>normal_force</code> and <code>load_transfer</code> are used for the equilibrium only. Inputs that a mode
+does not use may have any permitted value.</p>
 """
 
-METHOD = """
+CONVENTIONS = """
 <h2>Conventions</h2>
 <p>All values are in SI units (m, N, Pa, rad); display units are mm, deg, kN, MPa, mm&sup2;. Track frame: x forward, y
 to the right, z down, origin on the track centre line at top of rail. Yaw &psi; is positive clockwise seen from above,
@@ -71,74 +62,13 @@ wheel, over the mean of the speed and the speed of the wheel's circumference. Ve
 contact the vertical velocity and the roll rate follow from contact with both rails. Without any velocity there are no
 creepages.</p>
 
-<h2>Creep forces</h2>
-<p><code>tangential_model</code> decides how creep forces follow from a solved patch, its creepages and the coefficient of
-friction of its side, <code>left.friction</code> or <code>right.friction</code>: {models}.
-Without any velocity nothing rolls or slides, and there are no creep forces.</p>
-<p><code>tangential.x</code> is the force on the wheel forward, <code>tangential.y</code> that in the plane of the patch to the
+<p><code>tangential.x</code> is the creep force on the wheel forward, <code>tangential.y</code> that in the plane of the patch to the
 field side, on both sides; <code>tangential.moment</code> is the moment on the wheel about the normal from the rail to the
-wheel, on both sides. The force is opposite to the creepages: a driven wheel has creepage.x &lt; 0 and tangential.x &gt; 0.
-<code>saturation</code> is the creep force over friction times normal force; <code>friction_power</code> is what friction takes
-from the motion, &minus;V<sub>ref</sub> (&xi; F<sub>x</sub> + &eta; F<sub>y</sub> + &phi; M<sub>z</sub>) with the creepages' own
-directions; <code>wear_number</code> is T&gamma; without spin. If <code>fatigue_outputs</code> is true, each patch also has its
-T&gamma;, the damage of a passage that follows from it, and its place in the shakedown map for the yield stress
-<code>yield_shear</code>. <code>driving_torque</code> is the torque of the creep forces about
-the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. With a <code>wheel_rate</code> of 0 and
-<code>free_rolling</code> the rotation is the one at which it cancels <code>axle_torque</code>, and
-<code>wheel_rate_found</code> of a wheel tells it. <code>model_error</code> of a wheel is an estimate of the relative error of
-<code>max_pressure</code>, of the <code>normal_model</code> auto, and of analyn with <code>error_outputs</code>. <code>shear</code> times
-<code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
-vertical load.</p>
-<p><code>flange_friction_ratio</code> lubricates the flange; <code>friction_fall</code> A and <code>friction_fall_rate</code> B let
-friction fall with the sliding velocity w of each point,</p>
-<p class="equation">&mu; ((1 &minus; A) exp(&minus;B w) + A);</p>
-<p><code>slope_reduction</code> and its floor and rate are those of wet and dirty rails (Spiryagin, Polach and Cole 2013).</p>
+wheel. The force is opposite to the creepages: a driven wheel has creepage.x &lt; 0 and tangential.x &gt; 0.
+<code>driving_torque</code> is the torque of the creep forces about the axle, positive where they turn the wheels forward.</p>
 
-<h2>Contact modes</h2>
-<p><code>contact_mode</code> rigid (default): height and roll are those at which the undeformed wheels touch, and each
-wheel is pressed along its normal there. Elastic: the wheels approach the rails until each carries its load, which gives
-height and roll; for a small load this is the rigid pose. Compliant: height and roll are the inputs
-<code>vertical_shift_input</code> and <code>roll_input</code>, and the loads follow from the penetration of each wheel;
-<code>normal_force</code> and <code>load_transfer</code> are used for the equilibrium only, and a wheelset with mass can be driven by the outputs
-<code>force</code> and <code>moment</code>. Inputs that a mode does not use may have any permitted value.
-<code>load</code> says what <code>normal_force</code> is: the sum over the patches of a wheel, or the vertical component of
-their resultant.</p>
-
-<h2>Contact geometry</h2>
-<p>The wheel is a surface of revolution with radius r(y), the rail a cylinder along x: at a contact the common normal
-has no x component. This fixes the angle around the wheel for every point of the profile, the <em>contact
-locus</em>:</p>
-<p class="equation">&phi;(y) = &minus;arctan t &minus; arcsin w, &nbsp; t = tan &psi; sin &theta;, &nbsp;
-w = &plusmn; tan &psi; cos &theta; r&prime;(y) / &radic;(1 + t&sup2;) &nbsp; (+ right wheel, &minus; left wheel)</p>
-<p>Along it the vertical gap between wheel and rail is a function of one coordinate,</p>
-<p class="equation">g(y) = z<sub>rail</sub>(Y(y)) &minus; Z(y),</p>
-<p>with (Y, Z) the outline of the wheel seen along the track. The contact point is where the gap is smallest. Bounds of the
-gap prove that no smaller minimum exists, so the contact does not depend on earlier positions of the wheelset.</p>
-<p>The roll of a rigid wheelset makes the smallest gaps equal left and right:</p>
-<p class="equation">G(&theta;) = min g<sub>right</sub> &minus; min g<sub>left</sub> = 0.</p>
-<p>The derivative of a minimum is the partial derivative at its fixed place on the wheel (envelope theorem),</p>
-<p class="equation">d(min g) / d&theta; = z&prime;<sub>rail</sub> &part;Y/&part;&theta; &minus;
-&part;Z/&part;&theta;,</p>
-<p>so Newton's method, inside a bracket, finds the roll in a few steps. The vertical shift is the remaining gap.</p>
-
-<h2>Normal contact</h2>
-<p>Hertz: with the relative curvatures of the undeformed distance z = A x&sup2; + B s&sup2; (x rolling direction, s in
-the contact plane), the normal force N and 1/E* = 2 (1 &minus; &nu;&sup2;) / E,</p>
-<p class="equation">c = (3 N / (4 E* (A + B)))<sup>1/3</sup>, &nbsp; a = m c, &nbsp; b = n c, &nbsp;
-&delta; = r ((3 N / (4 E*))&sup2; (A + B))<sup>1/3</sup>, &nbsp; p<sub>0</sub> = 3 N / (2 &pi; a b)</p>
-<p>where m, n, r follow from the complete elliptic integrals K(e) and E(e) of the ellipse with the ratio q of its
-semi-axes and e&sup2; = 1 &minus; q&sup2;: with L = (2 E(e) / (&pi; q&sup2;))<sup>1/3</sup> the longer of m, n is L and
-the other is q L, r = 2 K(e) / (&pi; L), and the ratio of the smaller to the larger curvature is (K(e) &minus; E(e)) / (E(e) /
-q&sup2; &minus; K(e)).</p>
-<p>ANALYN (Sichani, Enblom and Berg 2014) uses the undeformed distance g(s) and the local curvature B(s) across the
-patch:</p>
-<p class="equation">&alpha; = (r / m&sup2;)(1 + B / A) &minus; 1, &nbsp; &beta; = (r / n&sup2;)(1 + A / B) &minus; 1</p>
-<p class="equation">d(s) = &delta;<sub>0</sub> &minus; (1 + &beta;) g(s), &nbsp;
-a(s) = &radic;(d / ((1 + &alpha;) A)), &nbsp; p<sub>0</sub>(s) = (2 E* / &pi;) d / (n r a)</p>
-<p class="equation">p(x, s) = p<sub>0</sub>(s) &radic;(1 &minus; (x / a(s))&sup2;), &nbsp;
-N = &int; (&pi; / 2) a(s) p<sub>0</sub>(s) ds</p>
-<p>&delta;<sub>0</sub> is found from the prescribed N. The factor of p<sub>0</sub> is 2 E*/&pi;; with constant A and B
-the result is that of Hertz. Separate loaded regions are patches, sorted by decreasing load.</p>
+<p>The pages of wrcontact have the equations and the papers (docs/theory), all messages by status
+(docs/reference/statuses.md) and what was validated (docs/evidence).</p>
 """
 
 
@@ -159,17 +89,8 @@ def documentation_page(version, description, about):
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{model}</title>\n'
         f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>{ICON.read_text(encoding='utf-8')}{model}</h1>\n"
         f"<p>{subject}; {versions}.</p>\n{'' if model == WHEELSET.model else ONE_WHEEL}"
-        f"{USE}{about}{METHOD.replace('{models}', tangential_models())}{_abilities(root)}{tables}"
+        f"{USE}{about}{CONVENTIONS}{_abilities(root)}{tables}"
         '<p>Licences: <a href="licenses/">licenses</a>.</p>\n</body>\n</html>\n'
-    )
-
-
-def tangential_models():
-    """HTML on the tangential models that an FMU has."""
-    return ", ".join(
-        f"<em>{method.name}</em> ({escape(method.words)})"
-        for method in family_of("tangential_model").methods
-        if not method.python_only
     )
 
 

@@ -27,7 +27,8 @@ from ..kernel.prepare.scan import FINE_STEP
 from ..methods import NUMBERS, family_of
 from ..methods.numbers import unit_behind
 from ..profiles.definition import definition
-from ..status import SENTENCES, Status, written
+from ..results.layout import Layout
+from ..status import REFUSALS, SENTENCES, Status, written
 
 TEXT = 256  #: bytes of a String, with the zero at its end
 SENTENCE = 1024  #: and of a sentence
@@ -40,7 +41,7 @@ TYPES = {REAL: "MODEL_REAL", INTEGER: "MODEL_INTEGER", BOOLEAN: "MODEL_BOOLEAN",
 
 
 def sizes_header(blocks, variant):
-    """The text of model_sizes.h, which is the same for all profiles."""
+    """The text of model_sizes.h, which is the same for all profiles: sizes, and sentences of refusals."""
     sizes = {
         "VARIABLES": len(VARIABLES),
         "INPUTS": layout.INPUT_COUNT,
@@ -74,7 +75,7 @@ def sizes_header(blocks, variant):
         "LOAD_MOST": USUAL_LOAD[1],
         "FIXED_SIZE": len(fixed_tables()),
         "STATIONS": layout.STATION_COUNT,
-        "OUTLINES": (2 * (layout.RUN_COUNT + layout.WEAR_RUN_COUNT) * layout.STATION_LIMIT + layout.WEAR_END),
+        "OUTLINES": Layout(layout.STATION_LIMIT, True).size - layout.OUTPUT_COUNT,
         "MEMORY": layout.STATE_SIZE,
         "KNOWN": layout.Work.outputs.offset // 8,
         "WORK": layout.WORK_SIZE,
@@ -82,6 +83,8 @@ def sizes_header(blocks, variant):
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,
     }
     lines = [f"#define MODEL_{name} {value!r}" for name, value in sizes.items()]
+    lines += ["", "/* Sentences on calls that are refused. */"]
+    lines += [f"#define REFUSE_{reason.upper()} {text(words)}" for reason, words in REFUSALS.items()]
     return (
         "\n".join([BANNER, "#ifndef MODEL_SIZES_H", "#define MODEL_SIZES_H", "", *lines, "", "#endif"]) + "\n"
     )

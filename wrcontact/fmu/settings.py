@@ -8,6 +8,7 @@ from ..interface.variables import PLACE, VARIABLES
 from ..methods.numbers import check_choice
 from ..methods.words import did_you_mean
 
+#: Parameters by their names in the FMU.
 ROWS = {row.fmu_name: row for row in PARAMETERS.values() if row.fmu_name}
 #: Profiles are chosen, and packed, by arguments of their own.
 SETTABLE = [name for name in ROWS if not name.endswith("_profile")]

@@ -8,13 +8,11 @@ from dataclasses import dataclass, replace
 
 from ..interface.inputs import INPUT_NAMES
 from ..interface.one_wheel import MODE, WITHOUT, checked_wheel, own_name, wheel_inputs
-from ..interface.parameters import PARAMETERS
 from ..interface.variables import VARIABLES
 from ..kernel import layout
 from ..status import Terms
-from .settings import checked
+from .settings import ROWS, checked
 
-ROWS = {row.fmu_name: row for row in PARAMETERS.values() if row.fmu_name}
 #: Variables of every FMU; the last two of FMI 3 only.
 COMMON = ("status", "time", "stations")
 
@@ -93,7 +91,7 @@ class _WheelTerms(Terms):
         return self._variant.name(name) or name
 
 
-#: The descriptions are without names of methods, of which there are more now and then.
+#: The descriptions do not name methods, because methods are added over time.
 WHEELSET = Variant(
     "WheelsetContact",
     "Wheel-rail contact of a wheelset on track: contact points and roll, contact patches with "

@@ -208,5 +208,5 @@ def solve_problem(problem, tolerance=TOLERANCE):
             else refine(problem, found, tolerance)
         )
     raise ArithmeticError(
-        f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is none"
+        f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; all of them must be found"
     )

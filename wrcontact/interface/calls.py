@@ -104,17 +104,17 @@ def _behind(row):
     return "" if row.unit == "1" else f", in {row.unit}"
 
 
-def warn_of_inputs(given, told):
+def warn_of_inputs(given, warned):
     """Give an UnusualValueWarning for every input among those ``given``, numbers or arrays by their places,
-    whose largest number is above 0 and outside its usual range; once for each name in the set ``told``."""
+    whose largest number is above 0 and outside its usual range; once for each name in the set ``warned``."""
     for place, row, low, high in USUAL:
         value = given.get(place, 0.0)
         if type(value) not in NUMBERS:
             value = np.asarray(value, dtype=float)
             value = np.max(value, initial=0.0, where=np.isfinite(value))
-        if value > 0.0 and not low <= value <= high and row.name not in told:
+        if value > 0.0 and not low <= value <= high and row.name not in warned:
             if warn_unusual(row.name, value, row.unit, row.usual):
-                told.add(row.name)
+                warned.add(row.name)
 
 
 def wrong_input(values, array):
@@ -150,10 +150,9 @@ def describe_inputs(function):
         _parameter(row.keyword, row.start, row.positional)
         for row in sorted(INPUTS, key=lambda row: not row.positional)
     ]
-    others = [
-        found[name] for name in ("penetration", "side", "outputs", "processes", "threads") if name in found
-    ]
-    function.__signature__ = Signature([found["self"], *rows, *others])
+    others = ("penetration", "side", "outputs", "processes", "threads")
+    named = [_untyped(found[name]) for name in others if name in found]
+    function.__signature__ = Signature([found["self"], *rows, *named])
     _fill(function, "{inputs}", [f"{row.keyword} : {row.words} [{row.unit}]." for row in INPUTS])
 
 
@@ -161,7 +160,7 @@ def describe_wheel_inputs(function, rows):
     """The same for one wheel, whose inputs are ``rows`` by their names."""
     found = signature(function).parameters
     named = [_parameter(name, row.start, False) for name, row in rows.items()]
-    function.__signature__ = Signature([found["self"], *named, found["outputs"]])
+    function.__signature__ = Signature([found["self"], *named, _untyped(found["outputs"])])
     _fill(function, "{inputs}", [f"{name} : {row.meaning} [{row.unit}]." for name, row in rows.items()])
 
 
@@ -172,6 +171,11 @@ def describe_parameters(system):
     groups = [_parameter(name, None, False) for name in GROUPS]
     system.__signature__ = Signature(names[:2] + groups + names[2:])
     _fill(system, "{parameters}", [line for row in list(PARAMETERS.values())[2:] for line in _lines(row)])
+
+
+def _untyped(parameter):
+    """A parameter without its type, as those that follow from rows are shown."""
+    return parameter.replace(annotation=Parameter.empty)
 
 
 def _parameter(name, default, positional):

@@ -12,7 +12,7 @@ FRICTION = tuple(
         f"{side}.friction",
         "1",
         0.3,
-        "coefficient of friction; read where the tangential_model is not none",
+        "coefficient of friction, read with a tangential_model",
         0.0,
         FRICTION_LIMIT,
         start=0.3,
@@ -42,8 +42,8 @@ class Friction(Checked):
         0.2,
         1.2,
         "rad",
-        "Contact angle half-way between the friction of the tread and that of the "
-        "flange; it changes over 0.2 rad to either side",
+        "Contact angle half-way between the friction of the tread and that of the flange; it changes over "
+        "0.2 rad (11.5 deg) to either side",
     )
     friction_fall: float = number(
         1.0,

@@ -78,7 +78,7 @@ MOTION = (
         "vertical_velocity",
         "m/s",
         0.01,
-        f"How fast the vertical shift grows in the contact_mode compliant; {DERIVED}",
+        f"How fast the vertical shift grows with contact_mode compliant; {DERIVED}",
         -VELOCITY_LIMIT,
         VELOCITY_LIMIT,
         limited=True,
@@ -96,7 +96,7 @@ MOTION = (
         "roll_rate",
         "rad/s",
         0.01,
-        f"How fast the roll grows in the contact_mode compliant; {DERIVED}",
+        f"How fast the roll grows with contact_mode compliant; {DERIVED}",
         -RATE_LIMIT,
         RATE_LIMIT,
         limited=True,
@@ -106,8 +106,8 @@ MOTION = (
         "rad/s",
         20.0,
         "Rotation of the wheelset about its axle, positive when it rolls "
-        "forward; 0 with free_rolling: the one at which axle_torque and driving_torque cancel each other, or "
-        "speed / nominal_radius without a tangential_model",
+        "forward; 0 with free_rolling: the one without torque or under axle_torque, or speed / nominal_radius "
+        "without a tangential_model",
         -WHEEL_LIMIT,
         WHEEL_LIMIT,
         limited=True,
@@ -160,8 +160,8 @@ RATES = tuple(
         "rad/s",
         20.0,
         "rotation about the axle, positive when it rolls forward, "
-        "read instead of wheel_rate if independent_wheels is true; 0 with free_rolling: the one at which "
-        "its axle_torque and driving_torque cancel each other",
+        "read instead of wheel_rate with independent_wheels; 0 with free_rolling: the one without torque or "
+        "under its axle_torque",
         -WHEEL_LIMIT,
         WHEEL_LIMIT,
         field=f"{side}_wheel_rate",
@@ -189,7 +189,7 @@ TORQUES = (
             "N.m",
             1e3,
             "torque of motor or brake on it, positive where it drives forward; read instead of axle_torque "
-            "if independent_wheels is true",
+            "with independent_wheels",
             -TORQUE_LIMIT,
             TORQUE_LIMIT,
             field=f"{side}_axle_torque",
@@ -216,7 +216,7 @@ DEFLECTIONS = tuple(
         f"deflection_{part}_before",
         "m",
         1e-3,
-        f"its rail_deflection_{part} one rail_time_step ago",
+        f"{part} deflection of its springs one rail_time_step ago",
         RAIL_LIMIT,
     )
     for side in ("left", "right")
@@ -259,9 +259,8 @@ INPUTS = (
         "normal_force",
         "N",
         1e5,
-        "Load per wheel before load transfer: normal force, total over its "
-        "patches, or its vertical component (parameter load); in compliant mode used only for the "
-        "equilibrium outputs",
+        "Load per wheel before load transfer, normal or vertical (parameter load); in compliant contact only for "
+        "the equilibrium",
         0.0,
         1e7,
         start=78500.0,
@@ -272,8 +271,7 @@ INPUTS = (
         "load_transfer",
         "1",
         0.1,
-        "Share L of the load N moved from left to right: N (1 + L) on the right "
-        "wheel, N (1 - L) on the left; in compliant mode used only for the equilibrium outputs",
+        "Share L of the load N moved from the left to the right wheel: N (1 + L) right, N (1 - L) left",
         -1.0,
         1.0,
         positional=True,
@@ -282,8 +280,7 @@ INPUTS = (
         "vertical_shift_input",
         "m",
         1e-3,
-        "Vertical shift of the wheelset in the contact_mode compliant, "
-        "positive down; other modes do not read it",
+        "Vertical shift of the wheelset with contact_mode compliant, positive down; other modes do not read it",
         -HEIGHT_LIMIT,
         HEIGHT_LIMIT,
         field="vertical_shift",
@@ -292,8 +289,8 @@ INPUTS = (
         "roll_input",
         "rad",
         1e-3,
-        "Roll of the wheelset in the contact_mode compliant, positive with the "
-        "right wheel down; other modes do not read it",
+        "Roll of the wheelset with contact_mode compliant, positive with the right wheel down; other modes do "
+        "not read it",
         -ROLL_LIMIT,
         ROLL_LIMIT,
         field="roll",

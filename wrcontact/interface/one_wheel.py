@@ -59,9 +59,11 @@ def checked_wheel(given):
     one has no meaning."""
     for name, value in given.items():
         if name in WITHOUT:
-            raise ValueError(f"{name} is given; permitted with one wheel is none, since {WITHOUT[name]}")
+            raise ValueError(f"{name} cannot be given for one wheel: {WITHOUT[name]}")
         if name.startswith(LEFT) and name in PARAMETERS:
-            raise ValueError(f"{name} is given; one wheel has {name.removeprefix(LEFT)}, and side='left'")
+            raise ValueError(
+                f"{name} cannot be given for one wheel, which has {name.removeprefix(LEFT)}, and side='left'"
+            )
         if isinstance(value, (tuple, list)):
             raise ValueError(f"{name} is {value!r}; permitted with one wheel is one value")
     mode = given.get("contact_mode", MODE)

@@ -25,7 +25,7 @@ class Track(Checked):
         0.0,
         0.1,
         "1",
-        "Inclination of the rail to the track centre as a slope; 0.025 is 1:40",
+        "Inclination of the rails towards the track centre as a slope; 0.025 is 1:40",
         ratio=True,
     )
     gauge: float = number(
@@ -90,9 +90,13 @@ WITH_SPRINGS = {
 SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination", *RAIL_SPRINGS)
 
 
+#: What 0 means on the right side.
+RIGID = "; 0: rigid"
+
+
 def _spring(words):
     """The row of a spring below the rails."""
-    return Number(0.0, 0.0, 1e12, "N/m", f"{words} in the contact_mode compliant; 0: rigid", nominal=1e7)
+    return Number(0.0, 0.0, 1e12, "N/m", f"{words}, read with contact_mode compliant{RIGID}", nominal=1e7)
 
 
 def _damper(direction):
@@ -102,7 +106,7 @@ def _damper(direction):
         0.0,
         1e9,
         "N.s/m",
-        f"Damping beside the {direction} spring of each rail, over the input rail_time_step",
+        f"Damping beside the {direction} spring of each rail, over the rail_time_step",
         nominal=1e4,
     )
 
@@ -114,9 +118,8 @@ OTHERS = {
         0.0,
         100.0,
         "s/m",
-        "Contact damping in the contact_mode compliant: forces "
-        "are multiplied by 1 + damping times the speed of the approach, and are never "
-        "below zero",
+        "Contact damping with contact_mode compliant: forces are multiplied by 1 + damping times the speed of "
+        "the approach, and are never below zero",
         nominal=0.1,
     ),
     "rail_lateral_stiffness": _spring("Stiffness of the spring that holds each rail laterally"),
@@ -145,9 +148,8 @@ OTHERS = {
         0,
         1,
         "1",
-        "Whether the outputs of wear are computed: wheel_place, "
-        "rail_place, power and patch_of at the stations of an outline, and in Python the "
-        "strips of each patch",
+        "Whether the outputs of wear are computed: the place on both profiles, the friction power and the "
+        "patch at each station of an outline, and in Python the strips of each patch",
         switch=True,
     ),
     "fatigue_outputs": Number(
@@ -155,8 +157,8 @@ OTHERS = {
         0,
         1,
         "1",
-        "Whether the outputs of fatigue are computed: wear_number, "
-        "fatigue_damage, shakedown_ratio and surface_fatigue_index of each patch",
+        "Whether the outputs of fatigue are computed: T gamma, its damage, the shakedown ratio and the surface "
+        "fatigue index of each patch",
         switch=True,
     ),
     "yield_shear": Number(
@@ -171,7 +173,8 @@ OTHERS = {
         0,
         1,
         "1",
-        "Whether the normal_model analyn estimates its error; auto always does, others have no estimate",
+        "Whether the normal_model analyn estimates its error in the peak pressure; auto always does, others "
+        "have no estimate",
         switch=True,
     ),
     "stations": Number(
@@ -202,7 +205,7 @@ class Parameter:
     ----------
     name : the keyword.
     meaning : words for the user.
-    default : in Python; ``start`` for doors where None cannot be said.
+    default : in Python; ``start`` where None cannot be given (FMUs, command line).
     number : its :class:`~wrcontact.methods.numbers.Number`; None for profiles and methods.
     family : its :class:`~wrcontact.methods.method.Family`; None but for methods.
     fmu_name : its name in an FMU, "" where an FMU does not have it.
@@ -256,7 +259,8 @@ def _left(row):
         meaning = f"Left side: {row.meaning[0].lower()}{row.meaning[1:]}; empty: as on the right"
     else:
         known = replace(known, default=None, low=0.0, start=0.0, nominal=known.nominal or known.default)
-        meaning = f"Left side: {known.meaning[0].lower()}{known.meaning[1:]}; 0: as on the right"
+        meaning = known.meaning.removesuffix(RIGID)
+        meaning = f"Left side: {meaning[0].lower()}{meaning[1:]}; 0: as on the right"
     return Parameter(LEFT + row.name, meaning, None, known, fmu_name=LEFT + row.fmu_name, right=row.name)
 
 
@@ -438,8 +442,8 @@ def _method_of(family, parameters):
         if value is not None and PARAMETERS[keyword].default is None and keyword not in method.keywords():
             users = " or ".join(repr(name) for name in family.with_keyword(keyword))
             raise ValueError(
-                f"{keyword} is {value!r}; permitted with the {family.parameter} {method.name!r} "
-                f"is None, only {users} has {keyword}"
+                f"{keyword} is {value!r}; it cannot be given with the {family.parameter} {method.name!r}, only "
+                f"{users} has it"
             )
     method().check_beside(parameters)
     return method(**{name: parameters[keyword] for keyword, name in method.keywords().items()})

@@ -19,12 +19,13 @@ class Unit:
     display_factor: float = 1.0
 
 
-def by_name(*units):
-    """The units by their names; ValueError for a name that two units have."""
-    found = {unit.name: unit for unit in units}
-    if len(found) < len(units):
-        names = [unit.name for unit in units]
-        raise ValueError(f"unit {max(names, key=names.count)!r} is declared twice")
+def by_name(*rows):
+    """Units, or rows of another kind, by their names; ValueError for a name that two of them have."""
+    found = {row.name: row for row in rows}
+    if len(found) < len(rows):
+        names = [row.name for row in rows]
+        kind = type(rows[0]).__name__.lower()
+        raise ValueError(f"{kind} {max(names, key=names.count)!r} is declared twice")
     return found
 
 

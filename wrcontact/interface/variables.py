@@ -185,11 +185,11 @@ def _equilibrium():
 _STATUS = Variable(
     "status",
     OUTPUT,
-    "Outcome of the step: 0 valid, 1 a wheel is unloaded, 2 off the "
-    "profile, 3 not converged, 4 invalid input (2 to 4 keep the last valid values)",
+    "Outcome of the step: 0 valid, 1 a wheel is unloaded, 2 off the profile, 3 not converged, 4 invalid input, "
+    "5 friction does not carry the axle torque (2 to 5 keep the last valid values)",
     INTEGER,
     minimum=0,
-    maximum=4,
+    maximum=5,
     depends_on=ANSWERED,
 )
 

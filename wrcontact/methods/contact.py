@@ -22,7 +22,7 @@ class Rigid(ContactMode):
 
     name = "rigid"
     kernel_number = 0
-    words = "undeformed surfaces touch, at equal gaps left and right"
+    words = "the undeformed surfaces touch"
 
 
 @frozen
@@ -32,7 +32,7 @@ class Elastic(ContactMode):
 
     name = "elastic"
     kernel_number = 1
-    words = "each wheel approaches its rail until it carries its load, which gives height and roll"
+    words = "the wheels approach the rails until each carries its load, which gives height and roll"
 
 
 @frozen
@@ -41,7 +41,7 @@ class Compliant(ContactMode):
 
     name = "compliant"
     kernel_number = 2
-    words = "height and roll are the inputs vertical_shift_input and roll_input, and the loads follow"
+    words = "vertical_shift_input and roll_input give height and roll, and the loads follow"
 
 
 class Load(Method):
@@ -49,7 +49,7 @@ class Load(Method):
 
     parameter = "load"
     constant = "LOAD"
-    decides = "what normal_force prescribes"
+    decides = "what normal_force is"
 
 
 @frozen
@@ -58,7 +58,7 @@ class NormalLoad(Load):
 
     name = "normal"
     kernel_number = 0
-    words = "the total over the patches of a wheel"
+    words = "the sum over the patches of a wheel"
 
 
 @frozen
@@ -75,7 +75,7 @@ class Separation(Method):
 
     parameter = "separation"
     constant = "SEPARATION"
-    decides = "how the undeformed distance is measured"
+    decides = "how the undeformed distance of wheel and rail is measured"
 
 
 @frozen
@@ -93,7 +93,7 @@ class VerticalSeparation(Separation):
 
     name = "vertical"
     kernel_number = 1
-    words = "vertically at common lateral coordinate"
+    words = "at equal lateral coordinates"
 
 
 @frozen
@@ -102,7 +102,7 @@ class Equidistant(Separation):
 
     name = "equidistant"
     kernel_number = 2
-    words = "between points at equal arc length from the contact"
+    words = "between points at equal arc lengths from the contact"
 
 
 @frozen
@@ -111,7 +111,7 @@ class EquidistantChord(Separation):
 
     name = "equidistant_chord"
     kernel_number = 3
-    words = "between nodes that circles step off from the contact"
+    words = "between nodes at equal chord steps from the contact"
 
 
 class LongitudinalCurvature(Method):
@@ -145,7 +145,7 @@ class LateralCurvature(Method):
 
     parameter = "lateral_curvature"
     constant = "LATERAL"
-    decides = "relative lateral curvature"
+    decides = "curvature across the rail"
 
 
 @frozen
@@ -163,14 +163,14 @@ class Smooth(LateralCurvature):
 
     name = "smooth"
     kernel_number = 1
-    words = "of circles fitted to the profiles"
+    words = "of circles fitted to the profiles over curvature_reach on either side"
 
     reach: float = number(
         3e-3,
         0.1e-3,
         10e-3,
         "m",
-        "Half the width over which the smooth lateral curvature fits circles to the profiles",
+        "Half the width over which lateral_curvature smooth fits circles to the profiles",
         nominal=1e-3,
         keyword="curvature_reach",
     )
@@ -182,14 +182,14 @@ class Rough(LateralCurvature):
 
     name = "rough"
     kernel_number = 2
-    words = "change of the profiles' angles between neighbouring nodes"
+    words = "change of the profile angles over curvature_step"
 
     step: float = number(
         0.2e-3,
         0.02e-3,
         5e-3,
         "m",
-        "Arc length from node to node of the rough lateral curvature",
+        "Arc length over which lateral_curvature rough takes the change of the profile angle",
         nominal=1e-3,
         keyword="curvature_step",
     )

@@ -66,8 +66,8 @@ class Number:
 
     Attributes
     ----------
-    default : in Python; None leaves the choice to the method, which then needs a ``start`` for doors without
-        None.
+    default : in Python; None leaves the choice to the method, which then needs a ``start`` for FMUs and
+        the command line.
     low, high : permitted range, ends included.
     unit : SI, "1" without one.
     meaning : words for the user, one sentence without the full stop.

@@ -14,22 +14,23 @@ one ``axis`` of matplotlib, by default in a new figure, and return it:
 """
 
 from ..conditioning.curves import find_jumps
+from ..results.runs import read_run
 from .animation import animate
 from .check import check_figure
 from .creepage import creep_curves
 from .demo import demo_figure
-from .hero import hero_figure
-from .history import history, read_run
+from .history import history
+from .lateral_curves import contact_angle, radius_difference, roll_angle
 from .lines import contact_lines
 from .locus import root_locus_figure
-from .over_shift import contact_angle, radius_difference, roll_angle
 from .patch import outline_figure
 from .pose import contact_figure, pose_figure
 from .shear import patch_map
-from .solid import wheel_on_rail
 from .style import new_figure, save
 from .sweep import sweep, sweep_figure
+from .title_picture import hero_figure
 from .traction import PatchTractions, patch_tractions
+from .view_3d import wheel_on_rail
 from .wear import fatigue_figure, shakedown_figure, wear_depth_figure, wear_figure
 
 __all__ = [

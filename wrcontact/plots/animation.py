@@ -15,8 +15,7 @@ from PIL import Image
 from ..conventions import SIDES
 from ..progress import tracked
 from ..storage.atomic import write_atomically
-from .film import film_of, shifted
-from .history import run_of
+from .animation_frames import frames_of, shifted
 from .patch import draw_patch, missing, patch_places
 from .pose import draw_contact
 from .style import DEGREE, INK, MM, QUIET, RAIL_COLOUR, SIDE_COLOUR, WHEEL_COLOUR, new_figure, number, styled
@@ -58,15 +57,15 @@ def animate(system, run, path, *, frames=MOST_FRAMES, rate=RATE):
         in a sentence, where the run has no lateral shift or no pose with contact, or there is no ffmpeg.
     """
     writer = _writer(path, rate)
-    film = film_of(system, run_of(run), frames)
+    states = frames_of(system, run, frames)
     figure = new_figure(9.6, 4.4)
     above, right = figure.subfigures(1, 2, width_ratios=(1, 2.6))
     panels = _Panels(above.subplots(), *right.subplots(2, 2, height_ratios=(1, 1.1)))
     with TemporaryDirectory() as folder:
-        file = Path(folder) / f"film{Path(path).suffix.lower()}"
+        file = Path(folder) / f"animation{Path(path).suffix.lower()}"
         with writer.saving(figure, str(file), RESOLUTION):
-            for frame in tracked(range(len(film.rows)), "frames"):
-                _draw(figure, panels, film, frame)
+            for frame in tracked(range(len(states.rows)), "frames"):
+                _draw(figure, panels, states, frame)
                 if frame == 0:
                     figure.draw_without_rendering()
                     figure.set_layout_engine("none")
@@ -121,25 +120,25 @@ class _Panels:
     patches: object
 
 
-def _draw(figure, panels, film, frame):
+def _draw(figure, panels, states, frame):
     """Draw one frame into the panels."""
-    state = film.rows[frame]
+    state = states.rows[frame]
     for panel in (panels.above, *panels.contacts, *panels.patches):
         panel.clear()
-    _draw_above(panels.above, film, frame)
+    _draw_above(panels.above, states, frame)
     for side, contact, patch in zip(SIDES, panels.contacts, panels.patches):
-        draw_contact(contact, film.system, state, side)
+        draw_contact(contact, states.system, state, side)
         contact.set(xlabel="across the track [mm]", ylabel="up [mm]" if side == "left" else "")
         contact.set_title(f"{side.capitalize()} wheel, from behind")
-        _draw_patch(patch, film, state, side)
+        _draw_patch(patch, states, state, side)
 
 
-def _draw_above(panel, film, frame):
+def _draw_above(panel, states, frame):
     """Rails, sleepers and wheelset from above, x up the page [m]."""
-    state, arm = film.rows[frame], film.system.parameters["running_circle_distance"] / 2
-    first = np.floor((film.distance[frame] - AHEAD) / SLEEPERS)
+    state, arm = states.rows[frame], states.system.parameters["running_circle_distance"] / 2
+    first = np.floor((states.distance[frame] - AHEAD) / SLEEPERS)
     for k in first + np.arange(int(2 * AHEAD / SLEEPERS) + 3):
-        x = k * SLEEPERS - film.distance[frame]
+        x = k * SLEEPERS - states.distance[frame]
         panel.fill_between(
             [-SLEEPER_ENDS, SLEEPER_ENDS], x - SLEEPER, x + SLEEPER, color="#E9E4DC", linewidth=0
         )
@@ -155,7 +154,7 @@ def _draw_above(panel, film, frame):
         x, y = turn.T @ corners
         panel.fill(y + shift, x, color=WHEEL_COLOUR, alpha=0.55, linewidth=0)
     panel.plot([0, 0], [-AHEAD, AHEAD], color=QUIET, linewidth=0.6, linestyle=(0, (8, 3, 2, 3)))
-    time = film.time[frame]
+    time = states.time[frame]
     panel.set(
         xlim=(-SLEEPER_ENDS - 0.05, SLEEPER_ENDS + 0.05),
         ylim=(-AHEAD, AHEAD),
@@ -182,9 +181,9 @@ def _draw_above(panel, film, frame):
     )
 
 
-def _draw_patch(panel, film, state, side):
+def _draw_patch(panel, states, state, side):
     """The patches of one side on the rail as seen from above, the field side outside."""
-    wheel, (low, high, along) = getattr(state, side), film.window
+    wheel, (low, high, along) = getattr(state, side), states.window
     panel.set(
         xlim=(low, high) if side == "right" else (high, low),
         ylim=(-along, along),
@@ -196,7 +195,9 @@ def _draw_patch(panel, film, state, side):
     if missing(wheel):
         panel.set_title(f"{side.capitalize()} wheel: {missing(wheel)}")
         return
-    draw_patch(panel, shifted(film.system, state, side), film.scale, patch_places(film.system, state, side))
+    draw_patch(
+        panel, shifted(states.system, state, side), states.scale, patch_places(states.system, state, side)
+    )
     panel.set_title(
         f"{number(wheel.normal_force / 1e3, 0)} kN, up to {number(wheel.max_pressure / 1e6, 0)} MPa",
         color=SIDE_COLOUR[side],

@@ -6,8 +6,9 @@ from functools import partial
 import numpy as np
 
 from ..conditioning.conformal import NEAR, TURN, WIDE
-from ..conditioning.conicity import AMPLITUDES, Swing
+from ..conditioning.conicity import AMPLITUDES, Swing, regressed_conicity
 from ..conditioning.curves import merged_jumps
+from ..conditioning.measures import MOVES
 from ..conditioning.text import differing_left
 from ..conventions import SIDES
 from .lines import SHIFTS, draw_lines
@@ -128,13 +129,11 @@ def draw_radii(panel, report):
 def draw_angles(panel, report):
     """Contact angles of both wheels [deg] against the lateral shift."""
     _head(panel, "angles", "Contact angles, to the flange +")
-    shift = report.curves.lateral_shift / MM
+    shift, angle = report.curves.lateral_shift / MM, MOVES["contact_angle"]
     for side, stroke in zip(SIDES, ("-", (0, (5, 1.5)))):
-        angle = getattr(report.curves, side).contact_angle / DEGREE
-        panel.plot(
-            *_broken(report, shift, angle, side), color=SIDE_COLOUR[side], linestyle=stroke, label=side
-        )
-    _shift_axis(panel, "deg")
+        curve = _broken(report, shift, angle.shown(report.curves, side), side)
+        panel.plot(*curve, color=SIDE_COLOUR[side], linestyle=stroke, label=side)
+    _shift_axis(panel, angle.shown_unit)
     panel.legend(loc="best")
 
 
@@ -150,6 +149,9 @@ def draw_conicity(panel, report):
             shown += [*values, *dots]
             panel.plot(FINE_AMPLITUDES / MM, values, color=colour, label=words)
             panel.plot(AMPLITUDES / MM, dots, "o", color=colour, markersize=3.5)
+            if name == "level":
+                values = regressed_conicity(*curve, FINE_AMPLITUDES)
+                panel.plot(FINE_AMPLITUDES / MM, values, ":", color=colour, label="by regression")
     limits = 1.1 * np.nanmin(shown), 1.1 * np.nanmax(shown)
     panel.set(xlim=(0, AMPLITUDES[-1] / MM + 0.2), ylim=limits, xlabel="amplitude [mm]", ylabel="tan γ")
     _legend(panel)
@@ -169,36 +171,38 @@ def draw_moves(panel, report, of="right"):
     """Rate of the contact position of one side on wheel and rail, per lateral shift; logarithmic, linear near
     zero."""
     _head(panel, "moves", f"Rate of the {of} contact per lateral shift")
-    shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
-    rates = (side.wheel_rate, WHEEL_COLOUR, "on the wheel"), (side.rail_rate, RAIL_COLOUR, "on the rail")
-    for rate, colour, words in rates:
-        panel.plot(*_broken(report, shift, np.abs(rate), of), color=colour, label=words)
+    shift = report.curves.lateral_shift / MM
+    for name, colour in (("wheel_rate", WHEEL_COLOUR), ("rail_rate", RAIL_COLOUR)):
+        rate = np.abs(MOVES[name].shown(report.curves, of))
+        panel.plot(*_broken(report, shift, rate, of), color=colour, label=MOVES[name].heading)
     _mark_jumps(panel, report, (of,))
-    _shift_axis(panel, "mm / mm", rates=True)
+    _shift_axis(panel, MOVES["wheel_rate"].shown_unit, rates=True)
     panel.legend(loc="best")
 
 
 def draw_roll_rate(panel, report):
     """Rate of the roll, per lateral shift; logarithmic, linear near zero."""
     _head(panel, "roll rate", "Roll per lateral shift")
-    shift, rate = report.curves.lateral_shift / MM, np.abs(report.curves.roll_rate)
+    roll = MOVES["roll_rate"]
+    shift, rate = report.curves.lateral_shift / MM, np.abs(roll.shown(report.curves, None))
     for side in SIDE_COLOUR:
         shift, rate = _broken(report, shift, rate, side)
     panel.plot(shift, rate, color=INK)
     _mark_jumps(panel, report, SIDE_COLOUR)
-    _shift_axis(panel, "mrad / mm", rates=True)
+    _shift_axis(panel, roll.shown_unit, rates=True)
 
 
 def draw_distance(panel, report):
     """Distance in lateral shift to the nearest jump of either contact."""
     _head(panel, "distance", "Distance to the nearest jump of either contact")
-    distance = np.where(np.isfinite(report.curves.jump_distance), report.curves.jump_distance, np.nan)
-    panel.plot(report.curves.lateral_shift / MM, distance / MM, color=INK)
+    next_jump = MOVES["jump_distance"]
+    distance = next_jump.shown(report.curves, None)
+    panel.plot(report.curves.lateral_shift / MM, np.where(np.isfinite(distance), distance, np.nan), color=INK)
     _mark_jumps(panel, report, SIDE_COLOUR)
     if np.isfinite(report.nearest_jump):
         panel.plot([0], [report.nearest_jump / MM], "o", color=INK, markersize=4)
         panel.annotate(
-            f"centred: {number(report.nearest_jump / MM, 2)} mm",
+            f"centred: {number(report.nearest_jump * next_jump.factor, next_jump.digits)} {next_jump.shown_unit}",
             (0, report.nearest_jump / MM),
             (7, 0),
             textcoords="offset points",
@@ -209,20 +213,21 @@ def draw_distance(panel, report):
         )
     else:
         panel.text(0.5, 0.5, "no jumps", transform=panel.transAxes, ha="center", color=QUIET)
-    _shift_axis(panel, "mm")
+    _shift_axis(panel, next_jump.shown_unit)
     panel.set_ylim(0, None)
 
 
 def draw_near(panel, report, of="right"):
     """Length of the close stretch on the wheel of one side; conformal shifts are shaded."""
     _head(panel, "near", f"Length of the {of} wheel within {NEAR / MM:g} mm of the rail")
-    shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
+    shift, close = report.curves.lateral_shift / MM, MOVES["near_width"]
+    width = close.shown(report.curves, of)
     for zone in report.conformal:
         if zone.side == of:
             panel.axvspan(
                 zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0, gid="conformal"
             )
-    panel.plot(*_broken(report, shift, side.near_width / MM, of), color=INK)
+    panel.plot(*_broken(report, shift, width, of), color=INK)
     panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
     panel.text(
         0.01,
@@ -234,13 +239,13 @@ def draw_near(panel, report, of="right"):
         color=QUIET,
         transform=panel.get_yaxis_transform(),
     )
-    _shift_axis(panel, "mm")
+    _shift_axis(panel, close.shown_unit)
     panel.set_ylim(
         0,
         1.25
         * max(
             WIDE / MM,
-            np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, side.near_width / MM, 0.0), initial=0.0),
+            np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, width, 0.0), initial=0.0),
         ),
     )
 

@@ -1,14 +1,11 @@
 """Histories: quantities of a run over time or distance, from arrays, a table of states, or a file of an FMU's
 results."""
 
-import csv
-from os import PathLike, fspath
-
 import numpy as np
 
 from ..interface.variables import UNITS, VARIABLES
-from ..methods.words import did_you_mean
 from ..results.climbing import flange_climb, wheel_lift
+from ..results.runs import Run
 from ..results.words import unit_name
 from .style import INK, SIDE_COLOUR, given_axis, styled
 
@@ -60,7 +57,7 @@ def history(run, names, axis=None, *, over="time"):
     ValueError
         in a sentence, where a name is unknown or the units differ.
     """
-    run = run_of(run)
+    run = Run.of(run)
     names = [each for name in ([names] if isinstance(names, str) else names) for each in _of_sides(run, name)]
     units = {unit_of(name) for name in names}
     if len(units) != 1:
@@ -88,7 +85,7 @@ def history(run, names, axis=None, *, over="time"):
 def _of_sides(run, name):
     """The name, or those of both wheels where the run has only these."""
     sides = [f"{side}.{name}" for side in SIDE_COLOUR]
-    known = {*names_of(run), *DERIVED}
+    known = {*run.names, *DERIVED}
     return sides if name not in known and known.issuperset(sides) else [name]
 
 
@@ -118,73 +115,9 @@ def unit_of(name):
     return UNITS_BY_NAME.get(name) or UNITS_OF_RUNS.get(name, "1")
 
 
-# --- runs ---------------------------------------------------------------------------------------------------
-
-
-def run_of(run):
-    """A run as it is, or from the file at a path: arrays (n,) by name."""
-    return read_run(run) if isinstance(run, str | PathLike) else run
-
-
-def names_of(run):
-    """Names of the columns of a run."""
-    if hasattr(run, "inputs"):  # a table of states
-        from ..results.columns import INPUT_PLACES
-
-        return (*run.names, *INPUT_PLACES, "status")
-    dtype = getattr(run, "dtype", None)
-    return tuple(getattr(dtype, "names", None) or (run.keys() if hasattr(run, "keys") else run.columns))
-
-
 def column(run, name):
-    """One column (n,) of a run in SI.
-
-    Raises
-    ------
-    ValueError
-        where the run has no such column, in a sentence.
-    """
-    if name not in names_of(run) and name in DERIVED:
+    """One column (n,) of a :class:`~wrcontact.results.runs.Run` in SI, or what follows from its columns; ValueError
+    where the run has none of this name."""
+    if name not in run and name in DERIVED:
         return np.asarray(DERIVED[name](run, name.split(".")[0]), dtype=float)
-    if name not in names_of(run):
-        raise ValueError(
-            f"there is no {name!r}{did_you_mean(name, names_of(run)) or '; permitted is a name of the run'}"
-        )
-    return np.asarray(run[name], dtype=float)
-
-
-def read_run(path):
-    """Arrays (n,) by name from a CSV file: a line of names, then numbers, as fmpy and ``wrcontact sweep``
-    write it.
-
-    Raises
-    ------
-    ValueError
-        where a line has not as many numbers as there are names, in a sentence.
-    """
-    try:
-        with open(path, newline="", encoding="utf-8") as file:
-            rows = [row for row in csv.reader(file) if row]
-    except (UnicodeDecodeError, csv.Error) as wrong:
-        raise ValueError(f"{fspath(path)} is no CSV file: {wrong}") from None
-    if len(rows) < 2:
-        raise ValueError(
-            f"{fspath(path)} has no rows; permitted is a line of names, and lines of numbers below"
-        )
-    names = [name.strip() for name in rows[0]]
-    for line, row in enumerate(rows[1:], 2):
-        if len(row) != len(names):
-            raise ValueError(
-                f"row {line} of {fspath(path)} has {len(row)} values; permitted are as many as there are "
-                f"names, {len(names)}"
-            )
-    try:
-        values = np.array([[_number(value) for value in row] for row in rows[1:]])
-    except ValueError as wrong:
-        raise ValueError(f"{fspath(path)} has a value that is no number: {wrong}") from None
-    return dict(zip(names, values.T))
-
-
-def _number(text):
-    """A number, also of a Boolean as fmpy writes it; NaN of an empty cell."""
-    return {"True": 1.0, "False": 0.0, "": np.nan}[text] if text in ("True", "False", "") else float(text)
+    return run[name]

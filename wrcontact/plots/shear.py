@@ -233,13 +233,13 @@ def _draw_arrows(axis, fields, pitch):
         minlength=0.3,
         zorder=5,
     )
-    told = float(f"{largest / MEGAPASCAL:.1g}")
+    shown = float(f"{largest / MEGAPASCAL:.1g}")
     axis.quiverkey(
         arrows,
         0.13,
         0.045,
-        told,
-        f"shear stress {told:g} MPa",
+        shown,
+        f"shear stress {shown:g} MPa",
         labelpos="E",
         coordinates="axes",
         fontproperties={"size": 8},

@@ -11,7 +11,7 @@ from ..methods.words import did_you_mean
 from .files import of_kind, read_profile, smoothing_in_mm
 from .options import ProfileFile
 from .profile import Profile
-from .standards import PATTERNS, build, is_missing, known_name, names
+from .standards import DESIGNATED, PATTERNS, build, known_name, missing_name, names
 
 #: The profiles that help texts and refusals name; all others are in ``wrcontact profiles``.
 WHEELS = ("S1002", "cone20", "cone40")
@@ -95,16 +95,28 @@ def named_profile(source, kind, argument, others, missing="", swapped=""):
     if standard and standard_profile(standard).kind == kind:
         return standard_profile(standard)
     other = f" (a profile of the other kind{swapped})" if standard else ""
-    if isinstance(source, str) and is_missing(source):
-        raise ValueError(
-            f"{argument} is {source!r}, of which no public source with enough numbers was found; permitted is a file "
-            "of its points, or a name of `wrcontact profiles`"
-        )
+    lost = None if other else words_on_missing(source, kind)
+    if lost:
+        raise ValueError(f"{argument} is {source!r}{lost}")
     known = (*names(kind), *(PATTERNS if kind == "wheel" else ()))
     meant = "" if missing or other else did_you_mean(source, known)
+    if isinstance(source, str) and kind == "wheel" and DESIGNATED.fullmatch(source):
+        missing, meant = "", f"; a wheel of EN 13715 is written {' or '.join(PATTERNS)}"
     raise ValueError(
         f"{argument} is {str(source)!r}{other}{missing}; permitted are "
         f"{', '.join(NAMES[kind])}, the other names of `wrcontact profiles`{others}{meant}"
+    )
+
+
+def words_on_missing(source, kind):
+    """What continues a sentence on a name that means a profile of which no source was found; None where it means
+    none."""
+    if not isinstance(source, str) or _looks_like_a_path(source) and not DESIGNATED.fullmatch(source):
+        return None
+    name = missing_name(source, kind)
+    return name and (
+        f": no public source with enough numbers was found of {name}; permitted is a file of its points, or a name of "
+        "`wrcontact profiles`"
     )
 
 

@@ -1,6 +1,6 @@
 """Profiles from files; the only module that opens a profile file.
 
-A file of points is text in one of the formats of formats.py. The points are repaired where the repair is
+A file of points is text in one of the formats in formats/. The points are repaired where the repair is
 certain enough (repair.py), smoothed if they are noisy (smoothing.py), and turned into a smooth curve. A
 :class:`ProfileWarning` reports what was done. A prepared file (.json) contains the pieces themselves and
 needs only numpy; an FMU contains its profiles in this form.
@@ -17,7 +17,7 @@ import numpy as np
 
 from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import PARAMETERS
-from .readers import read_points
+from .formats import read_points
 from .remarks import Reading, Refusal, by_weight, remark, stretch
 from .repair import LEAST_POINTS, WIDTHS, mend, words_on_cuts
 from .smoothing import LEAST_NOISE, Curve, pieces_of
@@ -45,7 +45,7 @@ def read_profile(file, kind, smoothing, make, track=None):
 
     Parameters
     ----------
-    file : :class:`~wrcontact.profiles.options.ProfileFile` of points in a format of readers.py, or of a
+    file : :class:`~wrcontact.profiles.options.ProfileFile` of points in a format of formats/, or of a
         prepared file.
     kind : "wheel" or "rail".
     smoothing : root mean square distance [m] between the smoothing spline and the points; 0 goes through

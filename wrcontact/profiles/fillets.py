@@ -116,7 +116,7 @@ def _too_large(name, corner, radius):
 
 
 def fillet_remarks(moved, radius):
-    """What is told of rounded corners, for a ProfileWarning."""
+    """The sentence of a ProfileWarning on rounded corners."""
     if not moved:
         return ()
     where, turns, distances = zip(*moved)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 from numbers import Integral
 
 from ..conventions import MILLIMETRE as MM
-from ..methods.numbers import Number
+from ..methods.numbers import Number, ratio_of
 from .remarks import Refusal
 
 #: Help text of each option; the names on the command line begin with --wheel- or --rail-.
@@ -176,12 +176,13 @@ def parsed(name, text):
             if all(abs(value) <= limit for value in values):
                 return tuple(value * MM for value in values)
         else:
-            rise, _, run = text.replace("/", ":").partition(":")
-            value = float(rise) / float(run or 1)
+            value = ratio_of(text)
             if INCLINATION.low <= value <= INCLINATION.high:
                 return value
+            if math.isnan(value):
+                raise ValueError
             raise ValueError(f"{text!r} is out of range; permitted is {INCLINATION.low:g} ... 1:10")
-    except (ZeroDivisionError, ValueError) as wrong:
+    except ValueError as wrong:
         if "permitted" in str(wrong):
             raise
         raise ValueError(f"{text!r} is not of the permitted form, {FORMS[name]}") from None

@@ -32,9 +32,9 @@ SYMMETRIC = 0.15
 INCLINED = 1 / 150
 #: A head leans as its track within this: 50 um of noise gives 0.002, and tracks are laid to 0.003.
 LEANING = 0.003
-#: The highest point tells the gauge side where it is farther from the middle [mm].
+#: The highest point shows the gauge side where it is farther from the middle [mm].
 ASIDE = 2.0
-#: The corners tell it where their widths between the depths CORNER differ by more than ROUNDER [mm].
+#: The corners show it where their widths between the depths CORNER differ by more than ROUNDER [mm].
 CORNER, ROUNDER = (5.0, 14.0), 1.0
 #: The gauge side must reach as deep below the highest point [mm].
 GAUGE_DEPTH = 14.0
@@ -174,7 +174,7 @@ def faced(found, file, free, remarks):
 
 
 def _gauge_side(head):
-    """-1 or +1 for a gauge side at smaller or larger y, 0 if the shape does not tell it; and the reason."""
+    """-1 or +1 for a gauge side at smaller or larger y, 0 if the shape does not show it; and the reason."""
     if head.symmetric:
         if abs(head.inclination) < INCLINED:
             return 0, ""
@@ -217,7 +217,7 @@ def turned_upright(found, file, track, remarks):
     if given is None and not leans:
         if not head.symmetric:
             remarks.append(
-                "its head is not symmetric, so its shape does not tell whether it is already "
+                "its head is not symmetric, so its shape does not show whether it is already "
                 "inclined; read as upright; file_inclination = 0 confirms that, file_inclination = "
                 "0.025 turns it upright from 1:40"
             )

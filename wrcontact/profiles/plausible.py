@@ -2,7 +2,7 @@
 whether the points of a file are smooth enough.
 
 A file may have another origin: the back of the flange, the middle or the outer face of the rim. The points of
-the tread do not tell it, but the back of the flange does, which does not wear: with the distance of the
+the tread do not show it, but the back of the flange does, which does not wear: with the distance of the
 running circles it gives the back-to-back distance of the wheelset, and this differs little between railways.
 Where the points end before it, the tip of the flange is used. The face of the flange moves with wear, and is
 compared with the limits of wear. The profile is used as it is.
@@ -27,7 +27,7 @@ TIP, TIPS = 15.0, 4.0
 #: A profile is read every STEP up to STOP [mm].
 STEP, STOP = 0.1, 45.0
 #: Roughness is that of the curvature within MIDDLE of y = 0 [mm] from its mean over SMOOTH [mm]: patches are longer,
-#: and no design has such waves. More than ROUGH [1/m] is told, a fifth of the relative curvature of S1002 on the
+#: and no design has such waves. Of more than ROUGH [1/m] the user is warned, a fifth of the relative curvature of S1002 on the
 #: shoulder of UIC60, 5 to 8 1/m.
 MIDDLE, SMOOTH, ROUGH = 15.0, 4.0, 1.0
 #: A wheel has a flange if it is as deep below its running circle [mm]. The points within FLAT [mm] of the
@@ -35,7 +35,7 @@ MIDDLE, SMOOTH, ROUGH = 15.0, 4.0, 1.0
 #: last BACK [mm] are STEEP.
 FLANGE, FLAT, RISE, BACK, STEEP = 15.0, 0.2, 1.0, 0.5, 3.0
 #: Greatest height at the running circle [mm], above which a wheel has grown; and how far z = 0 is from y = 0
-#: where that is told [mm].
+#: where that is reported [mm].
 LARGER, ASIDE = 1.0, 1.0
 
 
@@ -43,8 +43,8 @@ def remark_profiles(system):
     """Give a :class:`~wrcontact.ProfileWarning` on each profile of a :class:`~wrcontact.ContactSystem` that is a
     wheel with an implausible origin, or is rough."""
     for wheel in dict.fromkeys((system.wheel, system.left_wheel)):
-        told = (*remarks_on(wheel, system.parameters), *_on_roughness(wheel), *_on_circles(wheel, system))
-        remark("wheel", wheel.name, told)
+        found = (*remarks_on(wheel, system.parameters), *_on_roughness(wheel), *_on_circles(wheel, system))
+        remark("wheel", wheel.name, found)
     for rail, inclination in dict.fromkeys(_placed(system)):
         remark("rail", rail.name, [*_on_roughness(rail), *_on_inclination(rail, inclination)])
 
@@ -56,7 +56,7 @@ def _placed(system):
 
 
 def _on_circles(wheel, system):
-    """What is said where the wheelsets of a standard wheel have another distance of the running circles."""
+    """The remark where the wheelsets of a standard wheel have another distance of the running circles."""
     usual = wheel.source and wheel.source.running_circle_distance
     given = system.parameters["running_circle_distance"]
     if usual and abs(usual - given) > ASIDE * MM:
@@ -67,7 +67,7 @@ def _on_circles(wheel, system):
 
 
 def _on_inclination(rail, inclination):
-    """What is said where a standard's rail that is inclined already is inclined again."""
+    """The remark where a standard's rail that is inclined already is inclined again."""
     if rail.source and rail.source.inclined and inclination:
         yield Grave(
             f"it is inclined by 1:{1.0 / rail.source.inclined:g} already, and rail_inclination turns it by "
@@ -76,7 +76,7 @@ def _on_inclination(rail, inclination):
 
 
 def _on_roughness(profile):
-    """What is said of the points of a file whose curvature scatters in the middle, where wheel and rail mostly
+    """The remark on the points of a file whose curvature scatters in the middle, where wheel and rail mostly
     touch; :func:`wrcontact.check` looks where they do."""
     if profile.reading is None or not profile.reading.noise > 0.0:
         return
@@ -112,7 +112,7 @@ def remarks_on(wheel, parameters):
 
 
 def _on_height(middle):
-    """What is said of the height at y = 0 [mm]."""
+    """The remark on the height at y = 0 [mm]."""
     if middle > LARGER:
         yield Grave(
             f"at y = 0 it is {middle:.3g} mm larger than nominal_radius, which no wear does; usual "
@@ -121,7 +121,7 @@ def _on_height(middle):
 
 
 def _on_flange(y, z, middle, parameters):
-    """What is said of the flange of points ``y``, ``z`` (n,) [mm]: its first implausible part."""
+    """The remark on the flange of points ``y``, ``z`` (n,) [mm]: its first implausible part."""
     gauge, circles = nominal_gauge(parameters["gauge"] / MM), parameters["running_circle_distance"] / MM
     if z.max() - middle < FLANGE or gauge is None:
         return

@@ -79,7 +79,7 @@ class Profile:
         steps = [abs(float(right[0] - left[0])) for left, right in meeting]
         if any(JOINT_HEIGHT < step <= PRINTED_STEP for step in steps):
             object.__setattr__(self, "zones", joined(self.zones, JOINT_HEIGHT, PRINTED_STEP)[0])
-            told = [
+            printed = [
                 (zone.start, step)
                 for zone, step in zip(self.zones[1:], steps)
                 if JOINT_HEIGHT < step <= PRINTED_STEP
@@ -88,8 +88,8 @@ class Profile:
                 self.kind,
                 self.name,
                 [
-                    f"{counted(len(told), 'step')} of up to {max(step for _, step in told):.2g} mm between its zones "
-                    f"({stretch([y for y, _ in told])}) joined by moving the zones that lie farther from y = 0"
+                    f"{counted(len(printed), 'step')} of up to {max(step for _, step in printed):.2g} mm between its zones "
+                    f"({stretch([y for y, _ in printed])}) joined by moving the zones that lie farther from y = 0"
                 ],
             )
             meeting = [self._meeting(*pair) for pair in zip(self.zones[:-1], self.zones[1:])]
@@ -184,7 +184,7 @@ class Profile:
         """The profile with each of its corners rounded by an arc of a ``radius`` [m] that is tangential to both
         sides.
 
-        How far the profile moves at most is told by a :class:`~wrcontact.ProfileWarning`: about
+        How far the profile moves at most is reported by a :class:`~wrcontact.ProfileWarning`: about
         radius (1 / cos(turn / 2) - 1).  A corner that is left is rounded when a system is made of the profile,
         to about 1 mm or over 0.1 mm.
 

@@ -46,7 +46,7 @@ LEAST_BACK, MOST_BACK, MOST_APART, STEEP = 5e-3, 2.0, 0.5, 2.0
 #: A rail is needed down to this depth below its top, where the gauge is measured, also inclined by 1:20; a
 #: wheel up to this y on its field side [mm].
 NEEDED, FIELD = 16.0, 45.0
-#: Points left out behind a fold or a wall are told where they reach farther by this [mm].
+#: Points left out behind a fold or a wall are reported where they reach farther by this [mm].
 CUT = 0.5
 #: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to
 #: where the gauge is measured.
@@ -76,7 +76,7 @@ def mend(points, kind, file, track, remarks, *, keep_all=False):
 
     Parameters
     ----------
-    points : :class:`~wrcontact.profiles.formats.Points`.
+    points : :class:`~wrcontact.profiles.formats.base.Points`.
     kind : "wheel" or "rail".
     file : :class:`~wrcontact.profiles.options.ProfileFile`, what the file does not say itself.
     track : inclination of the rails on the track [1], None where it is not known.
@@ -99,7 +99,7 @@ def mend(points, kind, file, track, remarks, *, keep_all=False):
     if kind == "wheel":
         found = at_running_circle(found, file, points.free, remarks)
     else:
-        one_head(found)  # two rails side by side are told before their common shape is looked at
+        one_head(found)  # two rails side by side are refused before their common shape is looked at
         found = faced(found, file, points.free, remarks)
         found, inclination = turned_upright(found, file, track, remarks)
     found = found if keep_all else without_backward(found, kind, remarks)

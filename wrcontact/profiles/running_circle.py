@@ -21,9 +21,9 @@ FROM_BACK = (8.0, 30.0)
 #: rounding of S1002 does so from 0.05 mm behind the back on.
 ROOM, RISE = 0.2, 1.6
 #: The gauge face of a rail is steeper than FACE [1] over more than FACE_HEIGHT [mm]; the flange of a wheel is so
-#: steep at its back alone, behind a tip that is TOLD [mm] deeper. Wheels are NARROWEST [mm] wide or more.
-FACE, FACE_HEIGHT, TOLD, NARROWEST = 8.0, 5.0, 0.2, 80.0
-#: The back is told where it is farther from y = 0 of a format that counts from it [mm].
+#: steep at its back alone, behind a tip that is DEEPER [mm] deeper. Wheels are NARROWEST [mm] wide or more.
+FACE, FACE_HEIGHT, DEEPER, NARROWEST = 8.0, 5.0, 0.2, 80.0
+#: The back is reported where it is farther from y = 0 of a format that counts from it [mm].
 ASIDE = 0.5
 #: Largest height of the running circle that counts as wear, not as another origin [mm].
 OFFSET = 10.0
@@ -71,7 +71,7 @@ def _refuse_gauge_face(y, z):
     without a tip behind, or without a tip and narrower than any wheel."""
     fall = z[:-1] - z[1:]
     steep = float(np.sum(fall[fall > FACE * np.diff(y)]))
-    if z[0] >= z.max() - TOLD and (steep > FACE_HEIGHT or y[-1] - y[0] < NARROWEST):
+    if z[0] >= z.max() - DEEPER and (steep > FACE_HEIGHT or y[-1] - y[0] < NARROWEST):
         raise Refusal(
             f"ends at its deepest point, y = {y[0]:.4g} mm, with {steep:.3g} mm as steep as a rail's gauge face "
             f"and a width of {y[-1] - y[0]:.4g} mm, as part of a rail does; permitted are wheels with the tip "

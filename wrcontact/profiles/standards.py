@@ -18,7 +18,15 @@ from .zones import Arc, Polynomial, joined, lifted, mirror_zone, moved_across
 
 FILE = Path(__file__).with_name("standards.json")
 #: A designation of EN 13715: tread, height and thickness of the flange [mm], outer slope [%].
-DESIGNATION = re.compile(r"(s1002|1-40|1/40)/h([\d.]+)/e([\d.]+)/([\d.]+)%?")
+DESIGNATION = re.compile(
+    r"(?:en13715(?::\d{4})?[-–—_/:]*)?(s1002|1-40|1/40)[/_]h([\d.]+)[/_]e([\d.]+)[/_]([\d.]+)%?"
+)
+#: What is meant to be one.
+DESIGNATED = re.compile(r"([^/_]+|1/40|en\s*13715_[^/_]+)\s*[/_]\s*h\s*\d.*", re.IGNORECASE)
+#: What may stand between the letters of a name.
+LOOSE = r"[\s_-]*"
+#: Letters of GOST's names in Latin ones.
+CYRILLIC = str.maketrans("рогст", "pogst")
 #: How it is written, and what may stand in it.
 PATTERNS = ("S1002/h28/e32.5/6.7%", "1-40/h28/e32.5/6.7%")
 HEIGHTS, THICKNESSES, SLOPES = (28.0, 32.0), (28.5, 32.5), (6.7, 15.0)
@@ -49,13 +57,22 @@ def _known():
 
 
 def compared(name):
-    """``name`` without what has no meaning in it: case, blanks, underscores and hyphens."""
-    return re.sub(r"[\s_-]", "", name.lower())
+    """``name`` without what has no meaning in it: case, blanks, underscores and hyphens, and the letters of GOST."""
+    return re.sub(r"[\s_-]", "", name.lower()).translate(CYRILLIC)
 
 
-def is_missing(name):
-    """Whether ``name`` is a profile of which no public source with enough numbers was found."""
-    return compared(name) in map(compared, standards()["missing"])
+def missing_name(name, kind):
+    """The profile of this ``kind`` that ``name`` means, "GOST" of "a GOST wheel", of which no public source with enough
+    numbers was found; None if it means none of these."""
+    asked = name.lower().translate(CYRILLIC)
+    means = [
+        one
+        for one in standards()["missing"][kind]
+        if compared(one) == compared(name)
+        or len(one) > 2
+        and re.search(rf"(?<!\d){LOOSE.join(one.lower())}(?!\d)", asked)
+    ]
+    return max(means, key=len, default=None)
 
 
 def known_name(name):
@@ -64,17 +81,19 @@ def known_name(name):
 
 
 def designation(name):
-    """``name`` as EN 13715 spells it; None if it is no designation.
+    """``name`` as EN 13715 spells it; None if it is no designation.  The standard's own number may stand before it.
 
     >>> designation("s1002/H30/e31.5/15")
     'S1002/h30/e31.5/15%'
+    >>> designation("EN 13715 - S1002/h28/e32,5/6,7 %")
+    'S1002/h28/e32.5/6.7%'
 
     Raises
     ------
     ValueError
         if it is one, with a number that the standard does not have.
     """
-    found = DESIGNATION.fullmatch(re.sub(r"\s", "", name.lower()))
+    found = DESIGNATION.fullmatch(re.sub(r"\s", "", name.lower()).replace(",", "."))
     if not found:
         return None
     tread, *numbers = found.groups()
@@ -114,8 +133,8 @@ def _whole(name, kind, zones, entry):
     zones, steps = joined(zones, JOINT_HEIGHT, PRINTED_STEP)
     note = entry.get("note", "")
     if steps:
-        told = f"steps of up to {max(map(abs, steps)):.2g} mm between its printed zones are joined"
-        note = f"{note}; {told}" if note else told
+        words = f"steps of up to {max(map(abs, steps)):.2g} mm between its printed zones are joined"
+        note = f"{note}; {words}" if note else words
     source = Source(
         **{
             key: entry[key]

@@ -98,14 +98,10 @@ def _ignore(steps=1, words=None):
 def _enter(words, total):
     global _board
     with _lock:
-        if _board is None and _moves_cursor():
-            from .board import Board  # rich is not needed before
+        if _board is None:
+            from .board import Lines, Screen  # rich is not needed before
 
-            _board = Board(DELAY, is_terminal(sys.stdout))
-        elif _board is None:
-            from .lines import Lines
-
-            _board = Lines(INTERVAL, _prefix)
+            _board = Screen(DELAY, is_terminal(sys.stdout)) if _moves_cursor() else Lines(INTERVAL, _prefix)
         return _board, _board.add(words, total)
 
 

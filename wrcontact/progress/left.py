@@ -1,4 +1,4 @@
-"""The time that a work still needs, as it is told: it never grows."""
+"""The time that a work still needs, as it is shown: it never grows."""
 
 import math
 
@@ -6,11 +6,11 @@ import math
 class TimeLeft:
     """The time left of one work, from the share that is done when a step ends.
 
-    Between steps it falls with the time, to zero at least; where a work gets slower it stays as it was told.
+    Between steps it falls with the time, to zero at least; where a work gets slower it stays as it was shown.
     """
 
     def __init__(self):
-        self._share, self._at, self._told = 0.0, 0.0, math.inf
+        self._share, self._at, self._shown = 0.0, 0.0, math.inf
 
     def after(self, share, elapsed):
         """The time left [s], None before the first step, where ``share`` of the work is done ``elapsed`` [s]
@@ -20,5 +20,5 @@ class TimeLeft:
         if not self._share:
             return None
         whole = self._at / min(self._share, 1.0)
-        self._told = min(self._told, max(whole - elapsed, 0.0))
-        return self._told
+        self._shown = min(self._shown, max(whole - elapsed, 0.0))
+        return self._shown

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
 from typing import Any, NamedTuple
@@ -19,14 +18,19 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..methods.numbers import is_plain
 from ..storage.atomic import open_atomically
 from .guiding import _finite, _positive, low_pass, sliding_mean
+from .runs import Run
 
 SIDES = ("left", "right")
 #: Patches of a wheel that results have.
 PATCHES = (1, 2, 3)
 #: Shares of the values of a run below its reported values, EN 14363.
 LOW, MIDDLE, HIGH = 0.0015, 0.5, 0.9985
+FOOT, INCH = 0.3048, 0.0254  # [m]
+#: Flanges for which the formula of TCRP Report 71 has a sense: angles [rad] and lengths [m].
+FLANGE_ANGLES, FLANGE_LENGTHS = (math.radians(60.0 - 1e-9), math.radians(75.0 + 1e-9)), (10e-3, 26e-3)
 
 
 def nadal_limit(contact_angle: ArrayLike, friction: ArrayLike) -> Any:
@@ -103,10 +107,10 @@ def flange_climb(run: Any, flange_angle: float | None = None) -> FlangeClimb:
         raise ValueError(
             f"flange_angle is {flange_angle!r}; permitted are numbers between 0 and pi/2, in rad"
         )
-    quotients, limits, angles, frictions = {}, {}, {}, {}
+    run, quotients, limits, angles, frictions = Run.of(run), {}, {}, {}, {}
     for side in SIDES:
-        quotients[side] = quantity(run, f"{side}.derailment_quotient")
-        frictions[side] = quantity(run, f"{side}.friction")
+        quotients[side] = run[f"{side}.derailment_quotient"]
+        frictions[side] = run[f"{side}.friction"]
         angles[side] = contact_angle(run, side) if flange_angle is None else flange_angle
         limits[side] = _above(nadal_limit(angles[side], frictions[side]))
     rights = quotients["right"] >= quotients["left"]
@@ -130,18 +134,13 @@ def _above(limit):
     return np.where(np.asarray(limit) > 0.0, limit, np.nan)[()]
 
 
-def contact_angle(run: Any, side: str) -> Any:
+def contact_angle(run: Run, side: str) -> Any:
     """Angle of the steepest loaded patch of a wheel [rad]; NaN without one."""
     steepest = np.nan
     for number in PATCHES:
-        try:
-            angle = quantity(run, f"{side}.patch[{number}].contact_angle")
-            load = quantity(run, f"{side}.patch[{number}].normal_force")
-        except ValueError:
-            if number == 1:
-                raise
-            continue
-        steepest = np.fmax(steepest, np.where(np.asarray(load) > 0.0, angle, np.nan)[()])
+        angle, load = (f"{side}.patch[{number}].{name}" for name in ("contact_angle", "normal_force"))
+        if number == 1 or angle in run and load in run:
+            steepest = np.fmax(steepest, np.where(run[load] > 0.0, run[angle], np.nan)[()])
     return steepest
 
 
@@ -174,8 +173,8 @@ def wheel_lift(run: Any, side: str, running_circle_distance: float = 1.5) -> Any
     """
     if side not in SIDES:
         raise ValueError(f"side is {side!r}; permitted are 'left' and 'right'")
-    arm = (0.5 if side == "right" else -0.5) * running_circle_distance
-    return -(quantity(run, "vertical_shift") + arm * np.sin(quantity(run, "roll")))
+    run, arm = Run.of(run), (0.5 if side == "right" else -0.5) * running_circle_distance
+    return -(run["vertical_shift"] + arm * np.sin(run["roll"]))
 
 
 def climb_distances(
@@ -183,8 +182,8 @@ def climb_distances(
 ) -> tuple[NDArray[Any], NDArray[Any]]:
     """Stretches over which Y/Q exceeds its limit: (places where they begin (k,), lengths (k,)) [m].
 
-    Between rows both follow straight lines.  49 CFR 213.333 permits no stretch of 5 feet (1.524 m) beyond Nadal's
-    limit at a friction of 0.5.
+    Between rows both follow straight lines.  How long a stretch may be: :func:`climb_distance_limit`.  49 CFR 213.333
+    permits none of 5 feet (1.524 m) beyond Nadal's limit at a friction of 0.5, without a second source for these numbers.
 
     Parameters
     ----------
@@ -220,10 +219,53 @@ def _crossing(along, excess, k):
     return along[k - 1] + share * (along[k] - along[k - 1])
 
 
+def climb_distance_limit(angle_of_attack: ArrayLike, flange_angle: float, flange_length: float) -> Any:
+    """How long Y/Q of a wheel may exceed Nadal's limit before its flange climbs the rail [m].
+
+    ``D = A B L / (a + B L)`` in feet, with the angle of attack a in mrad, the length L of the flange in inches and its
+    angle d in degrees, and
+
+        A = (100 / (146.56 - 1.9128 d) + 3.1) L - 1 / (-0.0092 d^2 + 1.2152 d - 39.031) + 1.23
+        B = (10 / (2.1052 - 21.157 L) + 0.05) d + 10 / (0.2688 L - 0.0266) - 5
+
+    TCRP Report 71, volume 5 (2005), eq. (2.4): a fit to simulations of wheels of transit vehicles.
+
+    Parameters
+    ----------
+    angle_of_attack : a, any shape [rad], positive where the wheel rolls towards its rail: the yaw at a right wheel, -yaw
+        at a left one, in a curve less the rail's own direction.  Below 0 it counts as 0.
+    flange_angle : d, 60 ... 75 deg [rad]; the fit has poles beyond.
+    flange_length : L, of the flange's steepest part together with its tip, as the report measures it, 10 ... 26 mm [m].
+
+    Raises
+    ------
+    ValueError
+        if a number is outside its range or not finite.
+    """
+    attack = np.asarray(angle_of_attack, dtype=float)
+    if not np.isfinite(attack).all():
+        raise ValueError(f"angle_of_attack is {angle_of_attack!r}; permitted are finite numbers, in rad")
+    attack = 1e3 * np.maximum(attack, 0.0)
+    for name, value, (low, high) in (
+        ("flange_angle", flange_angle, FLANGE_ANGLES),
+        ("flange_length", flange_length, FLANGE_LENGTHS),
+    ):
+        if not (is_plain(value) and low <= value <= high):
+            unit = "rad" if name == "flange_angle" else "m"
+            raise ValueError(
+                f"{name} is {value!r}; permitted are numbers of {low:.4g} ... {high:.4g}, in {unit}"
+            )
+    d, length = math.degrees(flange_angle), flange_length / INCH
+    a = (100.0 / (146.56 - 1.9128 * d) + 3.1) * length - 1.0 / (-0.0092 * d**2 + 1.2152 * d - 39.031) + 1.23
+    b = (10.0 / (2.1052 - 21.157 * length) + 0.05) * d + 10.0 / (0.2688 * length - 0.0266) - 5.0
+    return (FOOT * a * b * length / (attack + b * length))[()]
+
+
 def track_shift_limit(axle_load: ArrayLike, factor: float = 1.0) -> Any:
     """Limit of the sum of Y of a wheelset [N], over 2 m of track: ``factor (10 kN + 2 Q0 / 3)``.
 
-    Prud'homme (1967), as in EN 14363 and UIC 518 with the factor k1 = 1.0, for freight wagons 0.85.
+    Prud'homme (1967); EN 14363 and UIC 518 have the factor k1 = 1.0, for freight wagons 0.85.  No public text with these
+    numbers was found: compare them with your edition of the standard.
 
     Parameters
     ----------
@@ -315,15 +357,16 @@ def guiding_report(
     step : time between rows [s].
     distance : of each row along the track (n,) [m].
     axle_load, factor : for the limit of the sum of Y, as for :func:`track_shift_limit`; None states none.
-    quotient_limit : of Y/Q [1]; EN 14363 has 0.8.
+    quotient_limit : of Y/Q [1]; EN 14363 has 0.8, for which no public text was found.
 
     Raises
     ------
     ValueError
         if the rows are not finite, too few, or do not rise.
     """
-    y = {"left": quantity(run, "left.force.y"), "right": -quantity(run, "right.force.y")}
-    q = {side: -quantity(run, f"{side}.force.z") for side in SIDES}
+    run = Run.of(run)
+    y = {"left": run["left.force.y"], "right": -run["right.force.y"]}
+    q = {side: -run[f"{side}.force.z"] for side in SIDES}
     shift = math.nan if axle_load is None else float(track_shift_limit(axle_load, factor))
     rows = []
     for side in SIDES:
@@ -342,27 +385,3 @@ def guiding_report(
 def _row(name, unit, values, limit):
     low, median, high = (float(value) for value in np.quantile(values, [LOW, MIDDLE, HIGH]))
     return ReportRow(name, unit, low, median, high, limit, max(abs(low), abs(high)) / limit)
-
-
-# --- quantities ---------------------------------------------------------------------------------------------
-
-
-def quantity(run: Any, name: str) -> Any:
-    """A column of a run, or the value of a state, by its FMU name; inputs of states too.
-
-    Raises
-    ------
-    ValueError
-        if the run does not have it.
-    """
-    try:
-        found = run[name]
-    except (KeyError, ValueError, IndexError):
-        inputs = getattr(run, "inputs", None)
-        if inputs is None or isinstance(run, Mapping):
-            raise ValueError(f"the run has no {name!r}, which is needed for this") from None
-        try:
-            found = inputs[name]
-        except (KeyError, ValueError):
-            raise ValueError(f"the run has no {name!r}, which is needed for this") from None
-    return np.asarray(found, dtype=float)[()]

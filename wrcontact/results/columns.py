@@ -1,109 +1,26 @@
-"""Names of the columns of an output array, and the choice of those that a table keeps."""
+"""The choice of columns that a table keeps."""
 
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 
-from ..interface.outputs import SIDE, WEAR
-from ..interface.rows import Run
-from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from ..kernel import layout
 from ..methods.numbers import check_choice
 from ..methods.words import did_you_mean
+from .layout import SIDES, is_run
 
-SIDES = {"left": layout.OUT_LEFT, "right": layout.OUT_RIGHT}
 #: The number of a side's outputs that each depth computes.
 DEPTH_SIZES = {"all": layout.SIDE_SIZE, "patches": layout.SIDE_STATION, "geometry": layout.SIDE_PENETRATION}
 #: Outputs that are there whatever is wanted.
 ALWAYS = ("roll", "vertical_shift")
-#: The outcome of a step, which every table has; who asks for it by name gets that of the whole contact.
+#: The outcome of a step, which every table has; requested by name, it is the status of the full evaluation.
 STATUS = "status"
 PERMITTED = (
     "; permitted are 'all', 'patches', 'geometry', or names such as 'right.area', 'right.patch' and "
     "'roll' (docs/reference/nomenclature.md)"
 )
-RUNS = tuple(row.name for row in SIDE if isinstance(row, Run))
-#: Runs that are there with wear_outputs only.
-WEAR_RUNS = tuple(row.name for row in WEAR)
-INPUT_PLACES = {v.name: v.index for v in VARIABLES if v.causality == INPUT}
-#: Variables of the kernel's outputs by name.
-OUTPUTS = {v.name: v for v in VARIABLES if v.causality == OUTPUT and v.index is not None}
-
-
-def has_wear(width):
-    """Whether output arrays of ``width`` numbers have the outputs of wear: these are an odd number."""
-    return (width - layout.OUTPUT_COUNT) % 2 == 1
-
-
-@cache
-def station_count(width):
-    """The number of stations of each outline in output arrays of ``width`` numbers."""
-    behind = width - layout.OUTPUT_COUNT
-    if not has_wear(width):
-        return behind // (2 * layout.RUN_COUNT) if behind else layout.STATION_COUNT
-    behind -= layout.WEAR_END
-    if behind == 2 * layout.WEAR_RUN_COUNT * layout.STATION_COUNT:
-        return layout.STATION_COUNT
-    return behind // (2 * (layout.RUN_COUNT + layout.WEAR_RUN_COUNT))
-
-
-def wear_place(width):
-    """Where the outputs of wear begin in output arrays of ``width`` numbers."""
-    stations = station_count(width)
-    return layout.OUTPUT_COUNT + (0 if stations == layout.STATION_COUNT else 2 * layout.RUN_COUNT * stations)
-
-
-def strips_place(width, side, patch):
-    """Where the strips of a patch, 0 ... 2, of a ``side`` begin in output arrays with outputs of wear."""
-    behind = 2 * layout.WEAR_RUN_COUNT * station_count(width)
-    number = layout.PATCH_LIMIT * (*SIDES,).index(side) + patch
-    return wear_place(width) + behind + layout.STRIP_OUTPUTS_SIZE * number
-
-
-@cache
-def output_places(width):
-    """{name: place} of all outputs in output arrays of ``width`` numbers."""
-    stations, behind = station_count(width), []
-    places = {name: variable.index for name, variable in OUTPUTS.items() if not is_run(name, WEAR_RUNS)}
-    if stations != layout.STATION_COUNT:
-        places = {name: place for name, place in places.items() if not is_run(name)}
-        behind.append(RUNS)
-    if has_wear(width):
-        behind.append(WEAR_RUNS)
-    names = (
-        f"{side}.{run}[{j + 1}]" for runs in behind for side in SIDES for run in runs for j in range(stations)
-    )
-    return places | {name: layout.OUTPUT_COUNT + place for place, name in enumerate(names)}
-
-
-@cache
-def _names_by_place(width):
-    return {place: name for name, place in output_places(width).items()}
-
-
-def output_names(places, width):
-    """Names of the outputs at ``places`` (None: all), in their order."""
-    if places is None:
-        return tuple(output_places(width))
-    known = _names_by_place(width)
-    return tuple(known[place] for place in places.tolist() if place in known)
-
-
-def is_run(name, runs=(*RUNS, *WEAR_RUNS)):
-    """Whether this is a number of an outline, such as ``right.pressure[7]``, in one of these ``runs``."""
-    return _stem(name).rpartition(".")[2] in runs and name != _stem(name)
-
-
-def variable_of(name):
-    """The variable of an output, also where an outline has other stations than those of an FMU."""
-    return OUTPUTS.get(name) or OUTPUTS[f"{_stem(name)}[1]"]
-
-
-def _stem(name):
-    return re.sub(r"\[\d+\]$", "", name)
 
 
 @dataclass(frozen=True)
@@ -117,9 +34,9 @@ class Selection:
     named: bool = False
 
 
-def selected(side, outputs, width):
+def selected(side, outputs, rows):
     """The :class:`Selection` for the arguments ``side`` and ``outputs`` of
-    :meth:`~wrcontact.ContactSystem.evaluate_many`.
+    :meth:`~wrcontact.ContactSystem.evaluate_many`, of ``rows`` with this :class:`~wrcontact.results.layout.Layout`.
 
     Raises
     ------
@@ -128,31 +45,26 @@ def selected(side, outputs, width):
     """
     check_choice("side", side, ("both", *SIDES))
     if not isinstance(outputs, str) or outputs not in DEPTH_SIZES:
-        return _named(side, outputs, width)
+        return _named(side, outputs, rows)
     if side == "both" and outputs == "all":
         return Selection(side, outputs, None)
-    places, strips = list(range(layout.OUT_LEFT)), []
-    for name, first in SIDES.items():
-        if side in ("both", name):
-            places.extend(range(first, first + DEPTH_SIZES[outputs]))
-            if outputs == "all":
-                runs = (
-                    place
-                    for run, place in output_places(width).items()
-                    if place >= layout.OUTPUT_COUNT and run.startswith(f"{name}.")
-                )
-                places.extend(runs)
-                if has_wear(width):
-                    first = strips_place(width, name, 0)
-                    strips.extend(range(first, first + layout.WEAR_STRIPS))
-    known = _names_by_place(width)
-    return Selection(side, outputs, np.array([place for place in places if place in known] + strips))
+    chosen = SIDES if side == "both" else (side,)
+    places = [place for name, place in rows.places.items() if _is_wanted(name, place, chosen, outputs)]
+    if outputs == "all" and rows.wear:
+        places.extend(range(*rows.strips(side)))
+    return Selection(side, outputs, np.array(places))
 
 
-def _named(side, outputs, width):
+def _is_wanted(name, place, sides, depth):
+    """Whether the output ``name`` at this place is one of the wheelset, or of ``sides`` to this ``depth``."""
+    owner = _owner(name)
+    return owner == "both" or owner in sides and (depth == "all" or place - SIDES[owner] < DEPTH_SIZES[depth])
+
+
+def _named(side, outputs, rows):
     """The selection of outputs given by one name or several, or by the beginning of names up to a dot or
     bracket."""
-    known = output_places(width)
+    known = rows.places
     if isinstance(outputs, str):
         chosen = _matching(outputs, known, "is")
     else:
@@ -203,15 +115,15 @@ def _depth(name, place):
 
 
 class Kept:
-    """The columns ``places`` (k,) of an output array (n, width), held as ``values`` (n, k); others read as
+    """The columns ``places`` (k,) of an array of outputs (n, ``size``), held as ``values`` (n, k); others read as
     NaN."""
 
     __slots__ = ("values", "_columns")
     ndim = 2
 
-    def __init__(self, values, places, width):
+    def __init__(self, values, places, size):
         self.values = values
-        self._columns = np.full(width, -1)
+        self._columns = np.full(size, -1)
         self._columns[places] = np.arange(len(places))
 
     @property

@@ -6,7 +6,7 @@ import re
 import numpy as np
 
 from ..interface.variables import INPUT, VARIABLES
-from .columns import OUTPUTS, is_run, variable_of
+from .layout import OUTPUTS, is_run, variable_of
 
 #: Dimensions of a data set, and what follows their names in those of outputs.
 AXES = ("x", "y", "z")

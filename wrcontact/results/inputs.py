@@ -1,21 +1,22 @@
 """The inputs that a state belongs to: an array whose columns have names."""
 
+from __future__ import annotations
+
 import math
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..interface.inputs import INPUT_NAMES, INPUTS
 from ..methods.numbers import unit_behind
 from ..methods.words import did_you_mean
+from .fields import InputFields
+from .views import number
 from .words import short
 
 #: Places by the names of an FMU and by those of Python's keywords.
 PLACES = {name: place for place, row in enumerate(INPUTS) for name in (row.name, row.keyword)}
-
-
-def number(value):
-    """A float of one pose, (n,) of a table."""
-    return float(value) if value.ndim == 0 else value
 
 
 class Rows:
@@ -79,7 +80,7 @@ class Rows:
         return self.varying if self.named else INPUT_NAMES
 
 
-class Inputs(np.ndarray):
+class Inputs(InputFields):
     """Inputs in SI, in the order of wrcontact/interface/inputs.py: (inputs,) of one pose, (n, inputs) of a
     table.
 
@@ -90,13 +91,13 @@ class Inputs(np.ndarray):
     compliant = False  #: whether they are those of compliant contact, for :func:`wrcontact.explain`
 
     @classmethod
-    def of(cls, array, compliant):
+    def of(cls, array: NDArray[Any], compliant: bool) -> Inputs:
         """The ``array`` with names."""
         found = array.view(cls)
         found.compliant = compliant
         return found
 
-    def __getitem__(self, key):
+    def __getitem__(self, key: Any) -> Any:
         array = self.view(np.ndarray)
         if not isinstance(key, str):
             found = array[key]
@@ -106,14 +107,14 @@ class Inputs(np.ndarray):
             raise KeyError(f"there is no input {key!r}{did_you_mean(key, PLACES)}")
         return number(array[..., PLACES[key]])
 
-    def __array_wrap__(self, array, context=None, return_scalar=False):
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
         return array[()] if array.ndim == 0 else array.view(np.ndarray)
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """All of them by the names of an FMU."""
         return {name: self[name] for name in INPUT_NAMES}
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         """The main ones, and others that are not at their start."""
         poses = [f"{len(self)} poses"] if self.ndim > 1 else []
         shown = [
@@ -124,11 +125,3 @@ class Inputs(np.ndarray):
         return f"Inputs({', '.join(poses + shown)})"
 
     __str__ = __repr__
-
-
-for _row in INPUTS:
-    setattr(
-        Inputs,
-        _row.keyword,
-        property(lambda self, name=_row.name: self[name], doc=f"{_row.words} [{_row.unit}]."),
-    )

@@ -5,23 +5,24 @@ from functools import cache, lru_cache
 from ..interface.inputs import INPUTS
 from ..interface.variables import INTEGER
 from ..methods.words import did_you_mean
-from .columns import ALWAYS, DEPTH_SIZES, output_places, selected, variable_of
+from .columns import ALWAYS, DEPTH_SIZES, selected
+from .layout import variable_of
 
 INPUT_ROWS = {row.name: (place, row) for place, row in enumerate(INPUTS)}
 
 
 @cache
-def places(width):
-    """{name: place} of all inputs, and of the outputs in arrays of ``width`` numbers."""
-    return {name: place for name, (place, _) in INPUT_ROWS.items()} | output_places(width)
+def places(rows):
+    """{name: place} of all inputs, and of the outputs in rows with this Layout."""
+    return {name: place for name, (place, _) in INPUT_ROWS.items()} | rows.places
 
 
-def place_of(name, width):
+def place_of(name, rows):
     """The place of an input or output; ValueError if there is none."""
     try:
-        return places(width)[name]
+        return places(rows)[name]
     except (KeyError, TypeError):
-        hint = did_you_mean(name, places(width)) or "; input_names and output_names list them"
+        hint = did_you_mean(name, places(rows)) or "; input_names and output_names list them"
         raise ValueError(f"there is no input or output {name!r}{hint}") from None
 
 
@@ -41,10 +42,10 @@ def differentiated_inputs(by):
 
 
 @lru_cache
-def differentiated_outputs(of, width):
+def differentiated_outputs(of, rows):
     """Places of the outputs, a tuple of names, whose derivatives are taken, and the least ``side`` and
     ``depth`` with which a stepper computes them; None for both where every stepper does."""
-    known = output_places(width)
+    known = rows.places
     for name in of:
         if name not in known:
             hint = did_you_mean(name, known) or "; output_names lists them"
@@ -52,7 +53,7 @@ def differentiated_outputs(of, width):
         if variable_of(name).type == INTEGER:
             raise ValueError(f"of has {name!r}, which is a count; derivatives are those of numbers")
     least = [name for name in of if name not in ALWAYS]
-    wanted = selected("both", least, width) if least else None
+    wanted = selected("both", least, rows) if least else None
     return [known[name] for name in of], wanted and (wanted.side, wanted.depth)
 
 

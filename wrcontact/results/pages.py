@@ -4,7 +4,7 @@ import numpy as np
 
 from ..interface.outputs import SIDE
 from ..interface.rows import single_numbers
-from .columns import OUTPUTS
+from .layout import OUTPUTS
 from .words import HTML_ROWS, html_table, shown, unit_name
 
 #: Outputs of one wheel: names and units, without patches and outlines.

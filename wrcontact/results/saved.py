@@ -1,4 +1,4 @@
-"""What is pickled belongs to one version: its numbers have places that others have elsewhere."""
+"""A pickle can only be read by the version that wrote it, because the order of the outputs changes between versions."""
 
 from functools import cache
 

@@ -1,7 +1,7 @@
 """The life cycle of one simulated wheelset, independent of FMI.
 
 Set values, initialise, step, read. Values are addressed by value reference, as in FMI 2.0;
-:mod:`.life` says which call is permitted when::
+:mod:`.fmi_state_machine` says which call is permitted when::
 
     session = Session()
     session.set_reals([REFERENCE["rail_inclination"]], [1 / 20])
@@ -39,7 +39,15 @@ from ..kernel import layout
 from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
 from ..methods.words import PROPOSAL
 from ..system import ContactSystem
-from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
+from .fmi_state_machine import (
+    INITIALISING,
+    INSTANTIATED,
+    RUNNING,
+    TERMINATED,
+    FmiStateMachine,
+    Refused,
+    refused,
+)
 from .resources import packed_profile
 
 INPUTS, LOAD = layout.INPUT_COUNT, layout.IN_NORMAL_FORCE
@@ -66,32 +74,32 @@ class Session:
 
     Outputs are computed when they are first read after a change of the inputs, and then kept: a step with
     unchanged inputs costs nothing.  A physical situation is reported by ``status`` and by one call of
-    ``tell``.  A wrong call or value raises :class:`Refused`; then nothing has changed.
+    ``log``.  A wrong call or value raises :class:`Refused`; then nothing has changed.
 
     Parameters
     ----------
     resources : folder with profile files, or None.
-    tell : called with one sentence for every step whose status is not 0.
+    log : called with one sentence for every step whose status is not 0.
     """
 
-    def __init__(self, resources=None, tell=print):
+    def __init__(self, resources=None, log=print):
         self.resources = resources
-        self.tell = tell
+        self.log = log
         self.evaluations = 0
         self.reset()
 
     def reset(self):
         """Back to the start values, before initialisation."""
         self.parameters = {name: variable.start for name, variable in PARAMETERS.items()}
-        self.life = Life()
+        self.machine = FmiStateMachine()
         self._built_with = None  # the parameters that the stepper was built with
         self._stepper = None
         self._values = START.copy()  # by place in the table; strings live in ``parameters``
         self._stale = True  # an input has changed since the last evaluation
         self._balanced = False  # the equilibrium is that of the inputs
         self._balance = None  # a stepper that finds it
-        self._told = False  # this step's status has been reported
-        self._remarked = False  # an unusual load has been reported
+        self._logged = False  # this step's status has been logged
+        self._remarked = False  # an unusual load has been logged
         self._asked = self._places = None  # the references of the last request for Reals, and their indices
         self._inputs = self._input_places = None  # the last list that was set, if all are inputs
         self._asked_integers = self._integer_places = None  # the same for Integers
@@ -112,18 +120,15 @@ class Session:
         """The variables of a list, if every one of them can be set to its value."""
         variables = [_variable(reference, type) for reference in references]
         for variable, value in zip(variables, values, strict=True):
-            if self.life.phase == TERMINATED:
-                raise Refused(f"{variable.name} cannot be set: the simulation has been terminated")
+            if self.machine.phase == TERMINATED:
+                raise refused("terminated", variable.name)
             if variable.causality == OUTPUT:
-                raise Refused(f"{variable.name} is an output and cannot be set")
+                raise refused("output", variable.name)
             if value is None:
-                raise Refused(f"{variable.name} is a NULL pointer; permitted are texts")
+                raise refused("null", variable.name)
             present = self.parameters.get(variable.name)
-            if self.life.locked and variable.causality == PARAMETER and value != present:
-                raise Refused(
-                    f"{variable.name} is fixed at {present!r} after initialisation and cannot "
-                    f"become {value!r}"
-                )
+            if self.machine.locked and variable.causality == PARAMETER and value != present:
+                raise refused("fixed", variable.name, repr(present), repr(value))
         return variables
 
     def _set_parameter(self, variable, value):
@@ -134,7 +139,7 @@ class Session:
 
     def set_up(self, start, stop=None):
         """Times of the first and of the last instant [s]; without ``stop`` there is no last one."""
-        self.life.set_up(start, stop)
+        self.machine.set_up(start, stop)
 
     def initialise(self):
         """Build the contact system for the present parameters; :class:`Refused` if one is wrong."""
@@ -146,17 +151,17 @@ class Session:
 
     def enter(self):
         """Enter initialisation mode, where outputs can be read and parameters can still be set."""
-        self.life.check_enter()
+        self.machine.check_enter()
         self.initialise()
-        self.life.phase = INITIALISING
+        self.machine.phase = INITIALISING
 
     def leave(self):
         """Leave it: compute the outputs of the first instant, and fix the parameters."""
-        self.life.check_leave()
+        self.machine.check_leave()
         self.initialise()
-        self.life.phase = RUNNING
+        self.machine.phase = RUNNING
         self._refresh()
-        self._told = False
+        self._logged = False
 
     def start(self):
         """Enter initialisation mode and leave it."""
@@ -165,7 +170,7 @@ class Session:
 
     def terminate(self):
         """End the simulation: values can be read, and nothing else."""
-        self.life.terminate()
+        self.machine.terminate()
 
     def _build(self, parameters):
         """The kernel, prepared for these parameters."""
@@ -188,7 +193,7 @@ class Session:
     def set_reals(self, references, values):
         """Set inputs and, before initialisation, parameters, all of them or none."""
         present = self._values
-        if references != self._inputs or self.life.phase == TERMINATED:
+        if references != self._inputs or self.machine.phase == TERMINATED:
             self._settable(references, values, REAL)
             self._input_places = [_place(reference, REAL) for reference in references]
             only_inputs = all(place < INPUTS for place in self._input_places)
@@ -205,7 +210,7 @@ class Session:
         if references != self._asked:
             self._places = _as_slice([_place(reference, REAL) for reference in references])
             self._asked = list(references)
-        if self.life.phase == INSTANTIATED:
+        if self.machine.phase == INSTANTIATED:
             _check_readable(references)
         self._refresh()
         if not self._balanced and any(reference in BALANCE for reference in references):
@@ -221,7 +226,7 @@ class Session:
         if references != self._asked_integers:
             self._integer_places = [_place(reference, INTEGER) for reference in references]
             self._asked_integers = list(references)
-        if self.life.phase == INSTANTIATED:
+        if self.machine.phase == INSTANTIATED:
             _check_readable(references)
         self._refresh()
         values = self._values
@@ -245,13 +250,13 @@ class Session:
     def step(self, time=None, size=0.0):
         """Update the outputs for a step of ``size`` [s] that begins at ``time`` [s], by default at the end of
         the last one; a status other than 0 is reported once per step."""
-        time = self.life.time if time is None else time
-        self.life.check_step(time, size)
+        time = self.machine.time if time is None else time
+        self.machine.check_step(time, size)
         self._refresh()
-        if self.status and not self._told:
-            self._tell()
-        self._told = False
-        self.life.time = time + size
+        if self.status and not self._logged:
+            self._log_status()
+        self._logged = False
+        self.machine.time = time + size
 
     @property
     def status(self):
@@ -262,7 +267,7 @@ class Session:
         """Evaluate if an input has changed since the last time; before initialisation there is nothing to
         evaluate."""
         if self._stale and self._stepper is not None:
-            if not self.life.locked:
+            if not self.machine.locked:
                 self.initialise()
             self._evaluate()
 
@@ -280,16 +285,16 @@ class Session:
         if self.parameters["contact_mode"] != "compliant":
             self._find_equilibrium()  # which costs nothing
         if outcome:
-            self._tell()
+            self._log_status()
 
     def _remark_load(self):
-        """Tell once of a load that is permitted but not usual, as after an error in its unit."""
+        """Log once a load that is permitted but not usual, as after an error in its unit."""
         load = float(self._values[LOAD])
         if self._remarked or not 0.0 < load < math.inf or USUAL_LOAD[0] <= load <= USUAL_LOAD[1]:
             return
         if self.parameters["contact_mode"] != "compliant":
             self._remarked = True
-            self.tell(str(UnusualValueWarning("normal_force", load, "N", USUAL_LOAD)))
+            self.log(str(UnusualValueWarning("normal_force", load, "N", USUAL_LOAD)))
 
     def _find_equilibrium(self):
         """Height and roll at which the load is carried; where there are none the last ones stay."""
@@ -304,17 +309,17 @@ class Session:
             outcome, found = self._balance.step(), self._balance.outputs
         if outcome <= outcomes.Status.UNLOADED:
             values[EQUILIBRIUM:FIRST_OUTPUT] = found[layout.OUT_VERTICAL_SHIFT], found[layout.OUT_ROLL]
-        elif self.status <= outcomes.Status.UNLOADED:  # otherwise the step has told why
-            self.tell("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
+        elif self.status <= outcomes.Status.UNLOADED:  # otherwise the step has logged why
+            self.log("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
         self._balanced = True
 
-    def _tell(self):
-        self.tell(
+    def _log_status(self):
+        self.log(
             outcomes.explain(
                 self.status, self._values[:INPUTS], self.parameters["contact_mode"] == "compliant", held=True
             )
         )
-        self._told = True
+        self._logged = True
 
     # --- saved states ----------------------------------------------------------------------------
 
@@ -325,10 +330,10 @@ class Session:
             "build": BUILD,
             "parameters": self.parameters,
             "built": stepper is not None,
-            "life": self.life.saved(),
+            "machine": self.machine.saved(),
             "stale": self._stale,
             "balanced": self._balanced,
-            "told": self._told,
+            "logged": self._logged,
         }
         arrays = self._arrays(stepper)
         body = json.dumps(header).encode() + b"\n" + np.concatenate(arrays).astype("<f8").tobytes()
@@ -351,8 +356,8 @@ class Session:
             self._balance = None
         self.parameters, self._stepper = header["parameters"], stepper
         self._built_with = dict(self.parameters) if stepper is not None else None
-        self.life = Life(*header["life"])
-        self._stale, self._told, self._balanced = header["stale"], header["told"], header["balanced"]
+        self.machine = FmiStateMachine(*header["machine"])
+        self._stale, self._logged, self._balanced = header["stale"], header["logged"], header["balanced"]
 
     def _arrays(self, stepper):
         """What a saved state holds of the session and its ``stepper``, which may be None."""
@@ -370,10 +375,10 @@ class Session:
 def _variable(reference, type):
     """The variable with this value reference, which must be of this type."""
     if reference not in BY_REFERENCE:
-        raise Refused(f"value reference {reference} does not exist; they run from 0 to {max(BY_REFERENCE)}")
+        raise refused("unknown", reference, 0, max(BY_REFERENCE))
     variable = BY_REFERENCE[reference]
     if variable.type != type:
-        raise Refused(f"{variable.name} is of type {variable.type}, not {type}")
+        raise refused("type", variable.name, variable.type, type)
     return variable
 
 
@@ -386,9 +391,7 @@ def _check_readable(references):
     """Whether the list, read before the initialisation, holds no output."""
     for reference in references:
         if BY_REFERENCE[reference].causality == OUTPUT:
-            raise Refused(
-                f"{BY_REFERENCE[reference].name} is an output and cannot be read before the initialisation"
-            )
+            raise refused("unread", BY_REFERENCE[reference].name)
 
 
 def _as_slice(places):
@@ -401,9 +404,9 @@ def _as_slice(places):
 def _read_snapshot(saved):
     """Header and numbers of a snapshot, or :class:`Refused` with the reason."""
     if not saved.startswith(STATE_FORMAT):
-        raise Refused("the saved state is not one of this version; the present state is kept")
+        raise refused("other_state")
     if hashlib.sha256(saved[STATE_BODY:]).digest() != saved[len(STATE_FORMAT) : STATE_BODY]:
-        raise Refused("the saved state is damaged (its checksum differs); the present state is kept")
+        raise refused("damaged_state")
     line, _, numbers = saved[STATE_BODY:].partition(b"\n")
     header = json.loads(line)
     if header["build"] != BUILD:

@@ -1,8 +1,8 @@
 """Files are written atomically: under another name in the same folder, then moved to their place.
 
 A process that is killed, interrupted or out of disk space leaves the previous file, or none. The part that a
-killed one has written stays behind as ``.wrcontact-*.part``; the next write to the same folder removes it,
-once that process has ended, or, where that is not known, once it is ABANDONED.
+killed one has written stays behind as ``.wrcontact-*.part``; a write to the same folder removes it once it is
+ABANDONED.
 
 Standard library only and no imports from the package, so that build tools can run this file by its path.
 """
@@ -10,19 +10,14 @@ Standard library only and no imports from the package, so that build tools can r
 import contextlib
 import errno
 import os
-import platform
 import secrets
 import stat
 import tempfile
 import time
-import zlib
 from pathlib import Path
 
-#: Time without growth after which a part belongs to a process that has ended [s]; and after which one does
-#: whose process is not there any more.
-ABANDONED, SILENT = 3600.0, 5.0
-#: This machine in the name of a part: a folder may be shared.
-MACHINE = f"{zlib.crc32(platform.node().encode()):08x}"
+#: Time without growth after which a part belongs to a process that has ended [s].
+ABANDONED = 3600.0
 
 
 def write_atomically(target, data):
@@ -58,7 +53,7 @@ def _part_of(target, mode, options):
     if before and not os.access(target, os.W_OK):  # os.replace does not check this
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), os.fspath(target))
     place = Path(os.path.realpath(target))
-    part = place.with_name(f".wrcontact-{MACHINE}-{os.getpid()}-{secrets.token_hex(8)}.part")
+    part = place.with_name(f".wrcontact-{secrets.token_hex(8)}.part")
     _remove_abandoned(place.parent)
     try:
         with open(part, mode.replace("w", "x"), **options) as file:
@@ -78,25 +73,8 @@ def _remove_abandoned(folder):
     """Remove the parts that killed processes have left in ``folder``."""
     for part in folder.glob(".wrcontact-*.part"):
         with contextlib.suppress(OSError):
-            age = time.time() - part.stat().st_mtime
-            if age > ABANDONED or age > SILENT and _has_ended(part.name):
+            if time.time() - part.stat().st_mtime > ABANDONED:
                 part.unlink()
-
-
-def _has_ended(name):
-    """Whether the process of this machine that wrote the part of this ``name`` has ended."""
-    words = name.removesuffix(".part").split("-")
-    if len(words) != 4 or words[1] != MACHINE or not words[2].isdecimal():
-        return False
-    if os.name != "posix":
-        return True  # a file that is open there cannot be removed
-    try:
-        os.kill(int(words[2]), 0)
-    except ProcessLookupError:
-        return True
-    except OSError:  # it is another user's
-        return False
-    return False
 
 
 def sentence_of(problem):

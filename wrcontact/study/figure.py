@@ -20,7 +20,7 @@ MODULUS = 210e9 / (2 * (1 - 0.28**2))  #: E* of source eq. (2.9) [Pa]
 HOLDS, PARTLY, FAILS = "holds", "partly", "fails"  # verdicts
 DS = 0.2e-3  #: the source's distance of nodes for lateral curvatures [m]
 REACH = 3e-3  #: dyr of the circle fit [m]
-DEGREE = 2  #: of the polynomial that replaces B <= 0; the source does not tell it
+DEGREE = 2  #: of the polynomial that replaces B <= 0; the source does not state it
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ STEP = 0.1  # [mm] of lateral shift between the source's searches
 FINE = 0.02  # [mm] between points of an exact curve
 FAR = 8.0  # [mm] largest lateral shift
 LEAP = 0.5  # [mm] a contact that moves further within a nanometre of lateral shift jumps
-# [mm] beside a jump the places are told; the printed S1002 takes the last one in two steps, 1 um apart
+# [mm] beside a jump the places are stated; the printed S1002 takes the last one in two steps, 1 um apart
 CLOSE = 2e-3
 BESIDE = 0.02  # [mm] from a jump at which slopes are taken
 # [mm] y_wheel where the flange root begins and between its contacts and those on the flange

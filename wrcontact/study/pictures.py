@@ -63,7 +63,7 @@ def look_of(name):
     return {"color": colour, "linewidth": 1.5}
 
 
-def over_shift(panel, figure, wanted, *, span=None, legend=True):
+def lateral_curves(panel, figure, wanted, *, span=None, legend=True):
     """The curves whose names ``wanted`` accepts over the lateral shift."""
     value = list(figure.columns)[2]
     for name in filter(wanted, figure.curves):
@@ -94,7 +94,7 @@ AXES = {
 def draw_inset(panel, figure, bounds, wanted, span, title=""):
     """A smaller panel inside another one, with a part of the curves over ``span`` [mm]; it is returned."""
     inset = panel.inset_axes(bounds)
-    over_shift(inset, figure, wanted, span=span, legend=False)
+    lateral_curves(inset, figure, wanted, span=span, legend=False)
     inset.set(xlabel="", ylabel="")
     inset.set_title(title, fontsize=8, fontweight="normal")
     inset.tick_params(labelsize=7)
@@ -127,8 +127,8 @@ def mark_jumps(panel, shifts):
 
 def draw_roll(picture, figure):
     whole, near = picture.subplots(1, 2)
-    over_shift(whole, figure, every)
-    over_shift(near, figure, every, span=(4.3, 6.6), legend=False)
+    lateral_curves(whole, figure, every)
+    lateral_curves(near, figure, every, span=(4.3, 6.6), legend=False)
     mark_jumps(
         near,
         (figure.numbers["bend to the flange root at [mm]"], figure.numbers["bend to the flange at [mm]"]),
@@ -140,7 +140,7 @@ def draw_roll(picture, figure):
 def draw_place(picture, figure):
     whole, near = picture.subplots(1, 2, width_ratios=(1.5, 1))
     for panel, span in ((whole, None), (near, (4.3, 8.0))):
-        over_shift(panel, figure, every, span=span, legend=span is None)
+        lateral_curves(panel, figure, every, span=span, legend=span is None)
         draw_zones(panel)
     mark_jumps(
         near,
@@ -176,7 +176,7 @@ def draw_zones(panel):
 
 def draw_place_and_errors(picture, figure):
     whole, errors = picture.subplots(1, 2, width_ratios=(1.3, 1))
-    over_shift(whole, figure, lambda name: "dy 1 mm" not in name)
+    lateral_curves(whole, figure, lambda name: "dy 1 mm" not in name)
     draw_zones(whole)
     known = dict(zip(*figure.curve("rigid, exact", "lateral shift [mm]", "y_wheel [mm]")))
     for name in figure.curves:
@@ -203,7 +203,7 @@ def draw_two_searches(picture, figure):
         ("Elastic contact at 78.5 kN", lambda name: "elastic" in name),
     )
     for panel, (title, wanted) in zip(picture.subplots(1, 2, sharey=True), kinds):
-        over_shift(panel, figure, wanted, span=(0, 8), legend=False)
+        lateral_curves(panel, figure, wanted, span=(0, 8), legend=False)
         inset = draw_inset(panel, figure, (0.14, 0.14, 0.5, 0.5), wanted, (4.4, 5.6))
         panel.indicate_inset_zoom(inset, edgecolor=QUIET)
         panel.set_title(title)
@@ -213,8 +213,8 @@ def draw_two_searches(picture, figure):
 
 def draw_by_yaw(picture, figure):
     panel = picture.subplots()
-    over_shift(panel, figure, lambda name: "exact" in name, legend=False)
-    over_shift(panel, figure, lambda name: "search" in name, legend=False)
+    lateral_curves(panel, figure, lambda name: "exact" in name, legend=False)
+    lateral_curves(panel, figure, lambda name: "search" in name, legend=False)
     lines = [line for line in panel.lines if "exact" in line.get_label()]
     dots = next(line for line in panel.lines if "search" in line.get_label())
     panel.legend(

@@ -272,7 +272,7 @@ class Search3D:
     ----------
     system : :class:`~wrcontact.system.ContactSystem`.
     dx : distance of the profiles [m]; 1e-4, 5e-5 or 1e-5 in the source.
-    spacing : of the nodes on wheel and rail [m]; not told in the source.
+    spacing : of the nodes on wheel and rail [m]; not stated in the source.
     gain, tolerance : as for :class:`Search2D`; source eqs. (5.15), (4.5).
     profiles : so many of them on each side (201 is the source's example), or None for Wang's limit.
     as_printed : take source eq. (5.12) as printed, Z_r(s / cos psi), for the section of a yawed plane with

@@ -32,7 +32,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline, CubicSpline
 from scipy.optimize import brentq
 
-from ..kernel.binding.exact_tables import coefficients
+from ..halfspace.hertz import coefficients
 from ..profiles.placement import place_rail, readable_wheel
 
 #: Points of a profile between which abscissae are interpolated, 0.01 mm apart on a rail head,

@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..interface.calls import checked_input
 from ..methods.numbers import check_choice, unit_behind
 from ..methods.words import did_you_mean
-from ..results.columns import variable_of
 from ..results.inputs import PLACES
+from ..results.layout import variable_of
 from ..results.words import ShortText, shown, unit_name
 from .grid import keyword_of, row_of
-from .question import system_of
+from .specification import system_of
 from .stores import DESCRIBED, open_dataset, plain
 
 if TYPE_CHECKING:

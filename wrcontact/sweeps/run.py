@@ -1,4 +1,4 @@
-"""A sweep from its question to a data set."""
+"""A sweep from its specification to a data set."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..progress import working
 from ..results.convert import needed
 from ..stepper import core_count
 from ..system import ContactSystem
-from .question import asked
+from .specification import asked
 from .stores import Memory, opened
 from .workers import Task, solve_here, solve_on_cluster
 
@@ -44,7 +44,7 @@ def sweep(
     The grid is computed in blocks, of which each is written when it is done.  A sweep that was interrupted or
     killed is continued by the same call, also with other ``workers`` or another ``client``.
 
-    Many arguments because a sweep has a question, a place and workers.
+    Many arguments because a sweep has a specification, a place and workers.
 
     Parameters
     ----------
@@ -74,16 +74,16 @@ def sweep(
     Raises
     ------
     ValueError
-        in one sentence, if an argument is not permitted, or the store answers another question.
+        in one sentence, if an argument is not permitted, or the store has another specification.
     RuntimeError
         if a worker does not see the store, or cannot do its work.
     """
-    question = asked(system, axes, outputs, fixed)
+    specification = asked(system, axes, outputs, fixed)
     _check(store, block, client, workers)
-    place = _place(question, store, block)
-    task = Task(question, place)
+    place = _place(specification, store, block)
+    task = Task(specification, place)
     missing = task.missing()
-    with _told(progress, task.states(missing)) as advance:
+    with _reported(progress, task.states(missing)) as advance:
         if client is not None:
             solve_on_cluster(task, client, advance)
         elif len(missing):
@@ -99,23 +99,23 @@ def _check(store, block, client, workers):
     if client is not None and store is None:
         raise ValueError("store is None; permitted with a client is a folder")
     if client is not None and workers is not None:
-        raise ValueError(f"workers is {workers}; permitted with a client is None")
+        raise ValueError(f"workers is {workers}; it cannot be given with a client")
     if client is not None and not hasattr(client, "wait_for_workers"):
         raise ValueError(f"client is {client!r}; permitted is a dask.distributed.Client")
 
 
-def _place(question, store, block):
+def _place(specification, store, block):
     """Where the values of a sweep are kept."""
     needed("xarray", "sweep")
-    usual = HALFSPACE_BLOCK if isinstance(question.system.methods["normal_model"], Halfspace) else BLOCK
-    usual = min(usual, NUMBERS // max(1, len(question.names)))
+    usual = HALFSPACE_BLOCK if isinstance(specification.system.methods["normal_model"], Halfspace) else BLOCK
+    usual = min(usual, NUMBERS // max(1, len(specification.names)))
     if store is None:
-        return Memory(question, block or usual)
-    return opened(store, question, block, usual)
+        return Memory(specification, block or usual)
+    return opened(store, specification, block, usual)
 
 
 @contextmanager
-def _told(progress, total):
+def _reported(progress, total):
     """Tells of the ``total`` states that are to be computed; yields a function for the numbers of states that
     are done, and of those without a result."""
     done = bad = 0

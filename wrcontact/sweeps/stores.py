@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ..results.columns import variable_of
 from ..results.convert import needed
+from ..results.layout import variable_of
 from .grid import block_shape, row_of
-from .question import differences
+from .specification import differences
 
 #: Status of a state that has not been computed.
 EMPTY = -1
@@ -42,19 +42,23 @@ def output_attributes(name):
     return {"fmu_name": name, "units": known.unit or "1", "long_name": words}
 
 
-def described(question):
+def described(specification):
     """Attributes of the whole: what was asked, as texts in JSON."""
-    texts = question.system.title, json.dumps(question.record()), json.dumps(question.profiles())
+    texts = (
+        specification.system.title,
+        json.dumps(specification.record()),
+        json.dumps(specification.profiles()),
+    )
     return dict(zip(DESCRIBED, texts))
 
 
 class Memory:
     """Arrays in this process."""
 
-    def __init__(self, question, block):
-        self.question, self.block = question, block_shape(question.sizes, block)
-        self._arrays = {plain(name): np.full(question.sizes, np.nan) for name in question.names}
-        self._arrays["status"] = np.full(question.sizes, EMPTY, dtype=np.int8)
+    def __init__(self, specification, block):
+        self.specification, self.block = specification, block_shape(specification.sizes, block)
+        self._arrays = {plain(name): np.full(specification.sizes, np.nan) for name in specification.names}
+        self._arrays["status"] = np.full(specification.sizes, EMPTY, dtype=np.int8)
 
     def arrays(self):
         """The arrays by name, for reading and writing."""
@@ -72,11 +76,11 @@ class Memory:
 
     def dataset(self):
         """What is there, as a data set of xarray."""
-        xarray, axes, names = needed("xarray", "sweep"), self.question.axes, self.question.names
+        xarray, axes, names = needed("xarray", "sweep"), self.specification.axes, self.specification.names
         words = {plain(name): output_attributes(name) for name in names} | {"status": STATUS}
         found = {name: (list(axes), array, words[name]) for name, array in self._arrays.items()}
         places = {name: ([name], values, axis_attributes(name)) for name, values in axes.items()}
-        return xarray.Dataset(found, places, described(self.question))
+        return xarray.Dataset(found, places, described(self.specification))
 
 
 class Store:
@@ -140,31 +144,31 @@ def open_dataset(path):
     return found[[*map(plain, names), "status"]]
 
 
-def opened(path, question, block, usual):
-    """The :class:`Store` at ``path`` for a question, made where there is none.
+def opened(path, specification, block, usual):
+    """The :class:`Store` at ``path`` for a specification, made where there is none.
 
     ``block`` states are in a block; None is what the store has, or the ``usual`` number.
 
     Raises
     ------
     ValueError
-        if there is something else, or the answers to another question.
+        if there is something else, or the results of another specification.
     """
     needed("xarray", "a store")
     if "://" in str(path):
         raise ValueError(f"store is {str(path)!r}; permitted is the path of a folder")
     path = Path(os.path.abspath(path))
     if not path.exists() or path.is_dir() and not any(path.iterdir()):
-        _make(path, question, block or usual)
+        _make(path, specification, block or usual)
     group = open_group(path)
     kept = json.loads(group.attrs["asked"])
-    clauses = differences(question, kept, {name: group[name][:] for name in kept["axes"]})
+    clauses = differences(specification, kept, {name: group[name][:] for name in kept["axes"]})
     if block not in (None, group.attrs["block"]):
         clauses.append(f"block is {block}, there {group.attrs['block']}")
     if clauses:
         raise ValueError(
-            f"the store {path} answers another question: {'; '.join(clauses)}; permitted is the "
-            "same question, or another store"
+            f"the store {path} has another specification: {'; '.join(clauses)}; permitted is the "
+            "same specification, or another store"
         )
     return Store(str(path), group["status"].chunks, group.attrs["identity"])
 
@@ -184,7 +188,7 @@ def open_group(path):
     return group
 
 
-def _make(path, question, block):
+def _make(path, specification, block):
     """Make a store without values beside ``path``, and move it there: it is there as a whole, or not."""
     zarr, codecs = needed("zarr", "a store"), needed("zarr.codecs", "a store")
     part = path.with_name(f".wrcontact-{secrets.token_hex(8)}.part")
@@ -194,18 +198,18 @@ def _make(path, question, block):
         problem.filename = str(path)
         raise
     try:
-        attributes = {**described(question), "block": block, "identity": secrets.token_hex(16)}
+        attributes = {**described(specification), "block": block, "identity": secrets.token_hex(16)}
         group = zarr.create_group(str(part), attributes=attributes)
-        for name, values in question.axes.items():
+        for name, values in specification.axes.items():
             group.create_array(name, data=values, dimension_names=[name], attributes=axis_attributes(name))
         form = {
-            "shape": question.sizes,
-            "chunks": block_shape(question.sizes, block),
-            "dimension_names": list(question.axes),
+            "shape": specification.sizes,
+            "chunks": block_shape(specification.sizes, block),
+            "dimension_names": list(specification.axes),
             # of each chunk; what has changed on the disk cannot be read
             "compressors": (codecs.ZstdCodec(), codecs.Crc32cCodec()),
         }
-        for name in question.names:
+        for name in specification.names:
             group.create_array(
                 plain(name), dtype="f8", fill_value=np.nan, attributes=output_attributes(name), **form
             )

@@ -12,7 +12,7 @@ from ..progress import silently
 from ..results.convert import needed
 from ..version import __version__
 from .grid import block_at
-from .question import Question
+from .specification import SweepSpecification
 from .stores import EMPTY, plain
 
 #: Blocks that are sent to the scheduler of Dask at once.
@@ -25,9 +25,9 @@ TRIALS = 5
 
 @dataclass(frozen=True)
 class Task:
-    """What a worker needs to solve any block: the question, and the store that it writes to."""
+    """What a worker needs to solve any block: the specification, and the store that it writes to."""
 
-    question: Question
+    specification: SweepSpecification
     store: object
     version: str = __version__
 
@@ -37,7 +37,7 @@ class Task:
         first = _statuses(self.store.arrays()["status"], block)
         empty = first == EMPTY
         for place in np.argwhere(~empty):
-            empty[tuple(place)] = self.store.lost(place, self.question.names)
+            empty[tuple(place)] = self.store.lost(place, self.specification.names)
         return np.argwhere(empty) * block
 
     def states(self, corners):
@@ -45,19 +45,21 @@ class Task:
         return sum(math.prod(piece.stop - piece.start for piece in self._at(corner)) for corner in corners)
 
     def _at(self, corner):
-        return block_at(corner, self.store.block, self.question.sizes)
+        return block_at(corner, self.store.block, self.specification.sizes)
 
     def solve(self, corner, **shared):
         """Solve the block at ``corner`` and write it, its status last; return the number of its states and of
         those without a result.  ``shared`` says how many threads or processes share it."""
-        question, arrays = self.question, self.store.arrays()
+        specification, arrays = self.specification, self.store.arrays()
         at = self._at(corner)
-        parts = [values[piece] for values, piece in zip(question.axes.values(), at)]
-        grid = dict(zip(question.axes, (one.ravel() for one in np.meshgrid(*parts, indexing="ij"))))
-        table = question.system.evaluate_many(outputs=question.outputs, **grid, **question.fixed, **shared)
+        parts = [values[piece] for values, piece in zip(specification.axes.values(), at)]
+        grid = dict(zip(specification.axes, (one.ravel() for one in np.meshgrid(*parts, indexing="ij"))))
+        table = specification.system.evaluate_many(
+            outputs=specification.outputs, **grid, **specification.fixed, **shared
+        )
         shape = tuple(map(len, parts))
         try:
-            for name in question.names:
+            for name in specification.names:
                 self.store.whole(arrays[plain(name)])[at] = table[name].reshape(shape)
             arrays["status"][at] = table.status.reshape(shape).astype(np.int8)
         except OSError as problem:
@@ -69,7 +71,7 @@ class Task:
 def solve_here(task, corners, workers, advance):
     """Solve the blocks at ``corners`` in this process and call ``advance`` with what :meth:`Task.solve`
     returns; few blocks are shared by several threads each."""
-    if isinstance(task.question.system.methods["normal_model"], Halfspace):
+    if isinstance(task.specification.system.methods["normal_model"], Halfspace):
         for corner in corners:
             advance(*task.solve(corner, processes=workers))
         return
@@ -93,16 +95,16 @@ def solve_on_cluster(task, client, advance):
     not finished when it dies is done by another one."""
     left = task.missing()
     while len(left):
-        lost, told = _solve_once(task, client, left, advance)
+        lost, reported = _solve_once(task, client, left, advance)
         before, left = left, task.missing() if lost else ()
         if lost:  # some of these may have been written
-            advance(task.states(before) - task.states(left) - told, 0)
+            advance(task.states(before) - task.states(left) - reported, 0)
 
 
 def _solve_once(task, client, corners, advance):
     """Give every block at ``corners`` to a worker once; the number of blocks that were lost, since all
-    workers that had the task have died, and of the states that were told of."""
-    distributed, lost, told = needed("distributed", "client", "cluster"), 0, 0
+    workers that had the task have died, and of the states that were reported."""
+    distributed, lost, reported = needed("distributed", "client", "cluster"), 0, 0
     shipped = _shipped(task, client)
     futures = client.map(_solve, corners.tolist(), task=shipped, pure=False, batch_size=BATCH)
     try:
@@ -114,14 +116,14 @@ def _solve_once(task, client, corners, advance):
                 continue
             future.release()  # or it would be done again where its worker dies
             advance(states, wrong)
-            told += states
+            reported += states
     except distributed.KilledWorker:
         raise RuntimeError(
             "several workers have died with the same block; permitted are workers that have the memory for it"
         ) from None
     finally:
         client.cancel([future for future in futures if future.status == "pending"])
-    return lost, told
+    return lost, reported
 
 
 def _shipped(task, client):

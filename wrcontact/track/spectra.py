@@ -98,7 +98,8 @@ def _american(number, lateral, vertical, short):
         f"FRA {number}",
         "FRA class, in Lei and Noda, Analyses of dynamic response of vehicle and track coupling system with random "
         "irregularity of track vertical profile (2002), after Garg and Dukkipati (1984). The vertical constants were "
-        "compared with three programs; the lateral ones and those of cross level and gauge with none",
+        "compared with three programs and with those that one of them quotes from Berawi (2013); the lateral ones and those of "
+        "cross level and gauge with none. Fryba (1996) has smaller ones",
         300.0,
         1.5,
         _falling(FRA_SHARE * lateral * 1e-4, FRA_CUT, 0.0),

@@ -90,7 +90,7 @@ class Fatigue(ShortText):
             check_choice("side", side, SIDES)
             return values[:, SIDES.index(side)]
         if side is not None:
-            raise ValueError(f"side is {side!r}; permitted with one wheel is none")
+            raise ValueError(f"side is {side!r}; it cannot be given for one wheel")
         return values
 
     def histogram(self, name, part="rail", side=None, width=1e-3, weights=None):

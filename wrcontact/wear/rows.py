@@ -4,7 +4,6 @@ A row that has a status other than 0, or a number that is not finite where rubbi
 counted.
 """
 
-import io
 import os
 import re
 from pathlib import Path
@@ -13,9 +12,8 @@ import numpy as np
 
 from ..conventions import SIDES
 from ..kernel.layout import PATCH_LIMIT
-from ..methods.words import did_you_mean
-from ..results.columns import has_wear
-from ..results.convert import needed
+from ..results.runs import PERMITTED, Run
+from ..results.views import View
 from ..state import WheelsetState
 from ..system import ContactSystem
 from ..wheel import WheelContact, WheelState
@@ -61,33 +59,25 @@ def prefixes_of(side):
     return tuple(f"{one}." for one in SIDES) if side is None else ("",)
 
 
-class Rows:
-    """Columns by name; ``rows["right.power[3]"]`` is (n,), of one wheel ``rows["power[3]"]``.
+class Rows(Run):
+    """A run whose columns are read for wear; ``rows["right.power[3]"]`` is (n,), of one wheel ``rows["power[3]"]``.
 
     Attributes
     ----------
     table : the table of states, or None for a file.
-    name : for sentences.
     prefixes : see :func:`prefixes_of`.
     """
 
-    def __init__(self, columns, table, name, prefixes):
-        self.columns, self.table, self.name, self.prefixes = columns, table, name, prefixes
+    def __init__(self, run, table, prefixes):
+        super().__init__(run.columns, run.names, run.name)
+        self.table, self.prefixes = table, prefixes
 
     def __len__(self):
         return len(self["speed"])
 
-    def __contains__(self, name):
-        return name in self.columns
-
-    def __getitem__(self, name):
-        if name not in self.columns:
-            raise ValueError(f"{self.name} has no column {name!r}{did_you_mean(name, self.columns)}")
-        return np.asarray(self.columns[name], dtype=float)
-
     def get(self, name, default=np.nan):
         """A column, or ``default`` (n,) where there is none."""
-        return self[name] if name in self.columns else np.full(len(self), default)
+        return self[name] if name in self else np.full(len(self), default)
 
     def runs(self, prefix, name, stations):
         """Columns (n, stations) of an outline."""
@@ -101,19 +91,19 @@ class Rows:
     def stations(self):
         """The number of stations of an outline."""
         first = f"{self.prefixes[-1]}power["
-        if f"{first}1]" not in self.columns:
+        if f"{first}1]" not in self:
             raise ValueError(f"{self.name} has no column '{first}1]'; {NEEDED_OF_FILES}")
         outlines = [f"{prefix}{name}[" for prefix in self.prefixes for name in OUTLINE]
         numbers = [
             int(found[2])
-            for name in self.columns
+            for name in self.names
             if (found := re.fullmatch(r"(.+\[)(\d+)\]", name)) and found[1] in outlines
         ]
         missing = [
             f"{one}{number}]"
             for one in outlines
             for number in range(1, max(numbers) + 1)
-            if f"{one}{number}]" not in self.columns
+            if f"{one}{number}]" not in self
         ]
         if missing:
             raise ValueError(
@@ -128,7 +118,7 @@ class Rows:
         patches = [f"{prefix}patch[{k + 1}]." for prefix in self.prefixes for k in range(PATCH_LIMIT)]
         return [
             name
-            for name in self.columns
+            for name in self.names
             if name.startswith(tuple(outlines))
             or any(name == patch + one for patch in patches for one in PATCH)
         ]
@@ -137,9 +127,9 @@ class Rows:
         """Some of the rows."""
         if self.table is not None:
             table = self.table[places]
-            return Rows(TableColumns(table, self.prefixes), table, self.name, self.prefixes)
-        columns = {name: np.asarray(values)[places] for name, values in self.columns.items()}
-        return Rows(columns, None, self.name, self.prefixes)
+            return Rows(Run.of(table), table, self.prefixes)
+        columns = {name: np.asarray(self.columns[name])[places] for name in self.names}
+        return Rows(Run(columns, columns, self.name), None, self.prefixes)
 
     def valid(self):
         """Which rows (n,) count; ValueError if more than MOST_LEFT_OUT do not."""
@@ -166,23 +156,6 @@ class Rows:
         return good
 
 
-class TableColumns:
-    """A table of states as a mapping of names to columns."""
-
-    def __init__(self, table, prefixes):
-        self.table = table
-        self.names = {"status", "speed", *(f"{prefix}friction" for prefix in prefixes), *table.names}
-
-    def __contains__(self, name):
-        return name in self.names
-
-    def __iter__(self):
-        return iter(self.names)
-
-    def __getitem__(self, name):
-        return self.table[name]
-
-
 def rows_of_table(table, side=None):
     """:class:`Rows` of a table of states of a wheelset, or of the wheel of a ``side``; ValueError without
     outputs of wear or creep forces."""
@@ -195,10 +168,9 @@ def rows_of_table(table, side=None):
     if side is not None and table.side != side:
         raise ValueError(f"table is of a {table.side} wheel; permitted is one of a {side} wheel")
     table, needed_words = table._as_table(), NEEDED.format(maker.__name__)
-    if not has_wear(table._values.shape[-1]):
+    if not table.layout.wear:
         raise ValueError(f"the table has no outputs of wear; {needed_words}")
-    prefixes = prefixes_of(side)
-    rows = Rows(TableColumns(table, prefixes), table, "the table", prefixes)
+    rows = Rows(Run.of(table), table, prefixes_of(side))
     refuse_without_creep(rows, needed_words)
     return rows
 
@@ -218,62 +190,30 @@ def rows_of_file(results, side=None):
     """:class:`Rows` of a file of an FMU's results, .csv or .parquet, or of columns by name; of the FMU of one
     wheel with a ``side``."""
     if isinstance(results, (str, os.PathLike)):
-        path = Path(results)
-        columns, name = _read(path), path.name
-    elif hasattr(results, "keys") or getattr(getattr(results, "dtype", None), "names", None):
-        names = list(results) if hasattr(results, "keys") else results.dtype.names
-        columns, name = {key: np.asarray(results[key]) for key in names}, "the results"
-    else:
+        _check_file(Path(results))
+    if isinstance(results, View):
+        raise ValueError(f"results is {type(results).__name__}; permitted are {PERMITTED}")
+    rows = Rows(Run.of(results, "results"), None, prefixes_of(side))
+    if side is None and "power[1]" in rows:
         raise ValueError(
-            f"results is {type(results).__name__}; permitted are the path of a .csv or .parquet file, what "
-            "fmpy returns, a pandas.DataFrame, and a dictionary of columns"
+            f"{rows.name} has results of one wheel; permitted with a ContactSystem are a wheelset's"
         )
-    rows = Rows(columns, None, name, prefixes_of(side))
-    if side is None and "power[1]" in columns:
-        raise ValueError(f"{name} has results of one wheel; permitted with a ContactSystem are a wheelset's")
-    if side is not None and "right.power[1]" in columns:
-        raise ValueError(f"{name} has results of a wheelset; permitted with a WheelContact are one wheel's")
+    if side is not None and "right.power[1]" in rows:
+        raise ValueError(
+            f"{rows.name} has results of a wheelset; permitted with a WheelContact are one wheel's"
+        )
     rows["speed"], rows.stations  # both are needed
     refuse_without_creep(rows, NEEDED_OF_FILES)
     return rows
 
 
-def _read(path):
-    if path.suffix.lower() == ".parquet":
-        frame = needed("pandas", "a .parquet file").read_parquet(path)
-        return {name: frame[name].to_numpy() for name in frame}
-    if path.suffix.lower() != ".csv":
+def _check_file(path):
+    if path.suffix.lower() not in (".csv", ".parquet"):
         raise ValueError(f"{path} ends in {path.suffix!r}; permitted are .csv and .parquet")
     if not path.is_file():
         raise ValueError(
             f"results is '{path}', and there is no such file; permitted is a file of an FMU's results"
         )
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as wrong:
-        raise ValueError(
-            f"{path} is not text in UTF-8 (byte {wrong.start}); permitted is a file of an FMU's results in UTF-8"
-        ) from None
-    with io.StringIO(text) as file:
-        names = [name.strip().strip('"') for name in file.readline().rstrip("\n").split(",")]
-        if len(names) < 2:
-            raise ValueError(
-                f"{path} has the first line {','.join(names)[:60]!r}; permitted is a line of "
-                "names with commas, as fmpy writes it"
-            )
-        try:
-            numbers = np.genfromtxt(file, delimiter=",", dtype=float)
-        except ValueError as wrong:
-            raise ValueError(
-                f"{path} has lines that differ in their number of cells: {' '.join(str(wrong).split())[:120]}"
-            ) from None
-    numbers = np.atleast_2d(numbers) if numbers.size else np.empty((0, len(names)))
-    if numbers.shape[1] != len(names):
-        raise ValueError(
-            f"{path} has {len(names)} names in its first line and {numbers.shape[1]} cells in the others; permitted "
-            "are as many cells as names"
-        )
-    return dict(zip(names, numbers.T))
 
 
 def distances(rows, distance, column):

@@ -1,6 +1,5 @@
 """A folder with the steps of a run of wear, so that it goes on where it was interrupted."""
 
-import hashlib
 import json
 import zlib
 from dataclasses import asdict
@@ -12,6 +11,7 @@ from ..profiles.files import prepared_text, read_profile
 from ..profiles.options import ProfileFile
 from ..profiles.profile import Profile
 from ..storage.atomic import write_atomically
+from ..storage.hashes import content_hash
 from ..version import __version__
 from .laws import law_mark
 from .rows import whole_of
@@ -141,7 +141,7 @@ class Store:
 
 
 def _digest(words):
-    return hashlib.sha256(json.dumps(words).encode()).hexdigest()
+    return content_hash(json.dumps(words))
 
 
 def _sum(content):

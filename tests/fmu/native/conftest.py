@@ -8,8 +8,7 @@ import sys
 import pytest
 from fmpy import read_model_description
 
-from data.native_host import HOST, native_host, rows_text
-from tests.helpers.c_host import HOOKS
+from tests.helpers import c_host
 from tests.helpers.cases import stored
 from tests.helpers.fmus import FMI_HEADERS, measured, unpacked_library
 from tests.helpers.kept import locked
@@ -66,12 +65,12 @@ def raw(request, fmus, tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def linked_host(fmus, tmp_path_factory):
-    """native_host.c with the library in the FMU; `linked_host(2)` is the program."""
+    """The C host with the library in the FMU; `linked_host(2)` is the program."""
     made = {}
 
     def linked_host(version):
         if version not in made:
-            made[version] = native_host(fmus[version], version, tmp_path_factory.mktemp("linked"))
+            made[version] = c_host.linked_host(fmus[version], version, tmp_path_factory.mktemp("linked"))
         return made[version]
 
     return linked_host
@@ -79,14 +78,14 @@ def linked_host(fmus, tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def host(tmp_path_factory, compiled):
-    """native_host.c with the FMU's sources, compiled with flags: `host(2, *SANITIZERS)`."""
+    """The C host with the FMU's sources, compiled with flags: `host(2, *SANITIZERS)`."""
 
     def host(version, *flags):
         folder = tmp_path_factory.mktemp("host")
         native.write_sources(native.sources(version, "{token}", *native.packed_profiles()), folder)
-        shutil.copy(HOST, folder)
-        units = {unit: HOOKS if "/" not in unit else [] for unit in native.compiled_units(version)}
-        units["native_host.c"] = [f"-DFMI={version}"]
+        shutil.copy(c_host.SOURCE, folder)
+        units = {unit: c_host.HOOKS if "/" not in unit else [] for unit in native.compiled_units(version)}
+        units[c_host.SOURCE.name] = [f"-DFMI={version}"]
         objects = [kept_object(compiled, folder, unit, *flags, *extra) for unit, extra in units.items()]
         subprocess.run(["cc", *flags, *objects, "-o", "host", "-lm", "-pthread"], cwd=folder, check=True)
         return folder / "host"
@@ -109,13 +108,13 @@ def kept_object(compiled, folder, unit, *flags):
 
 @pytest.fixture(scope="session")
 def rows_file(tmp_path_factory):
-    """Inputs of the stored run "hunting" as native_host reads them; the last 24 by ``rows_file(24)``."""
+    """Inputs of the stored run "hunting" as the C host reads them; the last 24 by ``rows_file(24)``."""
     folder = tmp_path_factory.mktemp("rows")
     _, rows, _ = stored("hunting")
 
     def rows_file(last=0):
         file = folder / f"last {last}.txt"
-        file.write_text(rows_text(rows[-last:]))
+        file.write_text(c_host.rows_text(rows[-last:]))
         return file
 
     return rows_file

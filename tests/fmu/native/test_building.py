@@ -136,7 +136,7 @@ def test_compilers_have_nothing_to_say(tmp_path, version):
 # --- building -------------------------------------------------------------------------------------
 
 
-def test_missing_compiler_is_told(monkeypatch):
+def test_missing_compiler_is_reported(monkeypatch):
     monkeypatch.setattr(compiler.importlib.util, "find_spec", lambda name: None)
     monkeypatch.setattr(compiler.shutil, "which", lambda name: None)
     with pytest.raises(CompilerProblem, match="no compiler for aarch64-darwin; pip install ziglang"):

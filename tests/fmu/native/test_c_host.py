@@ -1,4 +1,4 @@
-"""The native FMUs from a C host, data/native_host.c: random calls, threads, memory."""
+"""The native FMUs from a C host, host.c: random calls, threads, memory."""
 
 import os
 import re
@@ -41,7 +41,7 @@ def test_a_million_random_calls_under_sanitizers(host, version):
 
 
 @needs_glibc
-def test_a_call_that_ends_the_program_is_told(linked_host, tmp_path):
+def test_a_call_that_ends_the_program_is_reported(linked_host, tmp_path):
     """With its seed and number, which repeat it."""
     running = subprocess.Popen(
         [str(linked_host(2)), "fuzz", "11", "100000000"], text=True, stderr=subprocess.PIPE
@@ -51,9 +51,7 @@ def test_a_call_that_ends_the_program_is_told(linked_host, tmp_path):
         pass
     os.kill(int(child[0]), signal.SIGSEGV)
     _, told = running.communicate(timeout=600)
-    assert running.returncode == 1 and re.match(r"native_host fuzz 11 \d+ fails: ended by signal 11", told), (
-        told
-    )
+    assert running.returncode == 1 and re.match(r"host fuzz 11 \d+ fails: ended by signal 11", told), told
 
 
 @needs_glibc

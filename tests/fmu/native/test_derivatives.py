@@ -45,7 +45,7 @@ def kernel_rates(start, stations, row, names, inputs):
     stepper.step()
     places = [PLACE[name] - variables.FIRST_OUTPUT for name in names]
     rates = [stepper._bound.derivative(np.eye(len(stepper.inputs))[PLACE[name]])[1] for name in inputs]
-    return [[*along[places], *outline_of_both(along)["right.station"]] for along in rates]
+    return [[*along[places], *outline_of_both(along, stepper.layout)["right.station"]] for along in rates]
 
 
 @pytest.mark.skipif(

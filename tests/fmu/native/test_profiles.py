@@ -29,7 +29,7 @@ def test_own_profiles_are_packed_and_can_be_switched(packed, tmp_path):
         for pair in ({}, *pairs[3 - version :]):
             start = {**pair, "normal_model": "hertz"}
             seen = host.ask("trajectory", rows=rows, names=OUTPUT_NAMES, start=start)["seen"]
-            made = Session(resources=str(wheel.parent), tell=lambda sentence: None)
+            made = Session(resources=str(wheel.parent), log=lambda sentence: None)
             whole = {"wheel_profile": wheel.name, "rail_profile": rail.name, **start}
             made.set_strings([REFERENCE[name] for name in whole], list(whole.values()))
             made.start()
@@ -47,7 +47,7 @@ def test_profiles_of_the_catalogue_are_packed_and_can_be_switched(tmp_path):
     for pair in ({}, {"wheel_profile": "LMA", "rail_profile": "chn60"}):
         start = {**pair, "normal_model": "hertz"}
         seen = host.ask("trajectory", rows=poses(3), names=OUTPUT_NAMES, start=start)["seen"]
-        made = Session(resources=None, tell=lambda sentence: None)
+        made = Session(resources=None, log=lambda sentence: None)
         whole = {"wheel_profile": wheel, "rail_profile": "R65", **start}
         made.set_strings([REFERENCE[name] for name in whole], list(whole.values()))
         made.start()
@@ -56,7 +56,7 @@ def test_profiles_of_the_catalogue_are_packed_and_can_be_switched(tmp_path):
     host.end()
 
 
-def test_names_of_packed_profiles_are_told(packed, tmp_path):
+def test_names_of_packed_profiles_are_reported(packed, tmp_path):
     fmus, wheel, rail = packed
     answer = run_scenario(
         "refusals",

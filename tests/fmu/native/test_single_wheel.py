@@ -156,7 +156,7 @@ def test_sentences_have_the_wheel_s_names(wheels):
         ),
         (
             ["--native", "--single-wheel", "--set", "load=vertical"],
-            "load is given; permitted with one wheel is",
+            "load cannot be given for one wheel",
         ),
     ],
 )
@@ -167,5 +167,7 @@ def test_what_has_no_meaning_is_refused(tmp_path, words, said):
 
 @pytest.mark.check
 def test_a_profile_of_the_other_wheel_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="left_wheel is given; one wheel has wheel, and side='left'"):
+    with pytest.raises(
+        ValueError, match="left_wheel cannot be given for one wheel, which has wheel, and side='left'"
+    ):
         build_native_fmus(tmp_path, wheel=("cone20", "S1002"), side="right")

@@ -35,7 +35,7 @@ def test_outlines_with_other_numbers_of_stations(run3, start):
                 for v, value in zip(VARIABLES[variables.FIRST_OUTPUT : variables.FIRST_WEAR], stepper.outputs)
                 if not v.name.endswith("]")
             }
-            for name, values in outline_of_both(stepper.outputs).items():
+            for name, values in outline_of_both(stepper.outputs, stepper.layout).items():
                 wanted |= {f"{name}[{k + 1}]": value for k, value in enumerate(values)}
             assert len(found) == len(wanted) + 3 and found["status"] == status
             for name, value in wanted.items():
@@ -76,7 +76,8 @@ def test_configuration_mode(run3):
 
 def test_outlines_by_simulate_fmu(run3):
     row = {"lateral_shift": 2e-3, "yaw": 1e-3}
-    wanted = outline_of_both(ContactSystem(stations=61).evaluate(**row).values)
+    state = ContactSystem(stations=61).evaluate(**row)
+    wanted = outline_of_both(state.values, state.layout)
     assert len(wanted) == 18
     for name, values in run3("simulated_stations", stations=61, row=row).items():
         assert values == pytest.approx(wanted[name], rel=SAME, abs=1e-15), name

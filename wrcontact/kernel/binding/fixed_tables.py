@@ -2,7 +2,7 @@
 and a native FMU holds it.
 
 They are stored, so that they have the same bits on every machine: numpy's functions differ from processor to
-processor.  exact_tables.py and rolling_table.py say what they are, tools/make_fixed_tables.py stores them.
+processor.  tools/tables says how they are made, tools/make_fixed_tables.py stores them.
 Numpy alone, because an FMU reads them on a machine that may have nothing else.
 """
 
