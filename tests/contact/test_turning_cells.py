@@ -86,6 +86,8 @@ def checked_cells(system, count, seed):
         where = (low, overlap.height, *pose)
         y = np.linspace(low, high, PARTS + 1)
         slope, depth = slopes(pair, place, overlap.height, y)
+        ends = np.array([slope[0] - overlap.cell.first, slope[-1] - overlap.cell.last])
+        assert np.all(np.abs(ends) <= overlap.cell.error), where
         # the overlap turns where F comes up through zero: past steps of the slope at joints
         signs = slope[np.abs(slope) > SLOPE_STEP] > 0.0
         rises = int(np.count_nonzero(~signs[:-1] & signs[1:]))
