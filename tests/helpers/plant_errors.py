@@ -16,7 +16,7 @@
         so many of those that one test file sees, and only that file; every turn has others
     python -m tests.helpers.plant_errors --random 20 --seed 1
         as many at random places of the kernel instead, to measure the tests; --room search: of this room of it,
-        with the tests of the same room first
+        with the tests of the same room first; names choose among these
     python -m tests.helpers.plant_errors --lines 20 --seed 1
         plants nothing: so many lines of kernel, interface and FMUs at random, for errors by hand
 
@@ -278,14 +278,11 @@ def main(arguments=None):
     )
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args(arguments)
-    unknown = set(options.names) - {error.name for error in ERRORS}
+    drawn = list(random_errors(options.random, options.seed, options.room)) if options.random else ERRORS
+    unknown = set(options.names) - {error.name for error in drawn}
     if unknown:
         parser.error(f"there is no error called {', '.join(sorted(unknown))}; --list tells the names")
-    errors = (
-        list(random_errors(options.random, options.seed, options.room))
-        if options.random
-        else [error for error in ERRORS if not options.names or error.name in options.names]
-    )
+    errors = [error for error in drawn if not options.names or error.name in options.names]
     if options.share:
         errors = shared(options.share, options.turn)
     if options.lines:
