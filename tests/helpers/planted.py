@@ -268,7 +268,7 @@ ERRORS = [
         "cell.jump = cell.rail_jump * cell.share",
         "cell.jump = -cell.rail_jump * cell.share",
         "the bend of an overlap jumps the other way at a joint of the rail",
-        "contact",
+        "contact/test_turning_cells.py",
     ),
     Error(
         "foot_not_followed",
@@ -282,7 +282,7 @@ ERRORS = [
         "rest = node.departure + length * (0.2",
         "rest = 0.0 * length * (0.2",
         "the bend of an overlap is taken for straight between two samples",
-        "contact",
+        "contact/test_turning_cells.py",
     ),
     Error(
         "rate_departure",
