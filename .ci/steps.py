@@ -33,6 +33,8 @@ sys.path.insert(0, str(ROOT))
 
 from tests.helpers.turns import CHANGED, changed_paths, due  # noqa: E402  found through the line above
 
+#: What is kept from run to run, here and by the tests.
+CACHE = Path(os.path.expanduser(os.environ.get("XDG_CACHE_HOME") or "~/.cache"), "wrcontact")
 #: The README's commands, to the letter: if one changes, so must the other.
 INSTALL = "python3 -m venv .venv && .venv/bin/pip install -q"
 DEMO = f"{INSTALL} . && .venv/bin/wrcontact demo"
@@ -287,7 +289,8 @@ def all_steps(run, work, turn, changed):
         ],
     }
     if due("benchmarks", turn, changed):
-        single["all benchmarks run"] = [PYTHON, "-m", "benchmarks", "--quick"]
+        # errors are measured by tests/docs/test_tables.py
+        single["all other benchmarks run"] = [PYTHON, "-m", "benchmarks", "--quick", "times", "studies"]
     run.together(single)
     run.step(
         "the full tests",
@@ -306,6 +309,14 @@ def all_steps(run, work, turn, changed):
             [*PYTEST, "--dist", "loadfile", "-m", "platforms and not complete"],
             **today,
         )
+
+
+def compiled(work):
+    """The folder of compiled sources that the tests keep; one in ``work`` where nothing can be kept."""
+    folder = CACHE / "tests" / "compiled"
+    with contextlib.suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True)
+    return folder if os.access(folder, os.W_OK) else work / "compiled"
 
 
 def main():
@@ -327,7 +338,8 @@ def main():
             (work / "changed").write_text("\n".join(changed), encoding="utf-8")
         os.environ |= {
             "WRCONTACT_SKIPS": "listed",
-            "WRCONTACT_COMPILED": str(work / "compiled"),  # all installations compile the kernel once
+            # installations, benchmarks and tests compile the same sources once (tests/helpers/kept.py)
+            "WRCONTACT_COMPILED": str(compiled(work)),
         }
         run = Run(copy)
         try:
@@ -335,8 +347,7 @@ def main():
         except Exception:  # what has been done is told nevertheless
             run.done.append(Done("the steps themselves", "", ".ci/run", 1, [], "", 0.0, 0.0))
             traceback.print_exc()
-        usual = Path(os.environ.get("XDG_CACHE_HOME") or "~/.cache", "wrcontact", "ci_seconds.csv")
-        run.keep(os.environ.get("WRCONTACT_CI_SECONDS") or usual, commit)
+        run.keep(os.environ.get("WRCONTACT_CI_SECONDS") or CACHE / "ci_seconds.csv", commit)
         print(run.report(), flush=True)
     return 1 if run.failed() else 0
 

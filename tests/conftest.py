@@ -16,6 +16,9 @@ from wrcontact.kernel.binding.compiler import KEPT
 #: Rooms whose tests are ``full``, except those that are marked ``check``.
 FULL_ROOMS = ("benchmarks", "faults", "fmu", "halfspace", "loop", "data", "study", "sweeps")
 
+#: Rooms of which the cases of all tests take turns: those of programs that stand beside the kernel.
+TURNING_ROOMS = ("halfspace", "study")
+
 
 def room_of(path):
     return path.relative_to(TESTS).parts[0] if TESTS in path.parents else ""
@@ -26,6 +29,8 @@ def pytest_collection_modifyitems(config, items):
     for item in items:
         if room_of(item.path) in FULL_ROOMS and not item.get_closest_marker("check"):
             item.add_marker(pytest.mark.full)
+        if room_of(item.path) in TURNING_ROOMS and not item.get_closest_marker("turns"):
+            item.add_marker(pytest.mark.turns(2))
     yield  # now the tests of other tiers are gone
     turn = os.environ.get("WRCONTACT_TURN")
     if turn:

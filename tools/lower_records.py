@@ -352,7 +352,7 @@ class Lowered(ast.NodeTransformer):
     def replace(self, node):
         """The text of a statement or expression anew, if it changes; comments around it stay."""
         before = ast.unparse(node)
-        after = ast.unparse(ast.fix_missing_locations(self.visit(node)))
+        after = ast.unparse(self.visit(node))
         if after != before:
             self.edit(node, node, after)
 

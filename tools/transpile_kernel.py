@@ -33,9 +33,18 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 # found through the line above
 from differentiate.modules import Kernel  # noqa: E402
 from transpile.emit import emitted  # noqa: E402
-from transpile.modules import FILES, KERNEL, Module, Refused, flat_name, read_modules, source_modules  # noqa: E402
+from transpile.modules import (  # noqa: E402
+    FILES,
+    KERNEL,
+    Module,
+    Refused,
+    flat_name,
+    import_kernel,
+    read_modules,
+    source_modules,
+)
 from transpile.tidy import definition  # noqa: E402
-from transpile.units import assemble  # noqa: E402
+from transpile.units import assemble, constant_values  # noqa: E402
 
 #: Also for the tests and for other tools.
 __all__ = [
@@ -45,9 +54,11 @@ __all__ = [
     "Module",
     "Refused",
     "assemble",
+    "constant_values",
     "definition",
     "emitted",
     "flat_name",
+    "import_kernel",
     "main",
     "read_modules",
     "source_modules",

@@ -14,7 +14,7 @@ import wrcontact
 from tests.helpers import kernel_runs
 from tests.helpers.kernel_runs import FORMS, KERNEL, PACKAGE, bits, needs_library, poses, run_steps
 from wrcontact.kernel.binding import library
-from wrcontact.kernel.binding.compiler import CompilerProblem, compile_library, find_compiler
+from wrcontact.kernel.binding.compiler import STEP_UNITS, CompilerProblem, compile_library, find_compiler
 from wrcontact.kernel.binding.files import LIBRARY_NAME
 from wrcontact.kernel.binding.library import fingerprint
 from wrcontact.kernel.layout import (
@@ -39,7 +39,8 @@ def copy_package(folder, name, *, with_library):
 def checked_package(tmp_path_factory):
     """A copy of the package whose library ends the process at the first index outside its array."""
     package = copy_package(tmp_path_factory.mktemp("checked"), "checked_wheelset", with_library=False)
-    compile_library(package / "kernel", extra_flags=["-DWRCONTACT_CHECK_BOUNDS", "-O1"])
+    flags = ["-DWRCONTACT_CHECK_BOUNDS", "-O1"]
+    compile_library(package / "kernel", extra_flags=flags, units=STEP_UNITS)
     return package
 
 

@@ -16,6 +16,7 @@ from data import brute_force
 from data.noisy_profiles import even_points, noisy_points
 from tests.helpers.cases import MM
 from wrcontact import ContactSystem, Profile
+from wrcontact.cli.check import move_table
 from wrcontact.conditioning import measures
 from wrcontact.conditioning.conicity import OFF_PROFILE
 from wrcontact.conditioning.table import table_text
@@ -45,6 +46,16 @@ def test_jumps_are_where_the_brute_force_search_has_them(uic60):
     assert uic60.curves.jump_distance[middle] == uic60.nearest_jump
     told = next(remark for remark in uic60.remarks if "centred position" in remark)
     assert "jumps 0.21 mm" in told and "2.2 to -8.0 mm on the right wheel" in told
+
+
+def test_the_printed_distance_to_the_next_jump_is_in_millimetres(uic60):
+    """Of data/find_jumps.py, too."""
+    columns = {
+        str(column.header).split("\n")[0]: list(column.cells) for column in move_table(uic60.curves).columns
+    }
+    printed = dict(zip(columns["shift"], columns["next jump"]))
+    for shift, jump in ((4, 4.847933), (5, 4.847933), (6, 6.251818), (7, 6.251818), (8, 6.251818)):
+        assert float(printed[str(shift)]) == pytest.approx(abs(shift - jump), abs=0.006), shift
 
 
 def test_two_places_touch_at_a_jump(uic60):

@@ -4,7 +4,6 @@ slope along the rail's normals, in steps of some 40 micrometres."""
 import warnings
 
 import numpy as np
-import pytest
 
 import wrcontact
 from data.noisy_profiles import noisy_points
@@ -86,6 +85,8 @@ def checked_cells(system, count, seed):
         where = (low, overlap.height, *pose)
         y = np.linspace(low, high, PARTS + 1)
         slope, depth = slopes(pair, place, overlap.height, y)
+        ends = np.array([slope[0] - overlap.cell.first, slope[-1] - overlap.cell.last])
+        assert np.all(np.abs(ends) <= overlap.cell.error), where
         # the overlap turns where F comes up through zero: past steps of the slope at joints
         signs = slope[np.abs(slope) > SLOPE_STEP] > 0.0
         rises = int(np.count_nonzero(~signs[:-1] & signs[1:]))
@@ -102,14 +103,13 @@ def checked_cells(system, count, seed):
     return seen
 
 
-@pytest.mark.full
 def test_cells_of_standard_profiles_turn_as_often_as_their_samples_say():
     """S1002 on three rails: most cells are judged, with one deepest point or none."""
     for rail, inclination, seed in (("UIC60", 1 / 40, 5), ("54E1", 1 / 20, 6)):
         none, one, unclear = checked_cells(
-            wrcontact.ContactSystem(rail=rail, rail_inclination=inclination), 30, seed
+            wrcontact.ContactSystem(rail=rail, rail_inclination=inclination), 12, seed
         )
-        assert none > 200 and one > 20 and unclear < 0.1 * none, (none, one, unclear)
+        assert none > 100 and one > 8 and unclear < 0.03 * none, (none, one, unclear)
 
 
 def test_cells_of_measured_profiles_turn_as_often_as_their_samples_say(tmp_path):

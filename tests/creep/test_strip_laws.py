@@ -11,6 +11,7 @@ import pytest
 from data.creep_cases import Model, full_slip
 from tests.helpers.strip_records import open_march, open_marches_of, pushes
 from wrcontact.creep import elliptic_patch
+from wrcontact.kernel import layout
 from wrcontact.kernel.creep import coupled_strips, march, stiffness
 
 RATIOS = [0.3, 1.0, 2.5, 8.0]
@@ -199,6 +200,26 @@ def test_spin_s_stiffness_is_the_mean_in_long_patches():
     found = [stiffness.mean_share(ratio) for ratio in (0.2, 1.5, 3.0, 40.0)]
     assert found == pytest.approx([0.0, 0.0, 1.0, 1.0], abs=1e-12)
     assert stiffness.mean_share(4.5**0.5) == pytest.approx(0.5, abs=1e-12)
+
+
+@pytest.mark.parametrize("lost", ["along", "across", "turning"])
+def test_no_stiffness_is_below_a_fiftieth_of_its_mean(lost):
+    """The mean over the area in strips of the lengths 2 a, weighed by a once more: where one of two blocks has
+    lost its stiffness, that of the other one is its mean times the share of its weight."""
+    blocks = layout.Work.at(np.zeros(layout.WORK_SIZE)).rolling.blocks
+    for i in range(layout.BLOCK_COUNT):
+        block = blocks[i]
+        block.start, block.stop, block.half_length = 0.0, 1e-3, 3e-3 if i % 2 else 1e-3
+        block.along, block.across, block.turning = 7e9, 5e9, 3e9
+        if i % 2 == 0:
+            setattr(block, lost, -1e9)
+    known = getattr(blocks[1], lost)
+    stiffness.spread_turning(blocks, 0.0)
+    found = [[getattr(blocks[i], name) for name in ("along", "across", "turning")] for i in (0, 1)]
+    wanted = [7e9, 5e9, 3e9]
+    assert found[1] == wanted
+    wanted[["along", "across", "turning"].index(lost)] = 0.02 * (9.0 * known - 1e9) / 10.0
+    assert found[0] == pytest.approx(wanted, rel=1e-12)
     _, model = cut(8.0, (0.0, 0.0, 0.1))
     assert np.ptp([block.turning for block in model.work.rolling.blocks]) < 1e-9 * 1e9
 

@@ -14,6 +14,8 @@ from tests.helpers.same_numbers import SINGLE_POSES, differences
 #: Errors that another file's test computes again, since it has them anyway.
 ELSEWHERE = {"en15302"}  # tests/benchmarks/test_en15302.py
 QUICK = [name for name, part in parts.PARTS.items() if part.kind == parts.ERRORS and name not in ELSEWHERE]
+#: Long ones, with nothing that the others have not met on another machine.
+ONE_MACHINE = {"worn_pairs", "worst_steps"}
 #: Studies of at most some minutes; the half-space's own rows have a test below.
 LONG = ("elastic_roll", "profile_noise", "conicity_noise", "source_figures")
 
@@ -62,8 +64,9 @@ def test_tables_say_of_which_commit_they_are():
 
 
 @pytest.mark.full
-@pytest.mark.machine
-@pytest.mark.parametrize("name", QUICK)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.machine][: name not in ONE_MACHINE]) for name in QUICK]
+)
 def test_errors_are_those_of_today(name):
     """If this fails, a table is out of date: ``python -m benchmarks --write errors``."""
     found = record.short(parts.PARTS[name].measure(rows.FULL))
@@ -73,6 +76,7 @@ def test_errors_are_those_of_today(name):
 
 @pytest.mark.full
 @pytest.mark.parametrize("name", LONG)
+@pytest.mark.turns(2)
 def test_studies_are_those_of_today(name):
     """If this fails: ``python -m benchmarks --write studies``."""
     found = record.short(parts.PARTS[name].measure(rows.FULL))

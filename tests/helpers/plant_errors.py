@@ -16,15 +16,15 @@
         so many of those that one test file sees, and only that file; every turn has others
     python -m tests.helpers.plant_errors --random 20 --seed 1
         as many at random places of the kernel instead, to measure the tests; --room search: of this room of it,
-        with the tests of the same room first
+        with the tests of the same room first; names choose among these
     python -m tests.helpers.plant_errors --lines 20 --seed 1
         plants nothing: so many lines of kernel, interface and FMUs at random, for errors by hand
 
 Needs a C compiler. Each error is planted in a copy of the repository, never here, and the copy's kernel is
-translated and compiled as tools/transpile_kernel.py and tools/compile_kernel.py do it. So the compiled kernel
-of a copy agrees with its source, and no test sees an error by that alone (plant_kernel.py). Tests that ask for
-no derivative run first, with a kernel that has none: that is compiled in a fifth of the time. In the end the tests that have failed are run without any error, and
-have to pass. Every run works in folders of its own, so several can run at a time, within a test run too.
+translated and compiled (plant_kernel.py). So the compiled kernel of a copy agrees with its source, and no test
+sees an error by that alone. Tests that ask for no derivative run first, with a kernel that has none. In the end
+the tests that have failed are run without any error, and have to pass. Every run works in folders of its own, so
+several can run at a time, within a test run too.
 """
 
 import argparse
@@ -39,10 +39,9 @@ import time
 from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from threading import Lock
 
 from tests.helpers.paths import ROOT
-from tests.helpers.plant_kernel import changed_files, generated
+from tests.helpers.plant_kernel import make_kernel
 from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
 
@@ -88,6 +87,8 @@ NOT_COPIED = shutil.ignore_patterns(
     "dist",
     "*.egg-info",
 )
+#: Plugins of pytest that a copy's tests do without: what they import takes longer than most tests.
+PLUGINS = ("cacheprovider", "hypothesispytest", "xdist", "xdist.looponfail", "zarr")
 #: The tests end within this on a slow machine [s]; an error that keeps them running is seen.
 PATIENCE = 1800
 
@@ -95,31 +96,6 @@ PATIENCE = 1800
 NO_TESTS = (4, 5)
 
 Outcome = namedtuple("Outcome", "error seen test seconds")
-
-
-#: A copy is translated while no other one is: what has been read of one serves the next.
-TRANSLATING = Lock()
-
-
-def make_kernel(plain, tree, derivatives=True):
-    """Translate and compile the copy's kernel; with less optimising the bits are the same, and the compiler
-    is done in half the time. What copies have in common is compiled once."""
-    with TRANSLATING:
-        files = changed_files(plain, tree, derivatives)
-    for name, text in files.items():
-        (generated(tree) / name).write_bytes(text.encode())
-    subprocess.run(
-        [
-            sys.executable,
-            "tools/compile_kernel.py",
-            "--quick",
-            *([] if derivatives else ["--without-derivatives"]),
-        ],
-        cwd=tree,
-        check=True,
-        stdout=subprocess.DEVNULL,
-        env={**os.environ, "WRCONTACT_COMPILED": str(plain.parent / "compiled")},
-    )
 
 
 def asks_for_derivatives(tree, name):
@@ -136,8 +112,7 @@ def run_tests(tree, tests, *options):
         "pytest",
         "-q",
         "-rfE",
-        "-p",
-        "no:cacheprovider",
+        *(f"-pno:{plugin}" for plugin in PLUGINS),
         f"--basetemp={tree}.scratch",
         *options,
         *tests,
@@ -208,10 +183,10 @@ def examine(error, plain, tests_of, options):
     for some, derivatives in ((first, False), ([name for name in tests if name not in first], True)):
         if seen or not some:
             continue
-        make_kernel(plain, tree, derivatives)
+        make_kernel(tree, derivatives)
         code, test, missing = run_tests(tree, some, "-x", *left_out, *options)
         if missing and not derivatives:
-            make_kernel(plain, tree)
+            make_kernel(tree)
             code, test, _ = run_tests(tree, some, "-x", *left_out, *options)
         if code in NO_TESTS and len(some) == len(tests):
             raise RuntimeError(f"pytest ended with exit code {code}: it has not run what it was asked for")
@@ -262,8 +237,8 @@ def plant(errors, workers, tests, options=()):
         plain, _ = copies([], folder)
         with ThreadPoolExecutor(workers) as pool:
             outcomes = list(pool.map(lambda error: examine(error, plain, tests, options), errors))
-        make_kernel(plain, plain)
         seen_by = sorted({outcome.test for outcome in outcomes if outcome.test.startswith("tests/")})
+        make_kernel(plain, any(asks_for_derivatives(plain, test.partition("::")[0]) for test in seen_by))
         return outcomes, not seen_by or run_tests(plain, seen_by, *options)[0] == 0
 
 
@@ -303,14 +278,11 @@ def main(arguments=None):
     )
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args(arguments)
-    unknown = set(options.names) - {error.name for error in ERRORS}
+    drawn = list(random_errors(options.random, options.seed, options.room)) if options.random else ERRORS
+    unknown = set(options.names) - {error.name for error in drawn}
     if unknown:
         parser.error(f"there is no error called {', '.join(sorted(unknown))}; --list tells the names")
-    errors = (
-        list(random_errors(options.random, options.seed, options.room))
-        if options.random
-        else [error for error in ERRORS if not options.names or error.name in options.names]
-    )
+    errors = [error for error in drawn if not options.names or error.name in options.names]
     if options.share:
         errors = shared(options.share, options.turn)
     if options.lines:

@@ -329,4 +329,28 @@ FILED = [
         FLEET,
         "wrcontact/fleet/run.py",
     ),
+    (
+        "next_jump_in_metres",
+        '("next jump\\nmm", lambda curves: curves.jump_distance, 1e3, 2)',
+        '("next jump\\nmm", lambda curves: curves.jump_distance, 1e2, 2)',
+        "the printed check shows the distance to the next jump ten times too small",
+        "conditioning/test_check.py",
+        "wrcontact/cli/check.py",
+    ),
+    (
+        "file_changes_unseen",
+        "(before.st_size, before.st_mtime_ns) != (",
+        "(before.st_size, after.st_mtime_ns) != (",
+        "a profile that is written anew while it is read is taken as it is",
+        "faults/test_changing_profiles.py",
+        "wrcontact/profiles/files.py",
+    ),
+    (
+        "few_steep_stretches",
+        "\nFEWEST = 6\n",
+        "\nFEWEST = 0\n",
+        "the noise of a profile without flanks is the median of nothing",
+        "profiles/test_smoothing.py",
+        "wrcontact/profiles/smoothing.py",
+    ),
 ]

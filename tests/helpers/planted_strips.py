@@ -250,4 +250,12 @@ STRIP_LAWS = [
         AUTO,
         "wrcontact/kernel/contact/pressed_regions.py",
     ),
+    (
+        "softest_along",
+        "along += block.along * weight",
+        "along -= block.along * weight",
+        "strips may have no stiffness along the rail",
+        "creep/test_strip_laws.py",
+        "wrcontact/kernel/creep/stiffness.py",
+    ),
 ]

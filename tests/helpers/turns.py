@@ -35,6 +35,10 @@ WEEKLY = {
     "tests/creep/test_models.py::test_the_moment_of_polach_is_small": ("wrcontact/kernel/creep/polach",),
     "tests/docs/test_gallery.py": ("docs/guides/gallery.md", "wrcontact/plots/"),
     "tests/docs/test_site.py": ("docs/site.css", "mkdocs.yml", "tools/site_"),
+    "tests/docs/test_tables.py::test_errors_are_those_of_today[worn_pairs]": (
+        "benchmarks/worn_pairs.py",
+        "data/worn_",
+    ),
     "tests/docs/test_tables.py::test_errors_are_those_of_today[worst_steps]": ("benchmarks/worst.py",),
     "tests/docs/test_tables.py::test_studies_are_those_of_today": ("benchmarks/", "wrcontact/study/"),
     "tests/docs/test_types.py": (

@@ -6,7 +6,7 @@ import pytest
 import data
 import wrcontact
 from data.hertz import MODULUS, hertz
-from tests.helpers.cases import planar_cases
+from tests.helpers.cases import MODELS, planar_cases
 from tests.helpers.constant_curvatures import lay_constant_curvatures
 from wrcontact.halfspace.hertz import coefficients
 from wrcontact.kernel import layout
@@ -203,6 +203,18 @@ def test_force_balance_and_sane_patches(system):
         assert longest.max() < 1 + 1e-12 and np.all(longest[side.patch_count == 1] > 0.9)
         width = outline.station[:, -1] - outline.station[:, 0]
         np.testing.assert_allclose(width, side.patch_width, rtol=1e-12)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_the_prescribed_force_is_met(model):
+    """By the loads of all patches, to ten digits, wherever the wheels stand and whatever they carry."""
+    low, high = (-6e-3, -0.01, 3.0), (6e-3, 0.01, 5.5)
+    shift, yaw, power = np.random.default_rng(0).uniform(low, high, (60, 3)).T
+    table = wrcontact.ContactSystem(normal_model=model).evaluate_many(shift, yaw, normal_force=10.0**power)
+    for wheel in (table.left, table.right):
+        missed = wheel.normal_force / 10.0**power - 1.0
+        worst = np.argmax(np.abs(missed))
+        assert abs(missed[worst]) < 1e-10, (shift[worst], yaw[worst], 10.0 ** power[worst])
 
 
 def test_outline_integrates_to_area_and_force(system):

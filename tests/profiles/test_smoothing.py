@@ -43,6 +43,15 @@ def test_noise_is_estimated(deviation, spacing):
         assert np.max(np.abs(np.array(found) / deviation - 1.0)) < 0.25, found
 
 
+@pytest.mark.parametrize("slope", [0.0, 0.05, 3.0])
+def test_a_straight_line_without_other_stretches_has_one_noise(slope):
+    """Flat ones alone, or steep ones alone: the noise across it is known, and every point as certain."""
+    along, across = np.arange(400) * 0.2, np.random.default_rng(3).normal(0.0, 0.02, 400)
+    root = np.hypot(1.0, slope)
+    found, certainty = noise_of((along - slope * across) / root, (slope * along + across) / root)
+    assert found == pytest.approx(0.02, rel=0.25) and np.ptp(certainty) < 0.02
+
+
 def test_noise_in_z_alone_counts_less_on_flanks():
     y, z = points("wheel")
     found, certainty = noise_of(y, z + np.random.default_rng(0).normal(0.0, 0.01, len(z)))

@@ -10,6 +10,8 @@ from tests.helpers.cases import CREEP_MODELS, MODELS, system
 from tests.helpers.kernel_runs import needs_library
 from wrcontact import ContactSystem, WheelContact
 from wrcontact.interface.outputs import STRIPS, WEAR
+from wrcontact.kernel import layout
+from wrcontact.kernel.wheelset.shared_power import add_power
 
 MOTION = {"speed": 20.0, "lateral_velocity": 0.05, "yaw_rate": 0.02}
 TWO_PATCHES = {"lateral_shift": 6.2e-3, "yaw": 0.01, **MOTION}
@@ -52,6 +54,35 @@ def test_stations_and_strips_have_all_the_power(normal, model, stations):
                     found = (line.power * weights(line.station))[own].sum()
                     assert abs(found - patch.friction_power) <= size, (shift, yaw, k)
             assert (wheel.friction_power > 0.0) == (model != "none")
+
+
+@pytest.mark.parametrize(
+    "start, stop, wanted",
+    [
+        (-2e-3, 3e-3, None),
+        (0.2e-3, 0.7e-3, None),
+        (-10e-3, 10e-3, None),
+        (10e-3 + 1e-12, 11e-3, {20: 1.0}),  # beside the outline, as by rounding
+        (-11e-3, -10e-3 - 1e-12, {0: 1.0}),
+    ],
+)
+def test_the_power_of_a_strip_has_its_place_among_the_stations(start, stop, wanted):
+    """Stations are a millimetre apart: those around a strip have all of its power, about its middle."""
+    work, stations = layout.Work.at(np.zeros(layout.WORK_SIZE)), 21
+    side, strip = work.sides[0], work.patch.strips[0]
+    places = np.linspace(-10e-3, 10e-3, stations)
+    side.outline.numbers[:stations] = list(places)
+    strip.start, strip.stop, strip.width = start, stop, stop - start
+    add_power(side.wear, side.outline, stations, 1.0, strip, 7.0)
+    found = np.array(side.wear.numbers[2 * stations : 3 * stations])
+    power = 7.0 * strip.width
+    if wanted is None:
+        assert found.sum() == pytest.approx(power, rel=1e-12)
+        assert found @ places == pytest.approx(power * 0.5 * (start + stop), abs=1e-15)
+        near = (places > start - 1e-3) & (places < stop + 1e-3)
+        assert np.all(found[~near] == 0.0) and np.all(found >= 0.0)
+    else:
+        assert {int(k): found[k] / power for k in np.flatnonzero(found)} == pytest.approx(wanted)
 
 
 def test_power_is_friction_times_pressure_times_slip():

@@ -9,7 +9,6 @@ import runpy
 import sys
 import tempfile
 import types
-from functools import cache
 from pathlib import Path
 
 import lower_records
@@ -21,6 +20,8 @@ VALUES = {"float": "0.0", "int": "0", "bool": "False"}
 FILES = runpy.run_path(str(KERNEL / "binding" / "files.py"))
 
 
+#: Modules that have been read, by their room and name and by both texts.
+KNOWN = {}
 #: What the kernel may import from math: the same bits on every machine.
 EXACT = {"copysign", "fabs", "inf", "isfinite", "nan", "pi", "sqrt"}
 
@@ -38,20 +39,22 @@ def source_modules(kernel=KERNEL):
         lowered = lower_records.lower(texts, import_kernel(kernel, "layout"))
     except lower_records.Refused as refusal:
         raise Refused(refusal) from None
-    return [known_module(path, path.read_bytes(), lowered[name]) for name, path in paths.items()]
+    return [known_module(path, lowered[name]) for name, path in paths.items()]
 
 
-@cache
-def known_module(path, written, text):
-    """A module; what has been read before is the same one."""
-    return Module(path, text)
+def known_module(path, text):
+    """A module without traps; what has been read before, in a copy of the kernel too, is the same one."""
+    key = path.parent.name, path.name, path.read_bytes(), text
+    if key not in KNOWN:
+        found = Module(path, text)
+        found.refuse_silent_traps()
+        KNOWN[key] = found
+    return KNOWN[key]
 
 
 def read_modules(kernel, derivatives=True):
     """What is translated: the modules in the folder ``kernel``, and their ``derivatives``."""
     sources = source_modules(kernel)
-    for module in sources:
-        module.refuse_silent_traps()
     plain = [module for module in sources if module.name not in RULE_MODULES]
     return [*plain, *rated_modules(sources)] if derivatives else plain
 
