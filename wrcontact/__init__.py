@@ -37,6 +37,7 @@ _ELSEWHERE = {
     ),
     "interpolate": ".sweeps.interpolation",
     "kalker_coefficients": ".creep.linear",
+    "RailSections": ".sections",
     "sweep": ".sweeps.run",
     **dict.fromkeys(
         ("ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue", "wear_run"), ".wear"
