@@ -72,8 +72,9 @@ def test_positions_are_in_the_unit_of_the_file(tmp_path):
     text = (tmp_path / "nose.slcs").read_text()
     for k, u in enumerate(POSITIONS):
         text = text.replace(f"{1e3 * u - 0.01:.6f} 'nose_{k}", f"{u:.6f} 'nose_{k}")
-    (tmp_path / "metres.slcs").write_text(text.replace("0.01 1.0", "0.0 1000.0"))
-    assert RailSections.from_file(tmp_path / "metres.slcs").positions == pytest.approx(POSITIONS, abs=1e-9)
+    (tmp_path / "metres.slcs").write_text(text.replace("0.01 1.0", "0.5 1000.0"))
+    read = RailSections.from_file(tmp_path / "metres.slcs")
+    assert read.positions == pytest.approx(POSITIONS + 0.5, abs=1e-9)
 
 
 @TOML

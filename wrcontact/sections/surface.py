@@ -64,6 +64,31 @@ class Surface:
             ]
         )
 
+    def samples(self, u, low, high, shares, beside):
+        """Lateral places (n,) [m] by rising y and :meth:`jet` (8, n) at one position ``u`` [m]: at ``shares`` (s,) of the way
+        from each line to the next, and ``beside`` [m] apart on both sides, from ``low`` to ``high`` [m].
+
+        Where second derivatives jump at a line, those of both sides are there.
+        """
+        lines = self.lines(u)
+        first = [lines[:, :-1, column, None] for column in (PLACE, HEIGHT, SLOPE, BEHIND)]
+        second = [lines[:, 1:, column, None] for column in (PLACE, HEIGHT, SLOPE, BEFORE)]
+        y = first[0][0] + (second[0][0] - first[0][0]) * shares
+        jet = _quintic(first, second, y).reshape(8, -1)
+        ends = []
+        for line, towards in ((0, low), (-1, high)):
+            away = np.linspace(
+                towards, lines[0, line, PLACE], 2 + int(abs(towards - lines[0, line, PLACE]) / beside)
+            )
+            ends.append(
+                (away, _line([lines[:, line, column] for column in (PLACE, HEIGHT, SLOPE, BEHIND)], away))
+            )
+        (before, jet_before), (behind, jet_behind) = ends
+        return (
+            np.concatenate([before, y.ravel(), behind[::-1]]),
+            np.concatenate([jet_before, jet, jet_behind[:, ::-1]], axis=1),
+        )
+
     def edges(self, u):
         """Lateral places [m] of the first and of the last line at ``u`` [m], two arrays of its shape."""
         at, t = self._at(u)
