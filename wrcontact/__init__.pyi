@@ -79,6 +79,7 @@ from .results.climbing import weinstock_limit as weinstock_limit
 from .results.climbing import wheel_lift as wheel_lift
 from .sweeps.interpolation import interpolate as interpolate
 from .creep.linear import kalker_coefficients as kalker_coefficients
+from .sections.rail import RailSections as RailSections
 from .sweeps.run import sweep as sweep
 from .wear.laws import ArchardMap as ArchardMap
 from .wear.laws import BritishRail as BritishRail

@@ -25,6 +25,7 @@ from .locus import root_locus_figure
 from .over_shift import contact_angle, radius_difference, roll_angle
 from .patch import outline_figure
 from .pose import contact_figure, pose_figure
+from .sections import sections_figure
 from .shear import patch_map
 from .solid import wheel_on_rail
 from .style import new_figure, save
@@ -55,6 +56,7 @@ __all__ = [
     "roll_angle",
     "root_locus_figure",
     "save",
+    "sections_figure",
     "shakedown_figure",
     "sweep",
     "sweep_figure",

@@ -66,7 +66,7 @@ class RailSections:
     >>> down = 1e-3 * (1.0 - np.cos(np.pi * np.clip((u - 0.2) / 0.2, 0.0, 1.0)))
     >>> dip = wrcontact.RailSections(u, [rail] * 13, places=np.column_stack([0.0 * u, down]), name="dip")
     >>> dip
-    RailSections('dip', 13 slices at 0 ... 0.6 m, y = -36.1 ... 36.1 mm)
+    RailSections('dip', 13 slices at 0 ... 0.6 m, y = -37.29 ... 37.29 mm)
     >>> round(float(dip.height(0.3, 0.0)), 6)
     0.001
     """
