@@ -5,6 +5,7 @@ docs/img/*.png.
     demo        the picture of ``wrcontact demo`` (README)
     check       the picture of ``wrcontact check`` (docs/guides/check.md)
     models      the pressures of examples/compare_models.py (README)
+    sections    sections of a crossing's nose (docs/guides/sections.md)
     profiles    the standard profiles (docs/guides/profiles_of_the_world.md)
     conformal   planar against conformal theory (docs/theory/conformal.md)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/evidence/source_study.md)
@@ -27,8 +28,8 @@ import numpy as np
 from matplotlib.patches import Arc
 from PIL import Image
 
-from wrcontact import ContactSystem
-from wrcontact.plots import style
+from wrcontact import ContactSystem, RailSections
+from wrcontact.plots import sections_figure, style
 from wrcontact.plots.geometry import WHEEL_ZONES, rail_outline, wheel_outline
 from wrcontact.plots.profiles import draw_profiles
 from wrcontact.plots.style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, RAIL_LABEL, WHEEL_COLOUR
@@ -137,6 +138,21 @@ def frames():
     return figure
 
 
+def sections():
+    """The artificial nose of CONTACT's test bank: arcs of 5 mm beside a top 10 mm wide, walls at 80 deg, rising 1:10."""
+    turn = np.radians(np.linspace(80.0, 0.0, 70))
+    y, z = 5.0 - 5.0 * np.sin(turn), 5.0 * (1.0 - np.cos(turn))
+    wall = np.arange(z[0] + 20.0, z[0], -0.1)
+    side = np.column_stack([np.r_[y[0] - (wall - z[0]) / np.tan(turn[0]), y], np.r_[wall, z]])
+    top = np.column_stack([np.arange(5.1, 14.95, 0.1), np.zeros(99)])
+    points = np.concatenate([side, top, side[::-1] * [-1.0, 1.0] + [20.0, 0.0]]) * MM
+    u = np.linspace(-0.1, 0.1, 21)
+    nose = RailSections(
+        u, [points] * 21, places=np.column_stack([0.0 * u, -0.1 * u]), name="Nose of a crossing"
+    )
+    return sections_figure(nose)
+
+
 @style.styled
 def conformal():
     """Peak pressure over the arc and outline of the right wheel's patches at three poses, by both
@@ -184,6 +200,7 @@ PICTURES = {
     "demo": demo,
     "check": check,
     "profiles": lambda: draw_profiles(every_profile()),
+    "sections": sections,
     "models": models,
     "conformal": conformal,
     "source_5_8": partial(source, "5.8"),

@@ -40,6 +40,7 @@ if TYPE_CHECKING:  # what is imported when it is first used
     from .results.climbing import (
         FlangeClimb,
         GuidingReport,
+        climb_distance_limit,
         climb_distances,
         flange_climb,
         guiding_report,
@@ -49,6 +50,7 @@ if TYPE_CHECKING:  # what is imported when it is first used
         weinstock_limit,
         wheel_lift,
     )
+    from .sections import RailSections
     from .sweeps.interpolation import interpolate
     from .sweeps.run import sweep
     from .wear import ArchardMap, BritishRail, Usfd, Wear, WearRun, Zobory, fatigue, wear_run
@@ -73,6 +75,7 @@ _ELSEWHERE = {
     ),
     "interpolate": ".sweeps.interpolation",
     "kalker_coefficients": ".creep.linear",
+    "RailSections": ".sections",
     "sweep": ".sweeps.run",
     **dict.fromkeys(
         ("ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue", "wear_run"), ".wear"

@@ -8,6 +8,7 @@ from tests.helpers.planted_asked import ASKED
 from tests.helpers.planted_files import FILED
 from tests.helpers.planted_laws import LAWS
 from tests.helpers.planted_rolling import ROLLING_LAWS
+from tests.helpers.planted_sections import SECTIONED
 from tests.helpers.planted_strips import STRIP_LAWS
 from tests.helpers.planted_wear import WORN
 
@@ -572,7 +573,10 @@ ERRORS = [
         "search",
         "prepare_scan",
     ),
-    *(Error(*law) for law in (*ANSWERS, *ASKED, *FILED, *LAWS, *ROLLING_LAWS, *STRIP_LAWS, *WORN)),
+    *(
+        Error(*law)
+        for law in (*ANSWERS, *ASKED, *FILED, *LAWS, *ROLLING_LAWS, *SECTIONED, *STRIP_LAWS, *WORN)
+    ),
 ]
 
 

@@ -380,3 +380,19 @@ def test_the_first_picture_of_the_readme_has_lines_and_a_patch(tmp_path):
     assert len(lines_of(lines, "line")) == 65 and len(meshes(patch)) == 2
     file = plots.save(figure, tmp_path / "title_picture.png", resolution=40)
     assert file.read_bytes().startswith(b"\x89PNG")
+
+
+def test_sections_are_drawn_with_their_heights():
+    u = np.linspace(0.0, 0.4, 5)
+    rail = wrcontact.profiles.standard_profile("UIC60")
+    ramp = wrcontact.RailSections(u, [rail] * 5, places=np.column_stack([0.0 * u, -0.05 * u]), name="ramp")
+    figure = plots.sections_figure(ramp)
+    across, above = figure.axes[:2]
+    assert len(across.lines) == 5 and figure.get_suptitle() == "ramp"
+    for line, position in zip(across.lines, u):
+        y, z = line.get_data()
+        assert np.min(z) == pytest.approx(-50.0 * position, abs=1e-3) and y[0] == pytest.approx(
+            rail.start / MM
+        )
+    assert [line[0, 0] for line in lines_of(above, "slice")] == pytest.approx(list(u))
+    assert above.get_xlabel() == "position along the track [m]"

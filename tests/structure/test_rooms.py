@@ -28,6 +28,7 @@ ORDER = (
     *(f"kernel.{room}" for room in ROOMS),
     "kernel.binding",
     "profiles",
+    "sections",
     "results",
     "keywords",
     "status",

@@ -25,6 +25,7 @@ from .lines import contact_lines
 from .locus import root_locus_figure
 from .patch import outline_figure
 from .pose import contact_figure, pose_figure
+from .sections import sections_figure
 from .shear import patch_map
 from .style import new_figure, save
 from .sweep import sweep, sweep_figure
@@ -56,6 +57,7 @@ __all__ = [
     "roll_angle",
     "root_locus_figure",
     "save",
+    "sections_figure",
     "shakedown_figure",
     "sweep",
     "sweep_figure",

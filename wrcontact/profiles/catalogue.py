@@ -59,6 +59,11 @@ def find_profile(source, kind, smoothing=None, argument=None, track=None):
     smoothing_in_mm(smoothing)
     if isinstance(source, Profile):
         return of_kind(source, kind)
+    if getattr(source, "kind", None) == "rail sections":
+        raise ValueError(
+            f"{argument or kind} is RailSections {source.name!r}, which change along the track; permitted are profiles that "
+            "are the same all along it"
+        )
     if isinstance(source, ProfileFile) and os.path.isfile(source.path):
         return read_profile(source, kind, smoothing, Profile, track)
     if isinstance(source, str) and source in NAMES[kind]:

@@ -19,6 +19,7 @@ ROOMS = (
     "elementary",
     "surface",
     "search",
+    "sections",
     "contact",
     "patch",
     "normal",

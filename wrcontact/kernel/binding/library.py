@@ -147,6 +147,26 @@ class Kernel:
         work = Work.at(workspace)
         source.solve_creep_force(Tables.at(tables), work.rolling, work.patch)
 
+    def search_sections(self, tables, workspace, index, pose):
+        """Search the smallest gap of the wheel of side ``index`` over a rail whose section changes; the workspace (n,) then
+        has the search and the place of the wheel.
+
+        Parameters
+        ----------
+        tables : (m,), with the sections of this side (sections/kernel_table.py).
+        pose : (4,), position along the track, lateral shift [m], yaw and roll [rad], as those of a right side.
+
+        Returns
+        -------
+        bool
+            whether the gap is certainly the smallest one.
+        """
+        if self.compiled:
+            found = self.library.wrcontact_search_sections(span(tables), span(workspace), index, span(pose))
+            return bool(found)
+        source = import_module("..sections.section_pose", __package__)
+        return source.search_at(Tables.at(tables), Work.at(workspace).section_search, index, view(pose))
+
 
 def fill_starts(source, tables):
     """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
@@ -276,6 +296,8 @@ def declare(library):
     library.wrcontact_step_many.restype = ctypes.c_int
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
     library.wrcontact_cut_patch.argtypes = [Span]
+    library.wrcontact_search_sections.argtypes = [Span, Span, ctypes.c_int64, Span]
+    library.wrcontact_search_sections.restype = ctypes.c_int
     library.wrcontact_solve_creep_force.argtypes = [Span] * 2
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
     if hasattr(library, "wrcontact_derivative"):  # not in that of STEP_UNITS

@@ -16,6 +16,7 @@ from .interface import *  # noqa: F403
 from .patch import *  # noqa: F403
 from .record import clear, copy, inlined, native, offset, seldom, size  # noqa: F401
 from .search import *  # noqa: F403
+from .sections import *  # noqa: F403
 
 
 def digest():

@@ -40,6 +40,7 @@ from .patch import (
 )
 from .record import WIDTH, Float, To, record, size
 from .search import ContactPoint, RollTrials, Scan, Sides, Starts
+from .sections import Sections, SectionSearch
 
 
 @record
@@ -222,6 +223,10 @@ class Pair:
     rail_arc: To(CubicTable)  # arc length of the rail from its start [m] over its abscissa
     rail_at_arc: To(CubicTable)  # and the abscissa over the arc length
     scan: To(Scan)  # raster over both
+    sections: To(
+        Sections
+    )  # of a rail whose section changes along the track, beside which ``rail`` does not count
+    changing: bool  # whether it does
 
 
 @record
@@ -314,6 +319,7 @@ class Work:
     turning: Turning
     rolling: Rolling
     patch: Patch  # a patch by itself, apart from a step
+    section_search: SectionSearch
 
 
 INPUT_COUNT: Final[int] = size(Inputs)

@@ -1,0 +1,169 @@
+"""Records of rails whose section changes along the track: the table of such a rail, and the search over it."""
+
+from typing import Final
+
+from .contact import Place
+from .record import OPEN, To, record, run
+
+BOX_LIMIT: Final[int] = 512  # boxes that wait to be searched
+#: Bounds are known over rows of 1, LEVEL_RATIO and LEVEL_RATIO^2 cells along the track.
+LEVEL_COUNT: Final[int] = 3
+LEVEL_RATIO: Final[int] = 4
+
+
+@record
+class SectionCubic:
+    """A cubic of the distance from a break along the track."""
+
+    c0: float
+    c1: float
+    c2: float
+    c3: float
+
+
+@record
+class SectionKnot:
+    """A line of equal share between two breaks: its lateral place, and there height, slope and second derivative
+    across the track, towards the line before and the one behind."""
+
+    place: SectionCubic  # [m]
+    height: SectionCubic  # [m]
+    slope: SectionCubic  # [-]
+    before: SectionCubic  # [1/m]
+    behind: SectionCubic  # [1/m]
+
+
+@record
+class SectionCell:
+    """Bounds of the surface's derivatives in a cell, and over the next ones along the track."""
+
+    least_along: float  # z_u [-]
+    most_along: float
+    least_across: float  # z_y [-]
+    most_across: float
+    least_bend_along: float  # z_uu [1/m]
+    most_bend_along: float
+    least_twist: float  # z_uy [1/m]
+    most_twist: float
+    least_bend_across: float  # z_yy [1/m]
+    most_bend_across: float
+    least_lean: float  # x component of the normal that points down [-]
+    most_lean: float
+
+
+#: Values at the breaks along the track.
+SectionBreaks = run(OPEN)
+SectionKnots = SectionKnot * OPEN
+SectionCells = SectionCell * OPEN
+
+
+@record
+class Sections:
+    """A rail whose section changes along the track (wrcontact/sections/surface.py)."""
+
+    interval_count: int
+    knot_count: int
+    breaks: To(SectionBreaks)  # where the cubics begin and the last one ends [m]
+    knots: To(SectionKnots)  # those of the first interval, then those of the next
+    along_count: int  # of the cells of bounds
+    across_count: int
+    along: To(SectionBreaks)  # where the cells begin and the last one ends [m]
+    across_start: float  # lateral places where they begin and end [m]
+    across_stop: float
+    across_per_metre: float
+    cells: To(
+        SectionCells
+    )  # of single cells, a row across for each one along; then of LEVEL_RATIO cells, ...
+    top: float  # height of the highest place [m]
+    least_lean: float  # over the whole surface [-]
+    most_lean: float
+
+
+@record
+class SectionBounds:
+    """Bounds as in a cell, over a part of the surface."""
+
+    least_along: float
+    most_along: float
+    least_across: float
+    most_across: float
+    least_bend_along: float
+    most_bend_along: float
+    least_twist: float
+    most_twist: float
+    least_bend_across: float
+    most_bend_across: float
+    least_lean: float
+    most_lean: float
+
+
+@record
+class SectionBox:
+    """Places on the wheel that wait to be searched."""
+
+    low: float  # wheel abscissae [m]
+    high: float
+    back: float  # angles around the wheel [rad]
+    ahead: float
+
+
+@record
+class SectionGap:
+    """The gap at a place of the wheel, and its derivatives by abscissa and angle."""
+
+    gap: float  # [m]
+    across: float  # [-]
+    around: float  # [m]
+    bend_across: float  # [1/m]
+    twist: float  # [-]
+    bend_around: float  # [m]
+    x: float  # place in the track, from the middle of the wheelset [m]
+    y: float
+    along: float  # slopes of the rail there [-]
+    slope: float
+
+
+@record
+class SectionSpread:
+    """What is known of the wheel over a box, and of the gap's second derivatives in it."""
+
+    least_slope: float  # of the wheel's profile [-]
+    most_slope: float
+    least_bend: float  # [1/m]
+    most_bend: float
+    least_radius: float  # [m]
+    most_radius: float
+    least_sine: float  # of the angles
+    most_sine: float
+    least_cosine: float
+    most_cosine: float
+    bend_across: float  # smallest second derivative of the gap by the abscissa [1/m]
+    twist: float  # largest absolute mixed one [-]
+    bend_around: float  # smallest one by the angle [m]
+    most_across: float  # largest absolute ones
+    most_around: float
+
+
+@record
+class SectionSearch:
+    """The smallest gap of one wheel over a rail whose section changes, while it is sought."""
+
+    place: Place  # where the wheel is placed
+    position: float  # of the wheelset along the track [m]
+    best: float  # smallest gap found [m]
+    best_y: float  # its wheel abscissa [m]
+    best_angle: float  # and angle around the wheel, forward from the lowest point [rad]
+    settled_y: float  # where Newton's method has settled last
+    settled_angle: float
+    box_count: float  # boxes looked at
+    gap_count: float  # gaps computed
+    edge: float  # what the gap may be where the straight continuation beside the section ends [m]
+    u: float  # middle of the part of the rail below a box [m]
+    abscissa: float
+    ahead: float  # and how far it reaches at most [m]
+    aside: float
+    inside: bool  # whether there is a surface below all of it
+    at: SectionGap  # last computed; in the end at the smallest one
+    spread: SectionSpread
+    bounds: SectionBounds
+    boxes: SectionBox * BOX_LIMIT

@@ -1,0 +1,127 @@
+"""The table of a rail whose section changes, as the kernel reads it (kernel/layout/sections.py).
+
+Bounds of slopes and second derivatives are found from samples of the surface, closer together than its lines, in each
+cell and around it, and are widened by a share of their range. tests/sections/test_bounds.py compares them with other
+samples.
+"""
+
+import numpy as np
+
+from ..kernel import layout
+from .surface import BEFORE, BEHIND, HEIGHT, PLACE, SLOPE
+
+#: Longest cell along the track [m], and most cells between two breaks.
+ALONG, MOST_ALONG = 5e-3, 16
+#: Cells across the track [m], and how far they go beyond the ends of sections.
+ACROSS, MARGIN = 5e-4, 5e-3
+#: Samples along a cell, and where they are across between two lines of the surface.
+SAMPLES_ALONG, SHARES = 5, np.linspace(0.0, 1.0, 5)
+#: Share of its range by which a bound is widened, and the least of it for slopes [-] and second derivatives [1/m].
+WIDENED, LEAST = 0.05, np.array([1e-9, 1e-9, 1e-4, 1e-4, 1e-4, 1e-9])
+#: The highest place may lie this much higher than the highest sample [m].
+HIGHER = 1e-5
+#: Numbers of the head of a table.
+HEAD, KNOT, CELL = (
+    layout.size(layout.Sections),
+    layout.size(layout.SectionKnot),
+    layout.size(layout.SectionCell),
+)
+
+
+def with_sections(tables, index, surface, lateral):
+    """The kernel's ``tables`` (n,) with a changing rail on side ``index``, 0 left and 1 right: its ``surface``, whose
+    origin has the track coordinate ``lateral`` [m] as that of a right side."""
+    table = section_table(surface)
+    joined = np.concatenate([tables, table])
+    pair = layout.Tables.at(joined).pairs[index]
+    pair.sections = len(tables) - layout.offset(pair, joined)
+    pair.changing = True
+    pair.rail_y = lateral
+    return joined
+
+
+def section_table(surface):
+    """The table (n,) of a :class:`~wrcontact.sections.surface.Surface`."""
+    along, start, cells, top = bounds_of(surface)
+    levels = np.stack(leveled(cells))
+    intervals, _, knots, _ = surface.cubics.shape
+    order = [PLACE, HEIGHT, SLOPE, BEFORE, BEHIND]
+    cubics = np.moveaxis(surface.cubics, 1, -1)[:, :, order]  # (interval, knot, quantity, power)
+    parts = [surface.breaks, cubics.ravel(), along, levels.ravel()]
+    places = HEAD + np.cumsum([0, *map(len, parts)])
+    table = np.concatenate([np.zeros(HEAD), *parts])
+    head = layout.Sections.at(table)
+    head.interval_count, head.knot_count = intervals, knots
+    head.breaks, head.knots, head.along, head.cells = (int(place) for place in places[:4])
+    head.along_count, head.across_count = len(along) - 1, cells.shape[1]
+    head.across_start, head.across_stop = start, start + cells.shape[1] * ACROSS
+    head.across_per_metre = 1.0 / ACROSS
+    head.top, head.least_lean, head.most_lean = top, cells[..., 10].min(), cells[..., 11].max()
+    return table
+
+
+def bounds_of(surface):
+    """Breaks of cells along the track (a + 1,) and where those across begin [m], the cells (a, b, CELL), and the height of
+    the highest place [m]."""
+    lengths = np.diff(surface.breaks)
+    counts = np.clip(np.ceil(lengths / ALONG - 1e-9), 1, MOST_ALONG).astype(int)
+    along = np.concatenate(
+        [
+            *(
+                low + length * np.arange(count) / count
+                for low, length, count in zip(surface.breaks, lengths, counts)
+            ),
+            surface.breaks[-1:],
+        ]
+    )
+    u = along[:-1, None] + np.diff(along)[:, None] * np.linspace(0.0, 1.0, SAMPLES_ALONG)
+    first, last = surface.edges(u)
+    start = first.min() - MARGIN
+    count = int(np.ceil((last.max() + MARGIN - start) / ACROSS))
+    cells, top = np.empty((len(u), count, CELL)), np.inf
+    for k, row in enumerate(u):
+        least, most, highest = _sampled(surface, row, start, count)
+        wider = WIDENED * (most - least) + LEAST
+        cells[k, :, 0::2], cells[k, :, 1::2] = least - wider, most + wider
+        top = min(top, highest)
+    return along, start, cells, float(top) - HIGHER
+
+
+def _sampled(surface, u, start, count):
+    """Least and most of what is bounded (count, CELL / 2) in a row of cells, from samples at positions ``u`` (n,), and the
+    smallest height there.
+
+    A sample counts for every cell between the ones beside it, and for those that its line passes up to the next position.
+    """
+    least, most = np.full((count, CELL // 2), np.inf), np.full((count, CELL // 2), -np.inf)
+    highest, cells = np.inf, np.arange(count)
+    for one in u:
+        y, jet = surface.samples(one, start, start + count * ACROSS, SHARES, ACROSS)
+        z, z_u, z_y = jet[:3]
+        values = np.stack([z_u, z_y, *jet[3:6], -z_u / np.sqrt(1.0 + z_u**2 + z_y**2)], axis=-1)
+        drift = np.abs(jet[6]).max() * (u[1] - u[0])
+        from_cell = np.floor((np.r_[y[0], y[:-1]] - drift - start) / ACROSS)
+        to_cell = np.floor((np.r_[y[1:], y[-1]] + drift - start) / ACROSS)
+        ends = np.column_stack(
+            [np.searchsorted(to_cell, cells), np.searchsorted(from_cell, cells, side="right")]
+        ).ravel()
+        values = np.concatenate([values, values[-1:]])  # for a part that ends with the last one
+        least = np.minimum(least, np.minimum.reduceat(values, ends)[::2])
+        most = np.maximum(most, np.maximum.reduceat(values, ends)[::2])
+        highest = min(highest, z.min())
+    return least, most, highest
+
+
+def leveled(cells):
+    """Bounds of single cells, and of LEVEL_RATIO and more of them in a row along the track, as far as there are any."""
+    levels, found = [cells], cells
+    for _ in range(layout.LEVEL_COUNT - 1):
+        step = layout.LEVEL_RATIO ** (len(levels) - 1)
+        wider = found.copy()
+        for move in range(1, layout.LEVEL_RATIO):
+            shifted = found[np.minimum(np.arange(len(found)) + move * step, len(found) - 1)]
+            wider[..., 0:12:2] = np.minimum(wider[..., 0:12:2], shifted[..., 0:12:2])
+            wider[..., 1:12:2] = np.maximum(wider[..., 1:12:2], shifted[..., 1:12:2])
+        levels.append(wider)
+        found = wider
+    return levels
