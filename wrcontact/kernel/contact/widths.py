@@ -5,7 +5,7 @@ from its width.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Contact, FirstWidths, Frame, Origin, Pair, Region, Regions
+from ..layout import RAIL, WHEEL, Contact, FirstWidths, Frame, Origin, Pair, Region
 from ..surface.locus import outline_x
 from .curves import open_origin
 from .frame import NO_GAP, is_yawed
@@ -114,13 +114,6 @@ def keep_widths(first: FirstWidths, region: Region):
     first.penetration = region.width_penetration
     first.low = region.width_low
     first.high = region.width_high
-
-
-def keep_contact_widths(first: FirstWidths, regions: Regions, count: int):
-    """Note the half-widths of the region of a pressed wheel's contact point."""
-    for index in range(count):
-        if not regions[index].own:
-            keep_widths(first, regions[index])
 
 
 def start_widths(first: FirstWidths, region: Region):

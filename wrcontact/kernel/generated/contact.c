@@ -119,9 +119,8 @@ static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables,
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
 static inline double widths__width_tolerance(double estimate);
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate);
-static inline int64_t widths__keep_widths(array_double_1d work, int64_t first, int64_t region);
-static inline int64_t widths__keep_contact_widths(array_double_1d work, int64_t first, int64_t count);
-static inline int64_t widths__start_widths(array_double_1d work, int64_t first, int64_t region);
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t region);
+static inline int64_t widths__start_widths(array_double_1d work, int64_t region);
 static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration);
 static inline double widths__side_curvature(double reached, double own, double mean);
 
@@ -2747,38 +2746,24 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
 }
 
 /* Note the half-widths of a region about the contact point. */
-static inline int64_t widths__keep_widths(array_double_1d work, int64_t first, int64_t region)
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t region)
 {
-    AT(work, first + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
-    AT(work, first + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
-    AT(work, first + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
-    return 0;
-}
-
-/* Note the half-widths of the region of a pressed wheel's contact point. */
-static inline int64_t widths__keep_contact_widths(array_double_1d work, int64_t first, int64_t count)
-{
-    int64_t index;
-    for (index = 0; index < count; index += 1)
-    {
-        if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_OWN) == 1.0))
-        {
-            widths__keep_widths(work, first, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
-        }
-    }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
     return 0;
 }
 
 /* Let a region whose minimum lies within the ``first`` widths begin with them. */
-static inline int64_t widths__start_widths(array_double_1d work, int64_t first, int64_t region)
+static inline int64_t widths__start_widths(array_double_1d work, int64_t region)
 {
     double low, high;
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
-    low = AT(work, first + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
-    high = AT(work, first + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
-    if (AT(work, first + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_HIGH))
+    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
+    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))
     {
-        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, first + layout__FIRST_WIDTHS_PENETRATION);
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION);
         AT(work, region + layout__REGION_WIDTH_LOW) = low;
         AT(work, region + layout__REGION_WIDTH_HIGH) = high;
     }

@@ -2219,46 +2219,32 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
 }
 
 /* Derivative of ``keep_widths``. */
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region)
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
 {
-    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
-    AT(work, first + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
-    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
-    AT(work, first + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
-    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
-    AT(work, first + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
-    return 0;
-}
-
-/* Derivative of ``keep_contact_widths``. */
-static inline int64_t derivative_widths__keep_contact_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count)
-{
-    int64_t index;
-    for (index = 0; index < count; index += 1)
-    {
-        if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_OWN) == 1.0))
-        {
-            derivative_widths__keep_widths_t(work, work_t, first, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
-        }
-    }
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
     return 0;
 }
 
 /* Derivative of ``start_widths``. */
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region)
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
 {
     lanes low_t, high_t;
     double low, high;
     RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION) = all_lanes(0.0);
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
-    EACH_LANE each(low_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
-    low = AT(work, first + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
-    EACH_LANE each(high_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
-    high = AT(work, first + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
-    if (AT(work, first + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_HIGH))
+    EACH_LANE each(low_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
+    EACH_LANE each(high_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))
     {
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION));
-        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, first + layout__FIRST_WIDTHS_PENETRATION);
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION);
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
         AT(work, region + layout__REGION_WIDTH_LOW) = low;
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);

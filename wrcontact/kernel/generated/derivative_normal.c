@@ -376,23 +376,23 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
     {
         by_penetration = true;
     }
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, force_t, by_penetration);
         *penetration_out = penetration;
         EACH_LANE each(*penetration_t_out) = each(penetration_t);
         *count_out = count;
         *satisfied_out = satisfied;
         return;
     }
-    RATE_AT(work_t, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
-    AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (!by_penetration)
     {
         derivative_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, pair, force, force_t);
         EACH_LANE each(penetration_t) = each(v1_t);
         penetration = v1;
-        derivative_widths__keep_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+        derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     count = 0;
     satisfied = false;
@@ -409,7 +409,7 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
             *satisfied_out = false;
             return;
         }
-        derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, estimate, estimate_t, force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, estimate, estimate_t, force, force_t, by_penetration);
         if (penetration < analyn_contact__ESTIMATE_FACTOR * estimate && analyn_contact__ESTIMATE_FACTOR * penetration > estimate)
         {
             break;
@@ -422,21 +422,21 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
 }
 
 /* Derivative of ``solve_estimated``. */
-static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration)
+static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration)
 {
     int64_t n1, count, n2;
     double penetration;
     lanes penetration_t;
     bool satisfied;
-    n1 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, side, estimate, estimate_t);
+    n1 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, estimate, estimate_t);
     count = n1;
-    derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, side, count, force, force_t, estimate, estimate_t, by_penetration);
+    derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, estimate, estimate_t, by_penetration);
     if (!satisfied && count > 1)
     {
         derivative_deep_points__keep_deepest_t(work, work_t);
-        n2 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, side, estimate, estimate_t);
+        n2 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, estimate, estimate_t);
         count = n2;
-        derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, side, count, force, force_t, estimate, estimate_t, by_penetration);
+        derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, estimate, estimate_t, by_penetration);
     }
     *penetration_out = penetration;
     EACH_LANE each(*penetration_t_out) = each(penetration_t);
@@ -445,7 +445,7 @@ static inline void derivative_analyn_contact__solve_estimated_t(double* penetrat
 }
 
 /* Derivative of ``gather_regions``. */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t)
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t)
 {
     int64_t i, n1, count;
     for (i = 0; i < layout__REGION_LIMIT; i += 1)
@@ -457,14 +457,14 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
     count = n1;
     for (i = 0; i < count; i += 1)
     {
-        derivative_widths__start_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        derivative_widths__start_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     derivative_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
 }
 
 /* Derivative of ``solve_fine``. */
-static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration)
+static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration)
 {
     lanes start_t;
     double start, enlarge;
@@ -477,10 +477,6 @@ static inline void derivative_analyn_contact__solve_fine_t(double* penetration_o
     for (repeat = 0; repeat < analyn_contact__COVER_REPEATS; repeat += 1)
     {
         derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, all_lanes(0.0));
-        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
-        {
-            derivative_widths__keep_contact_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, count);
-        }
         derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
@@ -540,8 +536,6 @@ static inline void derivative_auto_contact__auto_contact_t(double* penetration_o
         EACH_LANE each(load_t) = each(v3_t);
         load = v3;
         derivative_pressed_regions__raise_wheel_t(work, work_t, sunk);
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
-        AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
         derivative_strip_contact__strip_contact_t(&found, &found_t, &strip_count, &solved, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
         if (solved)
         {
@@ -570,8 +564,6 @@ static inline void derivative_auto_contact__auto_contact_t(double* penetration_o
             return;
         }
         derivative_pressed_regions__raise_wheel_t(work, work_t, sunk);
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
-        AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
         derivative_analyn_contact__analyn_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     else if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
@@ -2499,7 +2491,7 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
     }
     else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0)
     {
-        derivative_strip_contact__coarse_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t);
+        derivative_strip_contact__coarse_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, force, force_t);
     }
     else
     {
@@ -2520,9 +2512,11 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
 /* Derivative of ``mean_normal``. */
 static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
 {
-    lanes total_t, cosines_t, sines_t, weight_t, turn_t, tilt_t, share_t, v9_t;
-    double total, cosines, sines, v1, weight, turn, tilt, v2, v3, v4, share, v5, v6, v7, v8, v9;
+    bool upright;
+    lanes total_t, cosines_t, sines_t, weight_t, turn_t, tilt_t, along_t, v3_t, height_t, slope_t, share_t, v11_t;
+    double total, cosines, sines, v1, weight, turn, tilt, v2, along, v3, height, slope, v4, v5, v6, share, v7, v8, v9, v10, v11;
     int64_t direction, last, k, at;
+    upright = (int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_VERTICAL;
     total_t = all_lanes(0.0);
     total = 0.0;
     cosines_t = all_lanes(0.0);
@@ -2557,32 +2551,44 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             turn = AT(work, nodes + layout__NODES_TURN + 128 + at);
             EACH_LANE each(tilt_t) = each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + at));
             tilt = AT(work, nodes + layout__NODES_TILT + 128 + at);
-            v2 = turn * turn + tilt * tilt;
-            v3 = sqrt(v2);
-            v4 = weight / v3;
-            EACH_LANE each(share_t) = (each(weight_t) - v4 * derivative_rates__root_rate(v3, each(turn_t) * turn + turn * each(turn_t) + (each(tilt_t) * tilt + tilt * each(tilt_t)))) / v3;
-            share = v4;
-            v5 = turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-            EACH_LANE each(cosines_t) = each(cosines_t) + (each(share_t) * v5 + share * (each(turn_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (each(tilt_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + tilt * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
-            cosines = cosines + share * v5;
-            v6 = tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-            EACH_LANE each(sines_t) = each(sines_t) + (each(share_t) * v6 + share * (each(tilt_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + tilt * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(turn_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + turn * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
-            sines = sines + share * v6;
+            if (upright)
+            {
+                v2 = (double)at;
+                EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v2;
+                along = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) + AT(work, region + layout__REGION_SPACING) * v2;
+                derivative_curves__abscissa_at_arc_t(&v3, &v3_t, tables, pair, along, along_t);
+                derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), v3, v3_t);
+                EACH_LANE each(turn_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+                turn = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+                EACH_LANE each(tilt_t) = each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+                tilt = slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+            }
+            v4 = turn * turn + tilt * tilt;
+            v5 = sqrt(v4);
+            v6 = weight / v5;
+            EACH_LANE each(share_t) = (each(weight_t) - v6 * derivative_rates__root_rate(v5, each(turn_t) * turn + turn * each(turn_t) + (each(tilt_t) * tilt + tilt * each(tilt_t)))) / v5;
+            share = v6;
+            v7 = turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+            EACH_LANE each(cosines_t) = each(cosines_t) + (each(share_t) * v7 + share * (each(turn_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (each(tilt_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + tilt * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
+            cosines = cosines + share * v7;
+            v8 = tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+            EACH_LANE each(sines_t) = each(sines_t) + (each(share_t) * v8 + share * (each(tilt_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + tilt * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(turn_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + turn * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
+            sines = sines + share * v8;
         }
     }
     if (total > 0.0)
     {
-        v7 = cosines / total;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v7 * each(total_t)) / total;
-        AT(work, region + layout__REGION_COS) = v7;
-        v8 = sines / total;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v8 * each(total_t)) / total;
-        AT(work, region + layout__REGION_SIN) = v8;
+        v9 = cosines / total;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v9 * each(total_t)) / total;
+        AT(work, region + layout__REGION_COS) = v9;
+        v10 = sines / total;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v10 * each(total_t)) / total;
+        AT(work, region + layout__REGION_SIN) = v10;
         if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v9, &v9_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), RATE_AT(work_t, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v9_t);
-            AT(work, region + layout__REGION_SHARE) = v9;
+            derivative_rails__upright_share_t(&v11, &v11_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), RATE_AT(work_t, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v11_t);
+            AT(work, region + layout__REGION_SHARE) = v11;
         }
     }
     return 0;
@@ -2830,9 +2836,11 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
     double v2, penetration, v3, estimate;
     lanes v2_t, penetration_t, v3_t, estimate_t;
     by_penetration = isfinite(prescribed);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair, side);
+        n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
         count = n1;
         derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
         derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, force_t, by_penetration);
@@ -2848,7 +2856,7 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
         derivative_estimate__first_penetration_t(&v3, &v3_t, tables, work, work_t, pair, force, force_t);
         EACH_LANE each(estimate_t) = each(v3_t);
         estimate = v3;
-        derivative_widths__keep_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+        derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         derivative_strip_contact__sink_strips_t(&penetration, &penetration_t, &count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, false);
         if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
         {
@@ -2916,7 +2924,7 @@ static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes
             *count_out = 0;
             return;
         }
-        n2 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair, side);
+        n2 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
         count = n2;
         if (by_penetration)
         {
@@ -2940,13 +2948,15 @@ static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes
 }
 
 /* Derivative of ``coarse_contact``. */
-static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t)
+static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
 {
     int64_t n1, count;
     double v2, penetration;
     lanes v2_t, penetration_t;
     bool satisfied;
-    n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair, side);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
+    n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
     count = n1;
     derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
     derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, strip_contact__FIRST_SWEEPS, force, force_t, false);
@@ -2969,7 +2979,7 @@ static inline void derivative_strip_contact__coarse_contact_t(double* penetratio
 }
 
 /* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side)
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     int64_t n1, count, deepest, index;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
@@ -2979,13 +2989,9 @@ static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tab
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     for (index = 0; index < count; index += 1)
     {
-        derivative_widths__start_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
+        derivative_widths__start_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
     }
     derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH));
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
-    {
-        derivative_widths__keep_contact_widths_t(work, work_t, side + layout__SIDE_SEARCH_WIDTHS, count);
-    }
     derivative_strip_surfaces__trace_zones_t(tables, work, work_t, pair, count);
     return count;
 }

@@ -13,10 +13,6 @@ static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_
     lanes rates;
     derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_LATERAL_SHIFT), RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_SHIFT), AT(work, inputs + layout__INPUTS_YAW), RATE_AT(work_t, inputs + layout__INPUTS_YAW), roll, roll_t, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), all_lanes(0.0), AT(tables, layout__TABLES_HEIGHT), all_lanes(0.0), AT(tables, layout__TABLES_ARM), all_lanes(0.0));
     derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), all_lanes(0.0));
-    RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
-    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
-    RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
-    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     EACH_LANE each(rates) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
     derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL), rates, AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL), RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));

@@ -18,9 +18,9 @@ static inline void derivative_analyn__penetrations_rule_t(double* penetration_ou
 static inline void derivative_analyn_contact__analyn_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count);
 static inline void derivative_analyn_contact__solve_analyn_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration);
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t);
-static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration);
+static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration);
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t);
+static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration);
 
 /* derivative_at_height.py */
 static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
@@ -493,8 +493,8 @@ static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lan
 /* derivative_strip_contact.py */
 static inline void derivative_strip_contact__strip_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes* v4_t_out, int64_t* count_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double estimate, lanes estimate_t, bool by_penetration);
-static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t);
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side);
+static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t);
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
 static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
 static inline void derivative_strip_contact__sweep_strips_t(double* found_out, lanes* found_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t sweeps, double force, lanes force_t, bool by_penetration);
 
@@ -634,9 +634,8 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
 static inline void derivative_widths__width_limit_t(double* limit_out, lanes* limit_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t);
 static inline void derivative_widths__width_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double estimate, lanes estimate_t);
 static inline void derivative_widths__zone_width_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t);
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region);
-static inline int64_t derivative_widths__keep_contact_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count);
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region);
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
 static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double local_penetration, lanes local_penetration_t);
 static inline void derivative_widths__side_curvature_t(double* curvature_out, lanes* curvature_t_out, double reached, lanes reached_t, double own, lanes own_t, double mean, lanes mean_t);
 static inline void derivative_widths__width_rule_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t);

@@ -17,9 +17,9 @@ static inline int64_t analyn__apply_moves(array_double_1d work, int64_t count, d
 static inline void analyn_contact__analyn_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t analyn_contact__fill_from_analyn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t count);
 static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
-static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double estimate, double force, bool by_penetration);
-static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration);
-static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t count, double force, double penetration, bool by_penetration);
+static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration);
+static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration);
+static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration);
 
 /* normal/auto_contact.py */
 static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
@@ -106,8 +106,8 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
 static inline void strip_contact__strip_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration);
 static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables);
-static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force);
-static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
+static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double force);
+static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t strip_contact__start_runs(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t sweeps, double force, bool by_penetration);
 
@@ -592,19 +592,19 @@ static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t
     {
         by_penetration = true;
     }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, side, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, by_penetration);
+        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, by_penetration);
         *penetration_out = penetration;
         *count_out = count;
         *satisfied_out = satisfied;
         return;
     }
-    AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (!by_penetration)
     {
         penetration = estimate__first_penetration(tables, work, pair, force);
-        widths__keep_widths(work, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+        widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     count = 0;
     satisfied = false;
@@ -619,7 +619,7 @@ static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t
             *satisfied_out = false;
             return;
         }
-        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, side, estimate, force, by_penetration);
+        analyn_contact__solve_estimated(&penetration, &count, &satisfied, tables, work, pair, estimate, force, by_penetration);
         if (penetration < analyn_contact__ESTIMATE_FACTOR * estimate && analyn_contact__ESTIMATE_FACTOR * penetration > estimate)
         {
             break;
@@ -633,19 +633,19 @@ static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t
 /* Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
  * value: whether the force is satisfied.
  */
-static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double estimate, double force, bool by_penetration)
+static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration)
 {
     int64_t count;
     double penetration;
     bool satisfied;
-    count = analyn_contact__gather_regions(tables, work, pair, side, estimate);
-    analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, side, count, force, estimate, by_penetration);
+    count = analyn_contact__gather_regions(tables, work, pair, estimate);
+    analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, count, force, estimate, by_penetration);
     if (!satisfied && count > 1)
     {
         /* regions so close that pressing on each other has no fixed point are one region */
         deep_points__keep_deepest(work);
-        count = analyn_contact__gather_regions(tables, work, pair, side, estimate);
-        analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, side, count, force, estimate, by_penetration);
+        count = analyn_contact__gather_regions(tables, work, pair, estimate);
+        analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, count, force, estimate, by_penetration);
     }
     *penetration_out = penetration;
     *count_out = count;
@@ -655,7 +655,7 @@ static inline void analyn_contact__solve_estimated(double* penetration_out, int6
 /* Open the regions where the wheel overlaps its rail, with their first local penetrations; their
  * number.
  */
-static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration)
+static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration)
 {
     int64_t i, count;
     for (i = 0; i < layout__REGION_LIMIT; i += 1)
@@ -665,7 +665,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
     count = pressed_regions__gather_overlaps(tables, work, pair);
     for (i = 0; i < count; i += 1)
     {
-        widths__start_widths(work, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
     }
     estimate__start_penetrations(work, count, penetration);
     return count;
@@ -674,7 +674,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
 /* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
  * the force is satisfied.
  */
-static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t count, double force, double penetration, bool by_penetration)
+static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration)
 {
     double start, enlarge;
     bool satisfied;
@@ -685,10 +685,6 @@ static inline void analyn_contact__solve_fine(double* penetration_out, bool* sat
     for (repeat = 0; repeat < analyn_contact__COVER_REPEATS; repeat += 1)
     {
         nodes__prepare_regions(tables, work, pair, count, enlarge);
-        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
-        {
-            widths__keep_contact_widths(work, side + layout__SIDE_SEARCH_WIDTHS, count);
-        }
         analyn__solve_penetrations(&penetration, &satisfied, work, tables, count, force, start, by_penetration);
         if (!satisfied)
         {
@@ -751,8 +747,6 @@ static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int6
     {
         load = auto_contact__total_load(work, count);
         pressed_regions__raise_wheel(work, sunk);
-        /* as if strips or ANALYN were by themselves */
-        AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
         strip_contact__strip_contact(&found, &strip_count, &solved, tables, work, pair, side, force, prescribed);
         if (solved)
         {
@@ -771,7 +765,6 @@ static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int6
             return;
         }
         pressed_regions__raise_wheel(work, sunk);
-        AT(work, side + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
         analyn_contact__analyn_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
     }
     else if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
@@ -2136,7 +2129,7 @@ static inline void normal_contact__solve_normal(double* penetration_out, int64_t
     }
     else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0)
     {
-        strip_contact__coarse_contact(&penetration, &count, &satisfied, tables, work, pair, side, force);
+        strip_contact__coarse_contact(&penetration, &count, &satisfied, tables, work, pair, force);
     }
     else
     {
@@ -2180,11 +2173,15 @@ static inline double normal_contact__residual_rate(array_double_1d tables)
 
 /* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
  * local penetration [m].
+ *
+ * Nodes lie along the rail, also those of vertical distances here.
  */
 static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration)
 {
-    double total, cosines, sines, weight, turn, tilt, share;
+    bool upright;
+    double total, cosines, sines, weight, turn, tilt, along, height, slope, share;
     int64_t direction, last, k, at;
+    upright = (int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_VERTICAL;
     total = 0.0;
     cosines = 0.0;
     sines = 0.0;
@@ -2210,6 +2207,13 @@ static inline int64_t patch_places__mean_normal(array_double_1d tables, array_do
             total += weight;
             turn = AT(work, nodes + layout__NODES_TURN + 128 + at);
             tilt = AT(work, nodes + layout__NODES_TILT + 128 + at);
+            if (upright)
+            {
+                along = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) + AT(work, region + layout__REGION_SPACING) * (double)at;
+                tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), curves__abscissa_at_arc(tables, pair, along));
+                turn = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+                tilt = slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+            }
             share = weight / sqrt(turn * turn + tilt * tilt);
             cosines += share * (turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
             sines += share * (tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
@@ -2404,9 +2408,10 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
     int64_t count;
     double penetration, estimate;
     by_penetration = isfinite(prescribed);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
-        count = strip_contact__open_zones(tables, work, pair, side);
+        count = strip_contact__open_zones(tables, work, pair);
         strip_contact__start_runs(tables, work, pair);
         penetration = strip_contact__sweep_strips(tables, work, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, by_penetration);
     }
@@ -2417,7 +2422,7 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
     else
     {
         estimate = estimate__first_penetration(tables, work, pair, force);
-        widths__keep_widths(work, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+        widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
         if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
         {
@@ -2481,7 +2486,7 @@ static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out,
             *count_out = 0;
             return;
         }
-        count = strip_contact__open_zones(tables, work, pair, side);
+        count = strip_contact__open_zones(tables, work, pair);
         if (by_penetration)
         {
             break;
@@ -2541,12 +2546,13 @@ static inline bool strip_contact__agrees_with_levels(array_double_1d work, array
 /* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
  * and without patches: about a per cent off.
  */
-static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force)
+static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
     int64_t count;
     double penetration;
     bool satisfied;
-    count = strip_contact__open_zones(tables, work, pair, side);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
+    count = strip_contact__open_zones(tables, work, pair);
     strip_contact__start_runs(tables, work, pair);
     penetration = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, force, false);
     if (!(penetration > 0.0))
@@ -2564,7 +2570,7 @@ static inline void strip_contact__coarse_contact(double* penetration_out, int64_
 }
 
 /* Open the regions where the wheel overlaps its rail, and trace both there; how many regions. */
-static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
+static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t count, deepest, index;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
@@ -2572,13 +2578,9 @@ static inline int64_t strip_contact__open_zones(array_double_1d tables, array_do
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     for (index = 0; index < count; index += 1)
     {
-        widths__start_widths(work, side + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
+        widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
     }
     strip_surfaces__find_zones(tables, work, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH));
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
-    {
-        widths__keep_contact_widths(work, side + layout__SIDE_SEARCH_WIDTHS, count);
-    }
     strip_surfaces__trace_zones(tables, work, pair, count);
     return count;
 }

@@ -1053,8 +1053,6 @@ static inline int64_t roll__place_both(array_double_1d work, array_double_1d tab
 {
     locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_LATERAL_SHIFT), AT(work, inputs + layout__INPUTS_YAW), roll, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), AT(tables, layout__TABLES_HEIGHT), AT(tables, layout__TABLES_ARM));
     locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS));
-    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
-    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL), AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
     if (rails__on_springs(tables))

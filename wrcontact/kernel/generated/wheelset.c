@@ -5383,7 +5383,6 @@ static OUT_OF_LINE int64_t trial__estimate_approach(array_double_1d tables, arra
         if (force > 0.0)
         {
             AT(work, support + layout__SUPPORT_APPROACH) = estimate__first_penetration(tables, work, pair, force) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-            widths__keep_widths(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         }
     }
     return status;

@@ -14,6 +14,7 @@ from .contact import (
     CubicTable,
     CurvatureTable,
     DeepPoints,
+    FirstWidths,
     Frame,
     KeptFrames,
     Origin,
@@ -276,6 +277,7 @@ class Contact:
     coarse: bool  # whether an approximate penetration is enough
     following: bool  # whether deepest points may be followed from the trial before
     frame: Frame
+    first_widths: FirstWidths
     regions: Regions
     nodes: NodesOfRegions
     strips: SolvedStrips

@@ -239,7 +239,7 @@ class Region:
 @record
 class FirstWidths:
     """Half-widths of the interpenetration about the contact point, from which those of a region beside it are
-    sought, and those of the next trial of an elastic wheelset."""
+    sought."""
 
     penetration: float  # at which they were measured [m]; 0 if they were not
     low: float  # [m]

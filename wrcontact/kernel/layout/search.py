@@ -6,7 +6,7 @@ from typing import Final
 from .creep import Motion
 from .patch import Forces, Outline, Patches, PatchTotals, StripsOfPatches, WearRuns
 from .record import OPEN, Float, To, record, run, size
-from .contact import FirstWidths, Place
+from .contact import Place
 
 SCAN_LIMIT: Final[int] = 400  # nodes of the raster over a wheel
 EXPONENTS: Final[int] = 6  # bounds are known over stretches of 2^0, 2^1 ... 2^5 cells of the raster
@@ -132,7 +132,6 @@ class SideSearch:
     roll_count: float  # turns of the search for roll or equilibrium, counted on the right side
     stack: Cell * STACK_LIMIT
     point: ContactPoint
-    widths: FirstWidths
     penetration: float  # approach of the two bodies along the normal [m]
     model_error: float  # estimate of the normal model's error in the peak pressure [-]; 0 without one
     patch_count: int

@@ -14,7 +14,7 @@ from typing import Final
 from ..contact.deep_points import keep_deepest
 from ..contact.frame import locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
-from ..contact.widths import keep_contact_widths, keep_widths, start_widths
+from ..contact.widths import keep_widths, start_widths
 from ..layout import REGION_LIMIT, Contact, Pair, SideSearch
 from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
@@ -52,15 +52,15 @@ def solve_analyn(pair: Pair, contact: Contact, side: SideSearch, force: float, p
     penetration = prescribed
     if isfinite(prescribed):
         by_penetration = True
+    contact.first_widths.penetration = 0.0
     if contact.frame.pressed:
         penetration, count, satisfied = solve_estimated(
-            pair, contact, side, contact.frame.depth, force, by_penetration
+            pair, contact, contact.frame.depth, force, by_penetration
         )
         return penetration, count, satisfied
-    side.widths.penetration = 0.0
     if not by_penetration:
         penetration = first_penetration(pair, contact, force)
-        keep_widths(side.widths, contact.regions[0])
+        keep_widths(contact.first_widths, contact.regions[0])
     count = 0
     satisfied = False
     for repeat in range(ESTIMATE_REPEATS):
@@ -68,35 +68,33 @@ def solve_analyn(pair: Pair, contact: Contact, side: SideSearch, force: float, p
         if sink_wheel(pair, contact.frame, contact.overlap, side, estimate) == 0:
             # it overlaps most at the end of a profile
             return penetration, 0, False
-        penetration, count, satisfied = solve_estimated(pair, contact, side, estimate, force, by_penetration)
+        penetration, count, satisfied = solve_estimated(pair, contact, estimate, force, by_penetration)
         if penetration < ESTIMATE_FACTOR * estimate and ESTIMATE_FACTOR * penetration > estimate:
             break
     return penetration, count, satisfied
 
 
-def solve_estimated(
-    pair: Pair, contact: Contact, side: SideSearch, estimate: float, force: float, by_penetration: bool
-):
+def solve_estimated(pair: Pair, contact: Contact, estimate: float, force: float, by_penetration: bool):
     """Penetration [m] and number of regions, with regions and nodes laid for the ``estimate`` of it; third
     value: whether the force is satisfied."""
-    count = gather_regions(pair, contact, side, estimate)
-    penetration, satisfied = solve_fine(pair, contact, side, count, force, estimate, by_penetration)
+    count = gather_regions(pair, contact, estimate)
+    penetration, satisfied = solve_fine(pair, contact, count, force, estimate, by_penetration)
     if not satisfied and count > 1:
         # regions so close that pressing on each other has no fixed point are one region
         keep_deepest(contact.overlap)
-        count = gather_regions(pair, contact, side, estimate)
-        penetration, satisfied = solve_fine(pair, contact, side, count, force, estimate, by_penetration)
+        count = gather_regions(pair, contact, estimate)
+        penetration, satisfied = solve_fine(pair, contact, count, force, estimate, by_penetration)
     return penetration, count, satisfied
 
 
-def gather_regions(pair: Pair, contact: Contact, side: SideSearch, penetration: float):
+def gather_regions(pair: Pair, contact: Contact, penetration: float):
     """Open the regions where the wheel overlaps its rail, with their first local penetrations; their
     number."""
     for i in range(REGION_LIMIT):
         contact.regions[i].slant = 0.0
     count = gather_overlaps(pair, contact.frame, contact.frames, contact.regions, contact.overlap)
     for i in range(count):
-        start_widths(side.widths, contact.regions[i])
+        start_widths(contact.first_widths, contact.regions[i])
     start_penetrations(contact.regions, count, penetration)
     return count
 
@@ -104,7 +102,6 @@ def gather_regions(pair: Pair, contact: Contact, side: SideSearch, penetration: 
 def solve_fine(
     pair: Pair,
     contact: Contact,
-    side: SideSearch,
     count: int,
     force: float,
     penetration: float,
@@ -117,8 +114,6 @@ def solve_fine(
     satisfied = False
     for repeat in range(COVER_REPEATS):
         prepare_regions(pair, contact, count, enlarge)
-        if contact.frame.pressed and not contact.frame.sunk:
-            keep_contact_widths(side.widths, contact.regions, count)
         penetration, satisfied = solve_penetrations(
             pair.tables, contact.regions, contact.nodes, count, force, start, by_penetration
         )

@@ -41,7 +41,6 @@ def auto_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, p
     if share > 0.0 and not contact.coarse:
         load = total_load(contact.regions, count)
         raise_wheel(contact.frame, sunk)
-        side.widths.penetration = 0.0  # as if strips or ANALYN were by themselves
         found, strip_count, solved = strip_contact(pair, contact, side, force, prescribed)
         if solved:
             side.model_error = error * (1.0 - share * (1.0 - STRIPS_MISS))
@@ -51,7 +50,6 @@ def auto_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, p
                     scale_patches(contact, side, share + (1.0 - share) * load / side.totals.load, strip_count)
             return found, strip_count, True
         raise_wheel(contact.frame, sunk)
-        side.widths.penetration = 0.0
         penetration, count, satisfied = analyn_contact(pair, contact, side, force, prescribed)
     elif satisfied and contact.filling:
         fill_from_analyn(pair, contact, side, count)

@@ -42,7 +42,7 @@ def solve_normal(pair: Pair, contact: Contact, side: SideSearch, force: float, p
     elif model == MODEL_AUTO:
         penetration, count, satisfied = auto_contact(pair, contact, side, force, prescribed)
     elif contact.coarse:
-        penetration, count, satisfied = coarse_contact(pair, contact, side, force)
+        penetration, count, satisfied = coarse_contact(pair, contact, force)
     else:
         penetration, count, satisfied = strip_contact(pair, contact, side, force, prescribed)
     return penetration, count, satisfied

@@ -7,12 +7,13 @@ between two regions has two normals and two places, one for each.
 
 from math import sqrt
 
-from ..contact.curves import rail_abscissa
+from ..contact.curves import abscissa_at_arc, rail_abscissa
 from ..elementary.circle import atan
 from ..layout import (
     LOAD_VERTICAL,
     REGION_LIMIT,
     ROLLING_STRIP_LIMIT,
+    SEPARATION_VERTICAL,
     Contact,
     Frame,
     Nodes,
@@ -27,8 +28,12 @@ from ..surface.tables import height_slope
 
 def mean_normal(pair: Pair, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
     """Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
-    local penetration [m]."""
+    local penetration [m].
+
+    Nodes lie along the rail, also those of vertical distances here.
+    """
     plane = frame.plane
+    upright = pair.tables.separation == SEPARATION_VERTICAL
     total = 0.0
     cosines = 0.0
     sines = 0.0
@@ -46,6 +51,11 @@ def mean_normal(pair: Pair, frame: Frame, region: Region, nodes: Nodes, local_pe
             total += weight
             turn = nodes.turn[at]
             tilt = nodes.tilt[at]
+            if upright:
+                along = frame.arc + region.spacing * float(at)
+                height, slope = height_slope(pair.rail, abscissa_at_arc(pair, along))
+                turn = plane.cos + slope * plane.sin
+                tilt = slope * plane.cos - plane.sin
             share = weight / sqrt(turn * turn + tilt * tilt)
             cosines += share * (turn * plane.cos - tilt * plane.sin)
             sines += share * (tilt * plane.cos + turn * plane.sin)

@@ -22,7 +22,7 @@ from typing import Final
 from ..contact.deep_points import deepest_entry
 from ..contact.frame import is_yawed, locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
-from ..contact.widths import keep_contact_widths, keep_widths, start_widths
+from ..contact.widths import keep_widths, start_widths
 from ..layout import SEPARATION_VERTICAL, Contact, Pair, SideSearch, StripProblem, Tables
 from .analyn_contact import solve_analyn
 from .estimate import first_penetration
@@ -61,15 +61,16 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     A wheel that just touches is sunk to an estimated penetration first.
     """
     by_penetration = isfinite(prescribed)
+    contact.first_widths.penetration = 0.0
     if contact.frame.pressed:
-        count = open_zones(pair, contact, side)
+        count = open_zones(pair, contact)
         start_runs(pair, contact)
         penetration = sweep_strips(pair, contact, pair.tables.sweeps, force, by_penetration)
     elif by_penetration:
         penetration, count = sink_strips(pair, contact, side, force, prescribed, True)
     else:
         estimate = first_penetration(pair, contact, force)
-        keep_widths(side.widths, contact.regions[0])
+        keep_widths(contact.first_widths, contact.regions[0])
         penetration, count = sink_strips(pair, contact, side, force, estimate, False)
         if count > 0 and (penetration < SUNK_LESS * contact.frame.depth or contact.strip_problem.count == 0):
             estimate, count, known = solve_analyn(pair, contact, side, force, prescribed)
@@ -103,7 +104,7 @@ def sink_strips(
     for repeat in range(SINKINGS):
         if sink_wheel(pair, contact.frame, contact.overlap, side, penetration) == 0:
             return penetration, 0
-        count = open_zones(pair, contact, side)
+        count = open_zones(pair, contact)
         if by_penetration:
             break
         deeper = penetration + deepen_levels(contact.strip_problem, force)
@@ -142,10 +143,11 @@ def agrees_with_levels(tables: Tables, problem: StripProblem) -> bool:
     return carried > load / parted and carried < load * parted and largest < pressure * parted
 
 
-def coarse_contact(pair: Pair, contact: Contact, side: SideSearch, force: float):
+def coarse_contact(pair: Pair, contact: Contact, force: float):
     """As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
     and without patches: about a per cent off."""
-    count = open_zones(pair, contact, side)
+    contact.first_widths.penetration = 0.0
+    count = open_zones(pair, contact)
     start_runs(pair, contact)
     penetration = sweep_strips(pair, contact, FIRST_SWEEPS, force, False)
     if not penetration > 0.0:
@@ -156,17 +158,15 @@ def coarse_contact(pair: Pair, contact: Contact, side: SideSearch, force: float)
     return penetration, count, satisfied
 
 
-def open_zones(pair: Pair, contact: Contact, side: SideSearch):
+def open_zones(pair: Pair, contact: Contact):
     """Open the regions where the wheel overlaps its rail, and trace both there; how many regions."""
     problem = contact.strip_problem
     problem.penetration = contact.frame.depth
     count = gather_overlaps(pair, contact.frame, contact.frames, contact.regions, contact.overlap)
     deepest = contact.overlap.points[deepest_entry(contact.overlap)]
     for index in range(count):
-        start_widths(side.widths, contact.regions[index])
+        start_widths(contact.first_widths, contact.regions[index])
     find_zones(pair, contact, count, deepest.depth)
-    if contact.frame.pressed and not contact.frame.sunk:
-        keep_contact_widths(side.widths, contact.regions, count)
     trace_zones(pair, contact, count)
     return count
 

@@ -73,8 +73,6 @@ def place_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
         tables.arm,
     )
     mirror_place(sides[1].place, sides[0].place, tables.pairs[0].radius)
-    sides[0].widths.penetration = 0.0
-    sides[1].widths.penetration = 0.0
     move_rail(sides[1].place, inputs.right_rail_lateral, inputs.right_rail_vertical)
     move_rail(sides[0].place, -inputs.left_rail_lateral, inputs.left_rail_vertical)
     if on_springs(tables):

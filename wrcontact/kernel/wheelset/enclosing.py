@@ -20,10 +20,10 @@ from .trial import depth_outcome, turn_near, turn_to
 #: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
 #: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up
 #: to 1e-4.
-ELASTIC_SHARP: Final[float] = 1e-12
+ELASTIC_SHARP: Final[float] = 1e-13
 #: After a longer move a trial is not the last one: it leaves out the patches, and follows the deepest points
 #: of the one before instead of a search for all [m].
-NOT_LAST: Final[float] = 1e-9
+NOT_LAST: Final[float] = 1e-10
 #: A smallest gap that has moved by less than this along the wheel is the same one, found anew [m].
 SAME_GAP: Final[float] = 1e-9
 #: Longest move of a wheel in one trial [m].

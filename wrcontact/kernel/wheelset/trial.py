@@ -7,7 +7,6 @@ vanishes in equilibrium.
 
 from typing import Final
 
-from ..contact.widths import keep_widths
 from ..layout import OFF_PROFILE, UNLOADED, VALID, SideSearch, Support, Tables, Work, seldom
 from ..normal.estimate import first_penetration
 from ..search.roll import follow_side, search_both, turn_both
@@ -30,7 +29,6 @@ def estimate_approach(tables: Tables, work: Work, index: int, force: float):
         status = VALID
         if force > 0.0:
             support.approach = first_penetration(pair, work.contact, force) / work.contact.frame.plane.cos
-            keep_widths(work.sides[index].widths, work.contact.regions[0])
     return status
 
 
