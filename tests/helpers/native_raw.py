@@ -2,8 +2,8 @@
 prints what it saw as JSON.
 
     python native_raw.py <version of FMI> <library> <folder of FMI headers> (JSON on standard input: "token",
-                                                                                and the "references" of the
-                                                                                variables by name)
+                                                                                the "references" of variables by
+                                                                                name, and the Real "inputs")
 
 Every answer is what one call returned, and the lines that it left in the log.
 """
@@ -250,7 +250,7 @@ def categories(fmi):
 if __name__ == "__main__":
     fmi_version, library_file, header_folder = sys.argv[1:]
     given = json.load(sys.stdin)
-    library = Library(int(fmi_version), library_file, given["token"], given["references"])
+    library = Library(int(fmi_version), library_file, **given)
     parts = (bad_input, every_input, order, legal, creation, categories, exchange_modes, exchange_pointers)
     found = {}
     for part in parts:

@@ -16,41 +16,6 @@ from ctypes import (
 )
 
 OK, ERROR = 0, 3
-INPUTS = (
-    "lateral_shift",
-    "yaw",
-    "roll_guess",
-    "normal_force",
-    "load_transfer",
-    "vertical_shift_input",
-    "roll_input",
-    "speed",
-    "lateral_velocity",
-    "vertical_velocity",
-    "yaw_rate",
-    "roll_rate",
-    "wheel_rate",
-    "track_curvature",
-    *(
-        f"{side}.rail_{part}{kind}"
-        for side in ("left", "right")
-        for part in ("lateral", "vertical", "roll")
-        for kind in ("", "_velocity")
-    ),
-    "left.friction",
-    "right.friction",
-    "left.wheel_rate",
-    "right.wheel_rate",
-    "rail_time_step",
-    *(
-        f"{side}.rail_deflection_{part}_before"
-        for side in ("left", "right")
-        for part in ("lateral", "vertical")
-    ),
-    "axle_torque",
-    "left.axle_torque",
-    "right.axle_torque",
-)
 NOWHERE = 0x10  # an address that nothing may look at
 
 
@@ -61,10 +26,17 @@ class Callbacks(Structure):
 
 
 class Library:
-    """The functions of one version of FMI under common names, and the log of all calls."""
+    """The functions of one version of FMI under common names, and the log of all calls; ``inputs`` are the names of
+    the Real ones."""
 
-    def __init__(self, version, file, token, references):
-        self.version, self.token, self.references, self.log = version, token, references, []
+    def __init__(self, version, file, token, references, inputs):
+        self.version, self.token, self.references, self.inputs, self.log = (
+            version,
+            token,
+            references,
+            inputs,
+            [],
+        )
         self.library = CDLL(file)
         if version == 2:
             self.note = CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p)(

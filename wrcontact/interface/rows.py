@@ -1,7 +1,7 @@
 """Kinds of rows of the table of inputs and outputs; each row is declared once, in inputs.py or outputs.py.
 
 From a row follow a field of the kernel's record (wrcontact/kernel/layout/interface.py), a property of the
-results (wrcontact/state.py), variables of an FMU (variables.py) and their documentation.  Nothing here
+results (wrcontact/results/fields.py), variables of an FMU (variables.py) and their documentation.  Nothing here
 imports the kernel.
 """
 

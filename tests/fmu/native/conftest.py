@@ -9,7 +9,7 @@ import pytest
 from fmpy import read_model_description
 
 from tests.helpers import c_host
-from tests.helpers.cases import stored
+from tests.helpers.cases import REAL_INPUT_NAMES, stored
 from tests.helpers.fmus import FMI_HEADERS, measured, unpacked_library
 from tests.helpers.kept import locked
 from tests.helpers.paths import HELPERS
@@ -48,6 +48,7 @@ def raw(request, fmus, tmp_path_factory):
     given = {
         "token": described.instantiationToken or described.guid,
         "references": {v.name: v.valueReference for v in described.modelVariables},
+        "inputs": REAL_INPUT_NAMES,
     }
     command = [
         sys.executable,

@@ -2,6 +2,8 @@
 
 from tests.helpers.cases import REAL_INPUT_NAMES
 from tests.helpers.fmus import needs_compiler
+from wrcontact.interface.inputs import INPUTS
+from wrcontact.methods.numbers import unit_behind
 
 pytestmark = needs_compiler
 
@@ -48,47 +50,10 @@ def test_every_misuse_is_refused_in_a_sentence_and_changes_nothing(raw):
     assert seen["bad_input"]["good_inputs_after"] and seen["bad_input"]["after_a_reset"]
 
 
-UNIT_OF_INPUT = {
-    "lateral_shift": " m",
-    "yaw": " rad",
-    "roll_guess": " rad",
-    "normal_force": " N",
-    "load_transfer": "",
-    "vertical_shift_input": " m",
-    "roll_input": " rad",
-    "speed": " m/s",
-    "lateral_velocity": " m/s",
-    "vertical_velocity": " m/s",
-    "yaw_rate": " rad/s",
-    "roll_rate": " rad/s",
-    "wheel_rate": " rad/s",
-    "track_curvature": " 1/m",
-    "left.friction": "",
-    "right.friction": "",
-    "left.wheel_rate": " rad/s",
-    "right.wheel_rate": " rad/s",
-    "rail_time_step": " s",
-    **dict.fromkeys(("axle_torque", "left.axle_torque", "right.axle_torque"), " N.m"),
-    **{
-        f"{side}.rail_deflection_{part}_before": " m"
-        for side in ("left", "right")
-        for part in ("lateral", "vertical")
-    },
-    **{
-        f"{side}.rail_{part}_velocity": unit
-        for side in ("left", "right")
-        for part, unit in (("lateral", " m/s"), ("vertical", " m/s"), ("roll", " rad/s"))
-    },
-    **{
-        f"{side}.rail_{part}": unit
-        for side in ("left", "right")
-        for part, unit in (("lateral", " m"), ("vertical", " m"), ("roll", " rad"))
-    },
-}
-
-
 def test_numbers_that_are_none_in_every_input(raw):
     _, seen = raw
+    units = {row.name: unit_behind(row.unit) for row in INPUTS}
+    assert units["normal_force"] == " N" and units["left.rail_roll_velocity"] == " rad/s"
     assert len(seen["every_input"]) == 3 * len(REAL_INPUT_NAMES)
     for name, answer in seen["every_input"].items():
         variable, value = name.split()
@@ -96,7 +61,7 @@ def test_numbers_that_are_none_in_every_input(raw):
             name
         )
         assert [line[2].split(";")[0] for line in answer["lines"]] == [
-            f"{variable} is {value}{UNIT_OF_INPUT[variable]}"
+            f"{variable} is {value}{units[variable]}"
         ], answer["lines"]
 
 
