@@ -416,5 +416,10 @@ def test_numbers_are_shown_in_the_unit_that_is_named():
     jump = SimpleNamespace(**{name: 0.5 + k for k, name in enumerate(measures.JUMPS)})
     for owner, table in ((zone, measures.ZONES), (jump, measures.JUMPS)):
         assert [one.read(owner) for one in table.values()] == list(vars(owner).values())
+    curves = SimpleNamespace(**{name: name for name in measures.MOVES})
+    curves.right = SimpleNamespace(**{name: f"right {name}" for name in measures.MOVES})
+    assert [one.read(curves, "right").removeprefix("right ") for one in measures.MOVES.values()] == [
+        *measures.MOVES
+    ]
     with pytest.raises(ValueError, match="measure 'start' is declared twice"):
         by_name(measures.ZONES["start"], measures.QUALITIES["start"])

@@ -47,8 +47,8 @@ ASKED = [
     ),
     (
         "climb_lift_side",
-        'arm = (0.5 if side == "right" else -0.5)',
-        'arm = (-0.5 if side == "right" else 0.5)',
+        '(0.5 if side == "right" else -0.5) * running_circle_distance',
+        '(-0.5 if side == "right" else 0.5) * running_circle_distance',
         "the wheel that does not climb is lifted",
         CLIMBING,
         "wrcontact/results/climbing.py",

@@ -1,6 +1,7 @@
 """Pictures of runs: histories and animations of tables, arrays and files."""
 
 from importlib.util import find_spec
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -62,6 +63,8 @@ def test_a_run_of_one_wheel_has_its_names():
         0.2,
     ]
     assert Run.of(SYSTEM.evaluate(1e-3))["lateral_shift"] == 1e-3
+    polars = SimpleNamespace(columns=["roll"])  # a frame without keys
+    assert "roll" in Run.of(polars) and "yaw" not in Run.of(polars)
     with pytest.raises(ValueError, match="^run is int; permitted are the path of a .csv or .parquet file"):
         Run.of(3)
 

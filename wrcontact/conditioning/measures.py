@@ -4,6 +4,7 @@ pictures and for fleets."""
 import math
 from dataclasses import dataclass
 from functools import partial
+from operator import attrgetter
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from .remarks import RUNNING
 
 #: Units that are shown instead of the usual ones: factor from SI.
 FACTORS = {"um": 1e6, "m": 1.0, "mm/mm": 1.0, "mrad/mm": 1.0}
+KINDS = ("wheel", "rail")
 
 
 @dataclass(frozen=True)
@@ -30,8 +32,8 @@ class Measure:
     unit : in SI, "1" without one.
     heading : words above its column or before its row.
     digits : after the point, in the unit that is shown.
-    read : function of what has it.
     meaning : words for the user, where a page lists it.
+    read : function of what has it; None for its attribute ``name``.
     instead : unit that is shown instead of the usual one, a key of FACTORS.
     significant : digits of a smaller value.
     """
@@ -40,10 +42,14 @@ class Measure:
     unit: str
     heading: str
     digits: int
-    read: object
     meaning: str = ""
+    read: object = None
     instead: str = ""
     significant: int = 1
+
+    def __post_init__(self):
+        if self.read is None:
+            object.__setattr__(self, "read", attrgetter(self.name))
 
     @property
     def shown_unit(self):
@@ -72,78 +78,80 @@ def _mm(length):
     return f"{length * 1e3:g} mm"
 
 
+def _on_side(name):
+    return lambda curves, side: getattr(getattr(curves, side), name)
+
+
+def _of_both(name):
+    return lambda curves, side: getattr(curves, name)
+
+
 #: Of a contact over the lateral shift: read of :class:`~wrcontact.conditioning.Curves` and a side.
 MOVES = by_name(
-    Measure("roll_rate", "rad/m", "roll", 3, lambda curves, side: curves.roll_rate, instead="mrad/mm"),
+    Measure("roll_rate", "rad/m", "roll", 3, read=_of_both("roll_rate"), instead="mrad/mm"),
     Measure(
         "wheel_rate",
         "1",
         "on wheel",
         2,
-        lambda curves, side: getattr(curves, side).wheel_rate,
+        read=_on_side("wheel_rate"),
         instead="mm/mm",
     ),
-    Measure(
-        "rail_rate", "1", "on rail", 2, lambda curves, side: getattr(curves, side).rail_rate, instead="mm/mm"
-    ),
-    Measure("jump_distance", "m", "next jump", 2, lambda curves, side: curves.jump_distance),
-    Measure("contact_angle", "rad", "angle", 1, lambda curves, side: getattr(curves, side).contact_angle),
-    Measure("curvature", "1/m", "curvature", 1, lambda curves, side: getattr(curves, side).curvature),
-    Measure("near_width", "m", "close", 1, lambda curves, side: getattr(curves, side).near_width),
+    Measure("rail_rate", "1", "on rail", 2, read=_on_side("rail_rate"), instead="mm/mm"),
+    Measure("jump_distance", "m", "next jump", 2, read=_of_both("jump_distance")),
+    Measure("contact_angle", "rad", "angle", 1, read=_on_side("contact_angle")),
+    Measure("curvature", "1/m", "curvature", 1, read=_on_side("curvature")),
+    Measure("near_width", "m", "close", 1, read=_on_side("near_width")),
 )
 #: Of a :class:`~wrcontact.conditioning.ProfileQuality`.
 QUALITIES = by_name(
-    Measure("start", "m", "profile from", 2, lambda quality: quality.start),
-    Measure("stop", "m", "to", 2, lambda quality: quality.stop),
+    Measure("start", "m", "profile from", 2),
+    Measure("stop", "m", "to", 2),
     Measure(
         "visited_from",
         "m",
         f"contacts within {_mm(RUNNING)} of shift from",
         2,
-        lambda quality: quality.visited[0],
+        read=lambda quality: quality.visited[0],
     ),
-    Measure("visited_to", "m", "to", 2, lambda quality: quality.visited[1]),
-    Measure("pieces", "1", "pieces", 0, lambda quality: quality.pieces),
-    Measure("kinks", "1", "kinks there", 0, lambda quality: len(quality.kinks)),
-    Measure(
-        "curvature_step", "1/m", "largest curvature step there", 1, lambda quality: quality.curvature_step
-    ),
-    Measure("roughness", "1/m", "roughness of the curvature there", 2, lambda quality: quality.roughness),
+    Measure("visited_to", "m", "to", 2, read=lambda quality: quality.visited[1]),
+    Measure("pieces", "1", "pieces", 0),
+    Measure("kinks", "1", "kinks there", 0, read=lambda quality: len(quality.kinks)),
+    Measure("curvature_step", "1/m", "largest curvature step there", 1),
+    Measure("roughness", "1/m", "roughness of the curvature there", 2),
 )
 #: Of its :class:`~wrcontact.profiles.remarks.Reading`.
 READINGS = by_name(
-    Measure("points", "1", "points", 0, lambda reading: reading.points),
-    Measure("spacing", "m", "spacing, median", 3, lambda reading: reading.spacing),
-    Measure("widest", "m", "spacing, largest", 3, lambda reading: reading.widest),
-    Measure("noise", "m", "noise", 2, lambda reading: reading.noise, instead="um"),
-    Measure("smoothing", "m", "smoothing", 2, lambda reading: reading.smoothing, instead="um"),
+    Measure("points", "1", "points", 0),
+    Measure("spacing", "m", "spacing, median", 3),
+    Measure("widest", "m", "spacing, largest", 3),
+    Measure("noise", "m", "noise", 2, instead="um"),
+    Measure("smoothing", "m", "smoothing", 2, instead="um"),
 )
 #: Of a :class:`~wrcontact.conditioning.Jump`.
 JUMPS = by_name(
-    Measure("lateral_shift", "m", "shift", 4, lambda jump: jump.lateral_shift),
-    Measure("before", "m", "on wheel\nbefore", 2, lambda jump: jump.before),
-    Measure("after", "m", "after", 2, lambda jump: jump.after),
-    Measure("rail_before", "m", "on rail\nbefore", 2, lambda jump: jump.rail_before),
-    Measure("rail_after", "m", "after", 2, lambda jump: jump.rail_after),
+    Measure("lateral_shift", "m", "shift", 4),
+    Measure("before", "m", "on wheel\nbefore", 2),
+    Measure("after", "m", "after", 2),
+    Measure("rail_before", "m", "on rail\nbefore", 2),
+    Measure("rail_after", "m", "after", 2),
 )
 #: Of a :class:`~wrcontact.conditioning.ConformalZone`.
 ZONES = by_name(
-    Measure("start", "m", "from", 2, lambda zone: zone.start),
-    Measure("stop", "m", "to", 2, lambda zone: zone.stop),
-    Measure("y_low", "m", "on wheel\nfrom", 1, lambda zone: zone.y_low),
-    Measure("y_high", "m", "to", 1, lambda zone: zone.y_high),
-    Measure("width", "m", f"within\n{_mm(NEAR)} over", 1, lambda zone: zone.width),
-    Measure("turn", "rad", "turns by", 1, lambda zone: zone.turn),
+    Measure("start", "m", "from", 2),
+    Measure("stop", "m", "to", 2),
+    Measure("y_low", "m", "on wheel\nfrom", 1),
+    Measure("y_high", "m", "to", 1),
+    Measure("width", "m", f"within\n{_mm(NEAR)} over", 1),
+    Measure("turn", "rad", "turns by", 1),
 )
 #: Of a :class:`~wrcontact.conditioning.Conicity`, arrays over the amplitudes.
 CONICITIES = by_name(
-    Measure("amplitude", "m", "amplitude", 0, lambda conicity: conicity.amplitude, significant=3),
-    Measure("level", "1", "without\nroll", 3, lambda conicity: conicity.level, significant=3),
-    Measure("rolled", "1", "with\nroll", 3, lambda conicity: conicity.rolled, significant=3),
-    Measure("regressed", "1", "by\nregression", 3, lambda conicity: conicity.regressed, significant=3),
-    Measure(
-        "wavelength", "m", "wavelength", 1, lambda conicity: conicity.wavelength, instead="m", significant=3
-    ),
+    Measure("amplitude", "m", "amplitude", 0, significant=3),
+    Measure("level", "1", "without\nroll", 3, significant=3),
+    Measure("rolled", "1", "with\nroll", 3, significant=3),
+    Measure("regressed", "1", "by\nregression", 3, significant=3),
+    Measure("wavelength", "m", "wavelength", 1, instead="m", significant=3),
 )
 
 
@@ -168,6 +176,15 @@ def _zones(report):
     return [zone for zone in report.conformal if zone.start <= RUNNING and zone.stop >= -RUNNING]
 
 
+def _conformal_count(report):
+    return max(sum(zone.side == side for zone in _zones(report)) for side in SIDES)
+
+
+def _largest(name, report):
+    """Of the zones; 0 without any."""
+    return max((getattr(zone, name) for zone in _zones(report)), default=0.0)
+
+
 def _of_profile(kind, name, report):
     """A measure of a profile of the right side, or of its points; NaN without points."""
     quality = getattr(report, kind)
@@ -180,6 +197,15 @@ def _file_inclination(report):
     return report.rail.reading.inclination if report.rail.reading else 0.0
 
 
+def _grave_remarks(report):
+    return sum(isinstance(remark, Grave) for remark in report.remarks)
+
+
+def _of_conicity(name, at):
+    return lambda report: float(getattr(report.conicity, name)[at])
+
+
+WITHIN = f"within {_mm(RUNNING)} of lateral shift"
 #: Of a :class:`~wrcontact.conditioning.Conditioning`.
 PAIR = by_name(
     Measure(
@@ -187,48 +213,31 @@ PAIR = by_name(
         "m",
         "contact from",
         2,
-        lambda report: report.usable_shifts[0],
         "first lateral shift with contact around the centred position",
+        lambda report: report.usable_shifts[0],
     ),
     Measure(
         "usable_to",
         "m",
         "contact up to",
         2,
-        lambda report: report.usable_shifts[1],
         "last lateral shift with contact around the centred position",
+        lambda report: report.usable_shifts[1],
     ),
     Measure(
-        "flange_shift",
-        "m",
-        "flange from",
-        2,
-        lambda report: report.flange_shift,
-        "lateral shift from which a contact is steeper than 45 deg",
+        "flange_shift", "m", "flange from", 2, "lateral shift from which a contact is steeper than 45 deg"
     ),
+    Measure("nearest_jump", "m", "nearest jump", 2, "distance of the nearest jump from the centred position"),
     Measure(
-        "nearest_jump",
-        "m",
-        "nearest jump",
-        2,
-        lambda report: report.nearest_jump,
-        "distance of the nearest jump from the centred position",
-    ),
-    Measure(
-        "jump_count",
-        "1",
-        "jumps",
-        0,
-        _jump_count,
-        f"jumps of a contact within {_mm(RUNNING)} of lateral shift, of the side with more",
+        "jump_count", "1", "jumps", 0, f"jumps of a contact {WITHIN}, of the side with more", _jump_count
     ),
     Measure(
         "wheel_rate",
         "1",
         "fastest on the wheel",
         1,
+        f"largest rate of a contact on its wheel {WITHIN}",
         _wheel_rate,
-        f"largest rate of a contact on its wheel within {_mm(RUNNING)} of lateral shift",
         "mm/mm",
     ),
     *(
@@ -237,8 +246,8 @@ PAIR = by_name(
             "1",
             f"conicity at {_mm(value)}",
             3,
-            lambda report, at=at: float(report.conicity.level[at]),
             f"equivalent conicity at {_mm(value)} amplitude, without roll",
+            _of_conicity("level", at),
         )
         for at, value in enumerate(AMPLITUDES)
     ),
@@ -247,79 +256,86 @@ PAIR = by_name(
         "1",
         "conicity at 3 mm, with roll",
         3,
-        lambda report: float(report.conicity.rolled[2]),
         "equivalent conicity at 3 mm amplitude, with roll",
+        _of_conicity("rolled", 2),
     ),
     Measure(
         "conicity_3mm_regressed",
         "1",
         "conicity at 3 mm, by regression",
         3,
-        lambda report: float(report.conicity.regressed[2]),
         "equivalent conicity at 3 mm amplitude by linear regression",
+        _of_conicity("regressed", 2),
     ),
     Measure(
         "nonlinearity",
         "1/m",
         "nonlinearity",
         0,
-        lambda report: report.conicity.nonlinearity,
         "change of the conicity from 2 to 4 mm amplitude",
+        attrgetter("conicity.nonlinearity"),
     ),
     Measure(
         "conformal_count",
         "1",
         "conformal zones",
         0,
-        lambda report: max(sum(zone.side == side for zone in _zones(report)) for side in SIDES),
-        f"conformal zones within {_mm(RUNNING)} of lateral shift, of the side with more",
+        f"conformal zones {WITHIN}, of the side with more",
+        _conformal_count,
     ),
     Measure(
         "conformal_width",
         "m",
         "close over",
         1,
-        lambda report: max((zone.width for zone in _zones(report)), default=0.0),
         "longest close stretch in these zones",
+        partial(_largest, "width"),
     ),
     Measure(
         "conformal_turn",
         "rad",
         "turns by",
         0,
-        lambda report: max((zone.turn for zone in _zones(report)), default=0.0),
         "largest change of direction in these zones",
+        partial(_largest, "turn"),
     ),
     *(
         Measure(
-            f"{kind}_{name}",
-            unit,
-            f"{name} of the {kind}",
-            digits,
-            partial(_of_profile, kind, name),
-            words.format(kind),
-            instead,
+            f"{kind}_noise",
+            "m",
+            f"noise of the {kind}",
+            1,
+            f"noise of the points of the {kind}",
+            partial(_of_profile, kind, "noise"),
+            "um",
         )
-        for name, unit, digits, words, instead in (
-            ("noise", "m", 1, "noise of the points of the {}", "um"),
-            ("roughness", "1/m", 2, "roughness of the {}'s curvature in contact", ""),
+        for kind in KINDS
+    ),
+    *(
+        Measure(
+            f"{kind}_roughness",
+            "1/m",
+            f"roughness of the {kind}",
+            2,
+            f"roughness of the {kind}'s curvature in contact",
+            partial(_of_profile, kind, "roughness"),
         )
-        for kind in ("wheel", "rail")
+        for kind in KINDS
     ),
     Measure(
         "rail_file_inclination",
         "1",
         "inclined in the file",
         4,
-        _file_inclination,
         "inclination from which the rail in the file was turned upright",
+        _file_inclination,
     ),
     Measure(
         "grave_remarks",
         "1",
         "grave remarks",
         0,
-        lambda report: sum(isinstance(remark, Grave) for remark in report.remarks),
         "remarks, the first ones, on what makes all results wrong if it is so",
+        _grave_remarks,
     ),
 )

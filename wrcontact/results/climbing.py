@@ -173,7 +173,8 @@ def wheel_lift(run: Any, side: str, running_circle_distance: float = 1.5) -> Any
     """
     if side not in SIDES:
         raise ValueError(f"side is {side!r}; permitted are 'left' and 'right'")
-    run, arm = Run.of(run), (0.5 if side == "right" else -0.5) * running_circle_distance
+    arm = (0.5 if side == "right" else -0.5) * running_circle_distance
+    run = Run.of(run)
     return -(run["vertical_shift"] + arm * np.sin(run["roll"]))
 
 

@@ -38,8 +38,8 @@ class Run:
 
     @classmethod
     def of(cls, run: Any, argument: str = "run") -> Run:
-        """That of a state or table, of arrays (n,) by name (a dict, the result of fmpy, a DataFrame), or of the file
-        at a path; ValueError if it is none of these."""
+        """That of a state or table, of arrays (n,) by name (a dict, the result of fmpy, a DataFrame of any kind), or of
+        the file at a path; ValueError if it is none of these."""
         if isinstance(run, Run):
             return run
         if isinstance(run, (str, PathLike)):
@@ -48,7 +48,8 @@ class Run:
         if hasattr(run, "inputs") and hasattr(run, "names"):  # of a wheelset, or of one wheel
             inputs = wheel_inputs(run.side) if hasattr(run, "side") else INPUT_NAMES
             return cls(run, dict.fromkeys((*run.names, *inputs, "status")), "the table")
-        names = getattr(getattr(run, "dtype", None), "names", None) or (run if hasattr(run, "keys") else None)
+        names = run if hasattr(run, "keys") else getattr(run, "columns", None)
+        names = getattr(getattr(run, "dtype", None), "names", names)
         if names is None:
             raise ValueError(f"{argument} is {type(run).__name__}; permitted are {PERMITTED}, and states")
         return cls(run, dict.fromkeys(names), f"the {argument}")
