@@ -50,6 +50,17 @@ def moved(positions, rate=0.0, rise=0.0, rail="UIC60"):
     )
 
 
+def waves(count=13, amplitude=1e-3):
+    """Sections that wave along the track, more so on the field side."""
+    u = np.linspace(0.0, 0.6, count)
+    wave = amplitude * np.sin(2.0 * np.pi * u / 0.3)
+    points = np.column_stack([across := np.linspace(-0.03, 0.03, 121), 20.0 * across**2])
+    tilt = np.column_stack([0.0 * across, across / 0.03])
+    return RailSections(
+        u, [points + part * tilt for part in wave], places=np.column_stack([0.5 * wave, wave])
+    )
+
+
 class OnSections:
     """The search for the smallest gap of the right wheel of a ``system`` over ``rail``, whose origin lies at ``lateral``
     [m] from the track's centre; ``kernel`` is that of the process by default."""

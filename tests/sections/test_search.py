@@ -71,7 +71,7 @@ def test_it_is_that_of_brute_force(name):
 @pytest.mark.full
 @pytest.mark.parametrize("name", rails())
 def test_it_is_that_of_brute_force_at_more_poses(name):
-    assert_brute(name, 43, 8)
+    assert_brute(name, 43, 4)
 
 
 @pytest.mark.parametrize("yaw", [0.0, 0.02])

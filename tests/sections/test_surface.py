@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 import pytest
 
-from tests.helpers.sections import NOSE_RADIUS, NOSE_RISE, moved, nose
+from tests.helpers.sections import NOSE_RADIUS, NOSE_RISE, moved, nose, waves
 from wrcontact import ProfileWarning, RailSections
 from wrcontact.profiles import standard_profile
 
@@ -49,17 +49,6 @@ def test_a_rail_that_moves_and_rises_evenly_is_a_cylinder_along_its_way(rate, ri
 def uneven():
     with pytest.warns(ProfileWarning, match="between the slices at .* m the surface stands up to 2.. um"):
         return waves()
-
-
-def waves(count=13, amplitude=1e-3):
-    """Sections that wave along the track, more so on the field side."""
-    u = np.linspace(0.0, 0.6, count)
-    wave = amplitude * np.sin(2.0 * np.pi * u / 0.3)
-    points = np.column_stack([across := np.linspace(-0.03, 0.03, 121), 20.0 * across**2])
-    tilt = np.column_stack([0.0 * across, across / 0.03])
-    return RailSections(
-        u, [points + part * tilt for part in wave], places=np.column_stack([0.5 * wave, wave])
-    )
 
 
 def test_derivatives_are_those_of_the_height(uneven):

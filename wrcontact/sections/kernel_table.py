@@ -15,9 +15,11 @@ ALONG, MOST_ALONG = 5e-3, 16
 #: Cells across the track [m], and how far they go beyond the ends of sections.
 ACROSS, MARGIN = 5e-4, 5e-3
 #: Samples along a cell, and where they are across between two lines of the surface.
-SAMPLES_ALONG, SHARES = 5, np.linspace(0.0, 1.0, 5)
-#: Share of its range by which a bound is widened, and the least of it for slopes [-] and second derivatives [1/m].
-WIDENED, LEAST = 0.05, np.array([1e-9, 1e-9, 1e-4, 1e-4, 1e-4, 1e-9])
+SAMPLES_ALONG, SHARES = 7, np.linspace(0.0, 1.0, 5)
+#: Shares of their ranges by which bounds are widened, and the least of it: of slopes [-], second derivatives [1/m], and the
+#: x component of the normal [-].
+WIDENED = np.array([0.05, 0.05, 0.15, 0.15, 0.15, 0.05])
+LEAST = np.array([1e-6, 1e-6, 1e-2, 1e-2, 1e-2, 1e-6])
 #: The highest place may lie this much higher than the highest sample [m].
 HIGHER = 1e-5
 #: Numbers of the head of a table.

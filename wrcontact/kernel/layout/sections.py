@@ -137,6 +137,14 @@ class SectionSpread:
     most_sine: float
     least_cosine: float
     most_cosine: float
+    least_outward: float  # G along the direction to the place, and beside it [-]
+    most_outward: float
+    least_aside: float
+    most_aside: float
+    least_rise: float  # derivatives of the gap by the abscissa [-]
+    most_rise: float
+    least_turn: float  # and by the angle [m]
+    most_turn: float
     bend_across: float  # smallest second derivative of the gap by the abscissa [1/m]
     twist: float  # largest absolute mixed one [-]
     bend_around: float  # smallest one by the angle [m]

@@ -26,6 +26,7 @@ from .section_spread import (
     spread_angles,
     spread_bends,
     spread_reach,
+    spread_slopes,
     spread_wheel,
 )
 
@@ -254,6 +255,9 @@ def judge_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox, 
     at = search.at
     y = 0.5 * (box.low + box.high)
     half = 0.5 * (box.high - box.low)
+    spread_slopes(place, spread, search.bounds)
+    if search.inside and slopes_away(pair, spread, box):
+        return 0
     angle = settled_angle(pair, place, search, y, 0.5 * (box.back + box.ahead), box.back, box.ahead)
     keep_gap(pair, search, y, angle)
     spread_bends(place, spread, search.bounds)
@@ -266,7 +270,9 @@ def judge_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox, 
         reach = fabs(at.around) + c * half
         by_angle = min(reach * reach / (2.0 * m), fabs(at.around) * turn + c * half * turn)
     by_place = fabs(at.across) * half - 0.5 * min(bend, 0.0) * half * half
-    fall = by_angle + by_place
+    steepest = max(fabs(spread.least_rise), fabs(spread.most_rise)) * half
+    steepest += max(fabs(spread.least_turn), fabs(spread.most_turn)) * turn
+    fall = min(by_angle + by_place, steepest)
     if m > 0.0 and bend * m > c * c:
         fall = min(fall, convex_fall(fabs(at.across), fabs(at.around), bend, c, m, half))
     if at.gap - fall >= search.best - SETTLED:
@@ -274,7 +280,8 @@ def judge_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox, 
     if search.inside and no_minimum(pair, search, box, angle, half, turn):
         return 0
     if m > 0.0 and bend * m > c * c and newton_in(pair, place, search, box, y, angle):
-        return 0
+        if search.inside or above_surface(pair, at.y):
+            return 0
     if not search.inside and half < EDGE_WIDTH and turn < EDGE_ANGLE:
         search.edge = min(search.edge, at.gap - fall)
         return 0
@@ -292,6 +299,20 @@ def judge_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox, 
     return 2
 
 
+def slopes_away(pair: Pair, spread: SectionSpread, box: SectionBox) -> bool:
+    """Whether the gap certainly has a slope all over a box: by the angle, or by the abscissa but at the ends of the
+    wheel."""
+    if spread.least_turn > 0.0 or spread.most_turn < 0.0:
+        return True
+    return within_wheel(pair, box) and (spread.least_rise > 0.0 or spread.most_rise < 0.0)
+
+
+def within_wheel(pair: Pair, box: SectionBox) -> bool:
+    """Whether a box does not reach an end of the wheel."""
+    scan = pair.scan
+    return box.low > scan.nodes[0].y and box.high < scan.nodes[scan.count - 1].y
+
+
 def no_minimum(
     pair: Pair, search: SectionSearch, box: SectionBox, angle: float, half: float, turn: float
 ) -> bool:
@@ -299,15 +320,13 @@ def no_minimum(
     ends or F_phi is larger than what it can change by; or by the abscissa, but at the ends of the wheel."""
     at = search.at
     spread = search.spread
-    scan = pair.scan
     change = spread.twist * half
     if fabs(at.around) > change + spread.most_around * turn:
         return True
     if spread.bend_around > 0.0:
         if (angle <= box.back and at.around > change) or (angle >= box.ahead and -at.around > change):
             return True
-    within = box.low > scan.nodes[0].y and box.high < scan.nodes[scan.count - 1].y
-    return within and fabs(at.across) > spread.most_across * half + spread.twist * turn
+    return within_wheel(pair, box) and fabs(at.across) > spread.most_across * half + spread.twist * turn
 
 
 def convex_fall(across: float, around: float, bend: float, c: float, m: float, half: float):

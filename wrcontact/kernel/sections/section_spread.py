@@ -129,25 +129,39 @@ def form(bounds: SectionBounds, x_low: float, x_high: float, y_low: float, y_hig
     return along + 2.0 * twist + across, most_along + 2.0 * most_twist + most_across
 
 
-def spread_bends(place: Place, spread: SectionSpread, bounds: SectionBounds):
-    """Bounds of the gap's second derivatives over a box, from those of wheel and rail."""
-    # components of G along (sin, cos) and beside it
+def spread_slopes(place: Place, spread: SectionSpread, bounds: SectionBounds):
+    """Ranges of the gap's first derivatives over a box, from those of wheel and rail."""
+    # components of G: ahead, to the side, down
     low, high = scaled(place.cos_yaw, bounds.least_along, bounds.most_along)
     least, most = scaled(place.sin_yaw, bounds.least_across, bounds.most_across)
     g1_low = low + least
     g1_high = high + most
-    low, high = scaled(place.sin_roll * place.sin_yaw, bounds.least_along, bounds.most_along)
-    least, most = scaled(-place.sin_roll * place.cos_yaw, bounds.least_across, bounds.most_across)
-    g3_low = low + least - place.cos_roll
-    g3_high = high + most - place.cos_roll
+    low, high = scaled(-place.sin_yaw, bounds.least_along, bounds.most_along)
+    least, most = scaled(place.cos_yaw, bounds.least_across, bounds.most_across)
+    level = low + least
+    most_level = high + most
+    g2_low, g2_high = scaled(place.cos_roll, level, most_level)
+    low, high = scaled(-place.sin_roll, level, most_level)
+    g3_low = low - place.cos_roll
+    g3_high = high - place.cos_roll
     low, high = product(g1_low, g1_high, spread.least_sine, spread.most_sine)
     least, most = product(g3_low, g3_high, spread.least_cosine, spread.most_cosine)
-    out_low = low + least
-    out_high = high + most
+    spread.least_outward = low + least
+    spread.most_outward = high + most
     low, high = product(g1_low, g1_high, spread.least_cosine, spread.most_cosine)
     least, most = product(g3_low, g3_high, spread.least_sine, spread.most_sine)
-    around_low = low - most
-    around_high = high - least
+    spread.least_aside = low - most
+    spread.most_aside = high - least
+    low, high = product(spread.least_slope, spread.most_slope, spread.least_outward, spread.most_outward)
+    spread.least_rise = low + g2_low - place.sin_roll
+    spread.most_rise = high + g2_high - place.sin_roll
+    spread.least_turn, spread.most_turn = product(
+        spread.least_radius, spread.most_radius, spread.least_aside, spread.most_aside
+    )
+
+
+def spread_bends(place: Place, spread: SectionSpread, bounds: SectionBounds):
+    """Bounds of the gap's second derivatives over a box, from those of wheel and rail, where its first ones are known."""
     # tangents by y and by the angle
     low, high = product(spread.least_slope, spread.most_slope, spread.least_sine, spread.most_sine)
     least, most = product(spread.least_slope, spread.most_slope, spread.least_cosine, spread.most_cosine)
@@ -159,16 +173,16 @@ def spread_bends(place: Place, spread: SectionSpread, bounds: SectionBounds):
     least, most = product(spread.least_radius, spread.most_radius, spread.least_sine, spread.most_sine)
     least, most = scaled(place.sin_roll, least, most)
     xf_low, xf_high, yf_low, yf_high = tangent(place, low, high, least, most)
-    low, high = product(spread.least_bend, spread.most_bend, out_low, out_high)
+    low, high = product(spread.least_bend, spread.most_bend, spread.least_outward, spread.most_outward)
     least, most = form(bounds, xy_low, xy_high, yy_low, yy_high)
     spread.bend_across = least + low
     spread.most_across = max(fabs(least + low), fabs(most + high))
-    low, high = product(spread.least_radius, spread.most_radius, out_low, out_high)
+    low, high = product(spread.least_radius, spread.most_radius, spread.least_outward, spread.most_outward)
     least, most = form(bounds, xf_low, xf_high, yf_low, yf_high)
     spread.bend_around = least - high
     spread.most_around = max(fabs(least - high), fabs(most - low))
     spread.twist = mixed(bounds, xy_low, xy_high, xf_low, xf_high, yy_low, yy_high, yf_low, yf_high)
-    low, high = product(spread.least_slope, spread.most_slope, around_low, around_high)
+    low, high = product(spread.least_slope, spread.most_slope, spread.least_aside, spread.most_aside)
     spread.twist += max(fabs(low), fabs(high))
 
 
