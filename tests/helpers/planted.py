@@ -278,6 +278,13 @@ ERRORS = [
         "patch/test_filling.py",
     ),
     Error(
+        "light_torque",
+        "if not torque > 0.0:\n        return low",
+        "if not torque > 1.0:\n        return low",
+        "the rotation of a light wheel is sought beside its solution",
+        "creep/test_free_rolling.py",
+    ),
+    Error(
         "touching_arch",
         "if not spread > 0.0:\n        return 0.0\n    first_root",
         "if not spread > 0.0:\n        return 1.0\n    first_root",
