@@ -285,6 +285,14 @@ ERRORS = [
         "creep/test_free_rolling.py",
     ),
     Error(
+        "edge_traction",
+        "    p_x = 0.0\n    p_y = 0.0\n    if weight < 1.0:",
+        "    p_x = 0.0\n    p_y = 1.0\n    if weight < 1.0:",
+        "tractions behind a stick zone add to those of no slip zone",
+        "creep/test_creep_forces.py",
+        "march",
+    ),
+    Error(
         "touching_arch",
         "if not spread > 0.0:\n        return 0.0\n    first_root",
         "if not spread > 0.0:\n        return 1.0\n    first_root",
