@@ -293,6 +293,14 @@ ERRORS = [
         "march",
     ),
     Error(
+        "strips_to_the_edge",
+        "    if after <= patch.last:\n        outer = strips[after]",
+        "    if after > patch.last:\n        outer = strips[after]",
+        "between strips the outline falls to zero at the edge of the patch",
+        "patch/test_stations.py",
+        "outline",
+    ),
+    Error(
         "touching_arch",
         "if not spread > 0.0:\n        return 0.0\n    first_root",
         "if not spread > 0.0:\n        return 1.0\n    first_root",
