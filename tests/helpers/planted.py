@@ -301,6 +301,22 @@ ERRORS = [
         "outline",
     ),
     Error(
+        "one_number_of_no_wheel",
+        "if not is_requested(tables, index):\n        first = 0",
+        "if not is_requested(tables, index):\n        first = 1",
+        "a row of one wheel keeps a number of the other side",
+        "system/test_wanted.py",
+        "report",
+    ),
+    Error(
+        "no_move_without_derivatives",
+        "        if not fabs(determinant) > SINGULAR:\n            return False",
+        "        if not fabs(determinant) < SINGULAR:\n            return False",
+        "an elastic search ends where the derivatives that it has found are lost",
+        "wheelset/test_elastic.py",
+        "elastic",
+    ),
+    Error(
         "touching_arch",
         "if not spread > 0.0:\n        return 0.0\n    first_root",
         "if not spread > 0.0:\n        return 1.0\n    first_root",
@@ -458,7 +474,7 @@ ERRORS = [
         "fabs(patch.creep_y * patch.creepage_y)",
         "fabs(patch.creep_y * patch.creepage_x)",
         "the wear number takes the wrong creepage",
-        "creep",
+        "interface/test_witnesses.py",
     ),
     Error(
         "spring_rest",
