@@ -5,7 +5,7 @@ import pytest
 
 import wrcontact
 from data.creep_cases import Model, all_shapes, full_slip, vector
-from tests.helpers.cases import CREEP_MODELS
+from tests.helpers.cases import CREEP_MODELS, STRIP_MODELS
 from wrcontact.creep.results import own_outline
 
 PATCH = wrcontact.elliptic_patch(half_length=6e-3, half_width=4e-3, normal_force=80e3)
@@ -179,3 +179,19 @@ def test_a_result_without_that_patch_is_refused():
         wrcontact.patch_of(state, "up")
     with pytest.raises(ValueError, match="number is 2; the right wheel has 1 patches"):
         wrcontact.patch_of(state, "right", 2)
+
+
+@pytest.mark.parametrize("normal, most", [("hertz", 1.0), ("analyn_strip", 1.05)])
+@pytest.mark.parametrize("model", STRIP_MODELS)
+def test_no_traction_is_above_friction_times_the_largest_pressure(model, normal, most):
+    """Of an ellipse; other patches have their largest pressure between two strips."""
+    low, high = (-7e-3, -0.03, 3.0, -0.1, -0.02), (7e-3, 0.03, 5.3, 0.1, 0.02)
+    shift, yaw, power, lateral, turn = np.random.default_rng(5).uniform(low, high, (100, 5)).T
+    table = wrcontact.ContactSystem(normal_model=normal, tangential_model=model).evaluate_many(
+        shift, yaw, normal_force=10.0**power, speed=20.0, lateral_velocity=lateral, yaw_rate=turn
+    )
+    for wheel in (table.left, table.right):
+        for patch in wheel.patches:
+            above = patch.max_shear - most * 0.3 * patch.max_pressure
+            worst = np.argmax(above)
+            assert above[worst] <= 1e-9 * patch.max_pressure[worst], (shift[worst], yaw[worst])

@@ -1,6 +1,8 @@
 """The rotation without torque, or with a given one: against bisections and scans over the rate, sums over
 strips, closed forms, balances of power, and differences."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -364,3 +366,19 @@ def test_vertical_loads_and_rails_on_springs():
     high, low = (soft.evaluate(**given, lateral_velocity=way * 1e-6) for way in (1, -1))
     wanted = np.array([(high[name] - low[name]) / 2e-6 for name in OF[:3]])
     np.testing.assert_allclose(found, wanted, rtol=1e-4, atol=1e-4 * np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("model", ["fastrip", "strips"])
+def test_light_wheelsets_roll_freely(model):
+    """Of 0.1 N to 100 N a wheel: a solution is found for each, which leaves next to nothing of the torque that
+    friction could have."""
+    low, high = (-4e-3, -0.03, -1.0, -0.1, -0.02), (4e-3, 0.03, 2.0, 0.1, 0.02)
+    shift, yaw, power, lateral, turn = np.random.default_rng(9).uniform(low, high, (100, 5)).T
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # loads that small are unusual
+        table = wrcontact.ContactSystem(tangential_model=model).evaluate_many(
+            shift, yaw, normal_force=10.0**power, speed=20.0, lateral_velocity=lateral, yaw_rate=turn
+        )
+    left = np.abs(table.driving_torque) / (0.3 * 0.46 * 10.0**power)
+    for k in range(100):
+        assert table.status[k] == 0 and left[k] < 1e-8, (shift[k], yaw[k], 10.0 ** power[k])

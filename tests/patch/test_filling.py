@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from wrcontact.kernel.layout import SideSearch, size
-from wrcontact.kernel.patch.filling import add_load, finish_patches
+from wrcontact.kernel.patch.filling import add_load, complete_totals, finish_patches
 
 
 def filled(loads, parts=None):
@@ -62,3 +62,12 @@ def test_what_a_region_carries_stays_in_it():
     finish_patches(side)
     assert carried(side)[0] == [4.0, 4.0]
     assert [list(patch.loads) for patch in side.patches[:2]] == [[3.0, 1.0, 0.0, 0.0], [0.0, 4.0, 0.0, 0.0]]
+
+
+@pytest.mark.parametrize("scale", [1e-9, 1.0, 1e6])
+def test_centroids_and_widths_hang_on_no_size_of_the_load(scale):
+    side = filled((5.0 * scale, 3.0 * scale, 4.0 * scale))
+    for index, patch in enumerate(side.patches[:3]):
+        complete_totals(patch.totals)
+        assert patch.totals.centroid == pytest.approx(4e-3 * index, rel=1e-14)
+        assert patch.totals.width == pytest.approx(2e-3, rel=1e-12)

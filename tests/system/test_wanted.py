@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from tests.helpers.inside import counts_of
-from wrcontact import ContactSystem, Status
+from wrcontact import ContactSystem, Status, WheelContact
 from wrcontact.interface.inputs import INPUT_NAMES, INPUTS
 from wrcontact.interface.variables import REFERENCE
+from wrcontact.kernel import layout
 from wrcontact.methods import CHOICES
 from wrcontact.simulation.session import Session
 
@@ -130,6 +131,17 @@ def test_a_named_output_of_another_side_is_not_there(mode):
     )
     assert np.isnan(table.right.area[0]) and np.all(np.isnan(np.asarray(table.force)))
     assert table.left.area[0] > 0.0 and np.isfinite(table.roll[0])
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_a_row_of_one_wheel_has_no_number_of_the_other_side(side):
+    stepper = WheelContact(side=side).stepper()
+    assert stepper.step() == Status.UNLOADED
+    left = layout.OUT_LEFT + np.arange(layout.size(layout.SideOutputs))
+    right = layout.OUT_RIGHT + np.arange(layout.size(layout.SideOutputs))
+    here, there = (left, right) if side == "left" else (right, left)
+    row = np.array(stepper.outputs)
+    assert np.all(np.isnan(row[there])) and np.all(np.isfinite(row[here]))
 
 
 @pytest.mark.parametrize("mode", MODES)

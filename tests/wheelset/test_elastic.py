@@ -12,6 +12,8 @@ from scipy.optimize import brentq, root
 import data
 from tests.helpers.cases import FORCE, POSES, system
 from tests.helpers.elastic import carried, compliant, elastic, rail_slope_along
+from wrcontact.kernel import layout
+from wrcontact.kernel.wheelset.elastic import find_move
 
 # --- published equilibria -------------------------------------------------------------------------
 
@@ -228,3 +230,16 @@ def test_where_the_load_jumps_the_stand_is_at_the_jump(shift):
     assert above.right.normal_force < 0.9 * FORCE < 1.1 * FORCE < below.right.normal_force
     assert above.left.normal_force == pytest.approx(FORCE, rel=1e-3)
     assert below.left.normal_force == pytest.approx(FORCE, rel=1e-3)
+
+
+@pytest.mark.parametrize("left, right, height, roll", [(2.0, 2.0, 2.0, 0.0), (1.0, -1.0, 0.0, 1.0)])
+def test_a_search_that_knows_no_derivatives_begins_with_those_of_the_levers(left, right, height, roll):
+    """Both wheels are as stiff and stand as far from the middle: equal residuals vanish with the height,
+    opposite ones with the roll."""
+    work = layout.Work.at(np.zeros(layout.WORK_SIZE))
+    work.broyden.left, work.broyden.right = left * 1e-6, right * 1e-6
+    for support in work.supports[:2]:
+        support.lever = 0.75
+    assert find_move(work.broyden, work.supports, 0.75, 0.5)
+    found = work.broyden.move_height, work.broyden.move_roll
+    assert found == pytest.approx((height * 2e-6, roll * 2e-6), abs=1e-18)
