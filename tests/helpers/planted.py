@@ -302,14 +302,6 @@ ERRORS = [
         "outline",
     ),
     Error(
-        "one_number_of_no_wheel",
-        "if not is_requested(tables, index):\n        first = 0",
-        "if not is_requested(tables, index):\n        first = 1",
-        "a row of one wheel keeps a number of the other side",
-        "system/test_wanted.py",
-        "report",
-    ),
-    Error(
         "no_move_without_derivatives",
         "        if not fabs(determinant) > SINGULAR:\n            return False",
         "        if not fabs(determinant) < SINGULAR:\n            return False",
