@@ -19,7 +19,7 @@ import re
 import numpy as np
 
 from ..conventions import MILLIMETRE as MM
-from ..profiles.readers import read_points
+from ..profiles.formats import read_points
 from ..profiles.remarks import Refusal, remark
 
 #: Factors to metres.

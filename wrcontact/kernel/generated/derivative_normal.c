@@ -1952,9 +1952,9 @@ static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, la
 /* Derivative of ``lay_nodes``. */
 static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t)
 {
-    double v1, gap, rate, bend, curvature, v2, y, slope;
-    lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t, y_t, slope_t;
-    int64_t k3, k4, n5, before, n6, after;
+    double v1, gap, rate, bend, curvature, v2;
+    lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t;
+    int64_t n3, before, n4, after;
     derivative_traces__start_at_region_t(work, work_t, region);
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
@@ -1970,18 +1970,13 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, arra
         EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + 0)) = each(v2_t);
         AT(work, nodes + layout__NODES_B + 128 + 0) = v2;
     }
-    k3 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_WHEEL;
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, k3));
-    y = AT(work, k3);
-    k4 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_SLOPE;
-    EACH_LANE each(slope_t) = each(RATE_AT(work_t, k4));
-    slope = AT(work, k4);
-    n5 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -1, low_reach, low_reach_t, rate, rate_t, y, y_t, slope, slope_t);
-    before = n5;
+    derivative_nodes__note_node_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING, 0);
+    n3 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -1, low_reach, low_reach_t, rate, rate_t);
+    before = n3;
     RATE_AT(work_t, region + layout__REGION_FIRST) = all_lanes(0.0);
     AT(work, region + layout__REGION_FIRST) = (double)(-before);
-    n6 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, 1, high_reach, high_reach_t, rate, rate_t, y, y_t, slope, slope_t);
-    after = n6;
+    n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, 1, high_reach, high_reach_t, rate, rate_t);
+    after = n4;
     RATE_AT(work_t, region + layout__REGION_LAST) = all_lanes(0.0);
     AT(work, region + layout__REGION_LAST) = (double)after;
     return 0;
@@ -2071,21 +2066,17 @@ static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_
 }
 
 /* Derivative of ``lay_side_nodes``. */
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t, double y, lanes y_t, double slope, lanes slope_t)
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t)
 {
-    int64_t meeting, inner, stride, window, k, traced, step, left, passed, start, at;
-    bool blurred, ended;
-    lanes inner_y_t, inner_slope_t, last_z_t, gap_t, next_rate_t, bend_t, station_t, rates;
-    double inner_y, inner_slope, last_z, gap, next_rate, v1, v2, v3, bend, v4, v5, v6, v7, v8, station, v9, v10, v11;
-    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
-    blurred = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) > 0.0;
-    inner = 0;
-    EACH_LANE each(inner_y_t) = each(y_t);
-    inner_y = y;
-    EACH_LANE each(inner_slope_t) = each(slope_t);
-    inner_slope = slope;
-    last_z_t = all_lanes(0.0);
-    last_z = 0.0;
+    int64_t i_1, stride, window, k, traced, step, left, passed, start, at;
+    bool ended;
+    double gap, next_rate, v1, v2, station;
+    lanes gap_t, next_rate_t, station_t, rates;
+    for (i_1 = 0; i_1 < layout__NODE_POINT_SIZE; i_1 += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2 + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2 + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + i_1);
+    }
     derivative_traces__start_at_region_t(work, work_t, region);
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
@@ -2109,47 +2100,16 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             if (gap >= frame__NO_GAP)
             {
                 ended = true;
-                if (blurred && traced > 0)
-                {
-                    v1 = slope - inner_slope;
-                    v2 = y - inner_y;
-                    v3 = v1 / v2;
-                    EACH_LANE each(bend_t) = (each(slope_t) - each(inner_slope_t) - v3 * (each(y_t) - each(inner_y_t))) / v2;
-                    bend = v3;
-                    derivative_nodes__set_curvature_t(tables, work, work_t, pair, nodes, direction, inner, traced, last_z, last_z_t, slope, slope_t, bend, bend_t);
-                }
-                v4 = (double)(direction * k);
-                EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v4;
-                derivative_nodes__end_region_t(work, work_t, region, direction, AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v4, rates);
+                derivative_nodes__close_curvature_t(tables, work, work_t, pair, nodes, direction);
+                v1 = (double)(direction * k);
+                EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
+                derivative_nodes__end_region_t(work, work_t, region, direction, AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v1, rates);
             }
             else
             {
                 start = direction * traced;
                 derivative_nodes__fill_between_t(work, work_t, nodes, start, start + direction * step, step, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING), rate, rate_t, next_rate, next_rate_t);
-                if (!blurred)
-                {
-                    derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, start + direction * step, step);
-                }
-                else if (traced > 0)
-                {
-                    v5 = AT(work, meeting + layout__MEETING_SLOPE) - inner_slope;
-                    v6 = AT(work, meeting + layout__MEETING_WHEEL) - inner_y;
-                    v7 = v5 / v6;
-                    EACH_LANE each(bend_t) = (each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE)) - each(inner_slope_t) - v7 * (each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) - each(inner_y_t))) / v6;
-                    bend = v7;
-                    derivative_nodes__set_curvature_t(tables, work, work_t, pair, nodes, direction, inner, traced, last_z, last_z_t, slope, slope_t, bend, bend_t);
-                    inner = traced;
-                    EACH_LANE each(inner_y_t) = each(y_t);
-                    inner_y = y;
-                    EACH_LANE each(inner_slope_t) = each(slope_t);
-                    inner_slope = slope;
-                }
-                EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
-                y = AT(work, meeting + layout__MEETING_WHEEL);
-                EACH_LANE each(slope_t) = each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE));
-                slope = AT(work, meeting + layout__MEETING_SLOPE);
-                EACH_LANE each(last_z_t) = each(RATE_AT(work_t, meeting + layout__MEETING_Z));
-                last_z = AT(work, meeting + layout__MEETING_Z);
+                derivative_nodes__fill_curvature_t(tables, work, work_t, pair, nodes, direction, step);
                 EACH_LANE each(rate_t) = each(next_rate_t);
                 rate = next_rate;
                 traced = traced + step;
@@ -2157,9 +2117,9 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
         }
         k = k + 1;
         at = direction * k;
-        v8 = (double)at;
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v8;
-        station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v8;
+        v2 = (double)at;
+        EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v2;
+        station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v2;
         if (ended)
         {
             derivative_nodes__extrapolate_node_t(work, work_t, nodes, at, direction);
@@ -2182,14 +2142,9 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             passed = k;
         }
     }
-    if (blurred && traced > 0 && !ended)
+    if (!ended)
     {
-        v9 = slope - inner_slope;
-        v10 = y - inner_y;
-        v11 = v9 / v10;
-        EACH_LANE each(bend_t) = (each(slope_t) - each(inner_slope_t) - v11 * (each(y_t) - each(inner_y_t))) / v10;
-        bend = v11;
-        derivative_nodes__set_curvature_t(tables, work, work_t, pair, nodes, direction, inner, traced, last_z, last_z_t, slope, slope_t, bend, bend_t);
+        derivative_nodes__close_curvature_t(tables, work, work_t, pair, nodes, direction);
     }
     if (passed == 0)
     {
@@ -2198,18 +2153,79 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
     return passed;
 }
 
-/* Derivative of ``set_curvature``. */
-static inline int64_t derivative_nodes__set_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction, int64_t inner, int64_t outer, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+/* Derivative of ``note_node``. */
+static inline int64_t derivative_nodes__note_node_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t meeting, int64_t at)
 {
-    int64_t start, stop;
-    double v1;
-    lanes v1_t;
-    start = direction * inner;
-    stop = direction * outer;
-    derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), z, z_t, slope, slope_t, bend, bend_t);
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + stop)) = 0.5 * each(v1_t);
-    AT(work, nodes + layout__NODES_A + 128 + stop) = 0.5 * v1;
-    derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, outer - inner);
+    RATE_AT(work_t, point + layout__NODE_POINT_AT) = all_lanes(0.0);
+    AT(work, point + layout__NODE_POINT_AT) = (double)at;
+    EACH_LANE each(RATE_AT(work_t, point + layout__NODE_POINT_Y)) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
+    AT(work, point + layout__NODE_POINT_Y) = AT(work, meeting + layout__MEETING_WHEEL);
+    EACH_LANE each(RATE_AT(work_t, point + layout__NODE_POINT_Z)) = each(RATE_AT(work_t, meeting + layout__MEETING_Z));
+    AT(work, point + layout__NODE_POINT_Z) = AT(work, meeting + layout__MEETING_Z);
+    EACH_LANE each(RATE_AT(work_t, point + layout__NODE_POINT_SLOPE)) = each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE));
+    AT(work, point + layout__NODE_POINT_SLOPE) = AT(work, meeting + layout__MEETING_SLOPE);
+    return 0;
+}
+
+/* Derivative of ``fill_curvature``. */
+static inline int64_t derivative_nodes__fill_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction, int64_t count)
+{
+    int64_t last, meeting, start, at, i_1;
+    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
+    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) == 0.0)
+    {
+        start = direction * (int64_t)AT(work, last + layout__NODE_POINT_AT);
+        derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, start + direction * count, count);
+    }
+    else
+    {
+        derivative_nodes__average_curvature_t(tables, work, work_t, pair, nodes, direction, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE));
+    }
+    at = (int64_t)AT(work, last + layout__NODE_POINT_AT) + count;
+    for (i_1 = 0; i_1 < layout__NODE_POINT_SIZE; i_1 += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1 + i_1)) = each(RATE_AT(work_t, last + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1 + i_1) = AT(work, last + i_1);
+    }
+    derivative_nodes__note_node_t(work, work_t, last, meeting, at);
+    return 0;
+}
+
+/* Derivative of ``close_curvature``. */
+static inline int64_t derivative_nodes__close_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction)
+{
+    int64_t last;
+    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) > 0.0)
+    {
+        derivative_nodes__average_curvature_t(tables, work, work_t, pair, nodes, direction, AT(work, last + layout__NODE_POINT_Y), RATE_AT(work_t, last + layout__NODE_POINT_Y), AT(work, last + layout__NODE_POINT_SLOPE), RATE_AT(work_t, last + layout__NODE_POINT_SLOPE));
+    }
+    return 0;
+}
+
+/* Derivative of ``average_curvature``. */
+static inline int64_t derivative_nodes__average_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction, double y, lanes y_t, double slope, lanes slope_t)
+{
+    int64_t inner, last, start, stop;
+    double v1, v2, v3, bend, v4;
+    lanes bend_t, v4_t;
+    inner = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1;
+    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
+    if ((int64_t)AT(work, last + layout__NODE_POINT_AT) > 0)
+    {
+        v1 = slope - AT(work, inner + layout__NODE_POINT_SLOPE);
+        v2 = y - AT(work, inner + layout__NODE_POINT_Y);
+        v3 = v1 / v2;
+        EACH_LANE each(bend_t) = (each(slope_t) - each(RATE_AT(work_t, inner + layout__NODE_POINT_SLOPE)) - v3 * (each(y_t) - each(RATE_AT(work_t, inner + layout__NODE_POINT_Y)))) / v2;
+        bend = v3;
+        start = direction * (int64_t)AT(work, inner + layout__NODE_POINT_AT);
+        stop = direction * (int64_t)AT(work, last + layout__NODE_POINT_AT);
+        derivative_curvature__longitudinal_curvature_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, last + layout__NODE_POINT_Z), RATE_AT(work_t, last + layout__NODE_POINT_Z), AT(work, last + layout__NODE_POINT_SLOPE), RATE_AT(work_t, last + layout__NODE_POINT_SLOPE), bend, bend_t);
+        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + stop)) = 0.5 * each(v4_t);
+        AT(work, nodes + layout__NODES_A + 128 + stop) = 0.5 * v4;
+        derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, (int64_t)AT(work, last + layout__NODE_POINT_AT) - (int64_t)AT(work, inner + layout__NODE_POINT_AT));
+    }
     return 0;
 }
 

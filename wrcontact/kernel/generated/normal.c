@@ -77,8 +77,11 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
 static inline int64_t nodes__note_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t at);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at);
-static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate, double y, double slope);
-static inline int64_t nodes__set_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, int64_t inner, int64_t outer, double z, double slope, double bend);
+static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
+static inline int64_t nodes__note_node(array_double_1d work, int64_t point, int64_t meeting, int64_t at);
+static inline int64_t nodes__fill_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, int64_t count);
+static inline int64_t nodes__close_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction);
+static inline int64_t nodes__average_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, double y, double slope);
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
 static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station);
@@ -1680,7 +1683,7 @@ static inline double nodes__trace_tolerance(double spacing)
  */
 static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach)
 {
-    double gap, rate, bend, curvature, y, slope;
+    double gap, rate, bend, curvature;
     int64_t before, after;
     traces__start_at_region(work, region);
     curves__open_origin(tables, work, pair, region, AT(work, region + layout__REGION_SPACING));
@@ -1692,11 +1695,10 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     {
         AT(work, nodes + layout__NODES_B + 128 + 0) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
-    y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_WHEEL);
-    slope = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_SLOPE);
-    before = nodes__lay_side_nodes(tables, work, pair, region, nodes, -1, low_reach, rate, y, slope);
+    nodes__note_node(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING, 0);
+    before = nodes__lay_side_nodes(tables, work, pair, region, nodes, -1, low_reach, rate);
     AT(work, region + layout__REGION_FIRST) = (double)(-before);
-    after = nodes__lay_side_nodes(tables, work, pair, region, nodes, 1, high_reach, rate, y, slope);
+    after = nodes__lay_side_nodes(tables, work, pair, region, nodes, 1, high_reach, rate);
     AT(work, region + layout__REGION_LAST) = (double)after;
     return 0;
 }
@@ -1765,25 +1767,21 @@ static inline void nodes__trace_node(double* gap_out, double* rate_out, array_do
     *rate_out = rate;
 }
 
-/* Nodes in ``direction`` from the minimum, where the gap has this ``rate`` and the wheel's profile the
- * ``slope`` at its abscissa ``y`` [m]; how many until the gap has risen above ``reach`` [m] or the bound is
- * passed.
+/* Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
+ * risen above ``reach`` [m] or the bound is passed.
  *
  * Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
- * slope there.  With yaw the wheel's second derivative is part of A.  Taken at a point it would jump when a
- * joint of the profile passes a node; so it is averaged from the traced node before to the one after.
+ * slope there.
  */
-static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate, double y, double slope)
+static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
 {
-    int64_t meeting, inner, stride, window, k, traced, step, left, passed, start, at;
-    bool blurred, ended;
-    double inner_y, inner_slope, last_z, gap, next_rate, bend, station;
-    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
-    blurred = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) > 0.0;
-    inner = 0;
-    inner_y = y;
-    inner_slope = slope;
-    last_z = 0.0;
+    int64_t i_1, stride, window, k, traced, step, left, passed, start, at;
+    bool ended;
+    double gap, next_rate, station;
+    for (i_1 = 0; i_1 < layout__NODE_POINT_SIZE; i_1 += 1)
+    {
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2 + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + i_1);
+    }
     traces__start_at_region(work, region);
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
@@ -1808,32 +1806,14 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             if (gap >= frame__NO_GAP)
             {
                 ended = true;
-                if (blurred && traced > 0)
-                {
-                    bend = (slope - inner_slope) / (y - inner_y);
-                    nodes__set_curvature(tables, work, pair, nodes, direction, inner, traced, last_z, slope, bend);
-                }
+                nodes__close_curvature(tables, work, pair, nodes, direction);
                 nodes__end_region(work, region, direction, AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (double)(direction * k));
             }
             else
             {
                 start = direction * traced;
                 nodes__fill_between(work, nodes, start, start + direction * step, step, AT(work, region + layout__REGION_SPACING), rate, next_rate);
-                if (!blurred)
-                {
-                    nodes__fill_straight(work, nodes + layout__NODES_A, start, start + direction * step, step);
-                }
-                else if (traced > 0)
-                {
-                    bend = (AT(work, meeting + layout__MEETING_SLOPE) - inner_slope) / (AT(work, meeting + layout__MEETING_WHEEL) - inner_y);
-                    nodes__set_curvature(tables, work, pair, nodes, direction, inner, traced, last_z, slope, bend);
-                    inner = traced;
-                    inner_y = y;
-                    inner_slope = slope;
-                }
-                y = AT(work, meeting + layout__MEETING_WHEEL);
-                slope = AT(work, meeting + layout__MEETING_SLOPE);
-                last_z = AT(work, meeting + layout__MEETING_Z);
+                nodes__fill_curvature(tables, work, pair, nodes, direction, step);
                 rate = next_rate;
                 traced += step;
             }
@@ -1862,10 +1842,9 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             passed = k;
         }
     }
-    if (blurred && traced > 0 && !ended)
+    if (!ended)
     {
-        bend = (slope - inner_slope) / (y - inner_y);
-        nodes__set_curvature(tables, work, pair, nodes, direction, inner, traced, last_z, slope, bend);
+        nodes__close_curvature(tables, work, pair, nodes, direction);
     }
     if (passed == 0)
     {
@@ -1874,16 +1853,73 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
     return passed;
 }
 
-/* A of a traced node, ``outer`` nodes away in ``direction``, where the wheel's profile has height ``z`` [m],
- * ``slope`` [-] and a mean second derivative ``bend`` [1/m]; and of those up to the traced node before.
- */
-static inline int64_t nodes__set_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, int64_t inner, int64_t outer, double z, double slope, double bend)
+/* Note the wheel's profile at a traced node, ``at`` nodes from the minimum. */
+static inline int64_t nodes__note_node(array_double_1d work, int64_t point, int64_t meeting, int64_t at)
 {
-    int64_t start, stop;
-    start = direction * inner;
-    stop = direction * outer;
-    AT(work, nodes + layout__NODES_A + 128 + stop) = 0.5 * curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), z, slope, bend);
-    nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, outer - inner);
+    AT(work, point + layout__NODE_POINT_AT) = (double)at;
+    AT(work, point + layout__NODE_POINT_Y) = AT(work, meeting + layout__MEETING_WHEEL);
+    AT(work, point + layout__NODE_POINT_Z) = AT(work, meeting + layout__MEETING_Z);
+    AT(work, point + layout__NODE_POINT_SLOPE) = AT(work, meeting + layout__MEETING_SLOPE);
+    return 0;
+}
+
+/* A at nodes before one that has been traced, ``count`` nodes after the last one.
+ *
+ * With yaw the wheel's second derivative is part of A.  Taken at a point it would jump when a joint of the
+ * profile passes a node; so it is averaged from the traced node before to the one after.
+ */
+static inline int64_t nodes__fill_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, int64_t count)
+{
+    int64_t last, meeting, start, at, i_1;
+    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
+    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) == 0.0)
+    {
+        start = direction * (int64_t)AT(work, last + layout__NODE_POINT_AT);
+        nodes__fill_straight(work, nodes + layout__NODES_A, start, start + direction * count, count);
+    }
+    else
+    {
+        nodes__average_curvature(tables, work, pair, nodes, direction, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_SLOPE));
+    }
+    at = (int64_t)AT(work, last + layout__NODE_POINT_AT) + count;
+    for (i_1 = 0; i_1 < layout__NODE_POINT_SIZE; i_1 += 1)
+    {
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1 + i_1) = AT(work, last + i_1);
+    }
+    nodes__note_node(work, last, meeting, at);
+    return 0;
+}
+
+/* A at the last traced node, where that is averaged. */
+static inline int64_t nodes__close_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction)
+{
+    int64_t last;
+    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) > 0.0)
+    {
+        nodes__average_curvature(tables, work, pair, nodes, direction, AT(work, last + layout__NODE_POINT_Y), AT(work, last + layout__NODE_POINT_SLOPE));
+    }
+    return 0;
+}
+
+/* A at the last traced node, with the mean second derivative of the wheel's profile from the one before it up
+ * to abscissa ``y`` [m] with this ``slope``; and at the nodes between these two.
+ */
+static inline int64_t nodes__average_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, double y, double slope)
+{
+    int64_t inner, last, start, stop;
+    double bend;
+    inner = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1;
+    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
+    if ((int64_t)AT(work, last + layout__NODE_POINT_AT) > 0)
+    {
+        bend = (slope - AT(work, inner + layout__NODE_POINT_SLOPE)) / (y - AT(work, inner + layout__NODE_POINT_Y));
+        start = direction * (int64_t)AT(work, inner + layout__NODE_POINT_AT);
+        stop = direction * (int64_t)AT(work, last + layout__NODE_POINT_AT);
+        AT(work, nodes + layout__NODES_A + 128 + stop) = 0.5 * curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, last + layout__NODE_POINT_Z), AT(work, last + layout__NODE_POINT_SLOPE), bend);
+        nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, (int64_t)AT(work, last + layout__NODE_POINT_AT) - (int64_t)AT(work, inner + layout__NODE_POINT_AT));
+    }
     return 0;
 }
 

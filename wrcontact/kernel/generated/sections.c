@@ -30,6 +30,8 @@ static inline int64_t section_search__find_below(array_double_1d tables, array_d
 static inline int64_t section_search__read_bounds(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline void section_search__wheel_place(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double angle);
 static inline int64_t section_search__judge_box(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t box, int64_t other);
+static inline bool section_search__slopes_away(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box);
+static inline bool section_search__within_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box);
 static inline bool section_search__no_minimum(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box, double angle, double half, double turn);
 static inline double section_search__convex_fall(double across, double around, double bend, double c, double m, double half);
 
@@ -43,6 +45,7 @@ static inline double section_spread__lowest_angle(array_double_1d work, int64_t 
 static inline int64_t section_spread__spread_angles(array_double_1d work, double back, double ahead);
 static inline void section_spread__spread_reach(double* out_0, double* out_1, array_double_1d work, int64_t place, double half, double angle);
 static inline void section_spread__form(double* out_0, double* out_1, array_double_1d work, double x_low, double x_high, double y_low, double y_high);
+static inline int64_t section_spread__spread_slopes(array_double_1d work, int64_t place);
 static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t place);
 static inline void section_spread__tangent(double* out_0, double* out_1, double* out_2, double* out_3, array_double_1d work, int64_t place, double low, double high, double level_low, double level_high);
 static inline double section_spread__mixed(array_double_1d work, double xy_low, double xy_high, double xf_low, double xf_high, double yy_low, double yy_high, double yf_low, double yf_high);
@@ -535,10 +538,15 @@ static inline void section_search__wheel_place(double* out_0, double* out_1, arr
  */
 static inline int64_t section_search__judge_box(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t box, int64_t other)
 {
-    double y, half, angle, turn, m, c, bend, by_angle, reach, by_place, fall, middle;
+    double y, half, angle, turn, m, c, bend, by_angle, reach, by_place, steepest, fall, middle;
     bool sloping;
     y = 0.5 * (AT(work, box + layout__SECTION_BOX_LOW) + AT(work, box + layout__SECTION_BOX_HIGH));
     half = 0.5 * (AT(work, box + layout__SECTION_BOX_HIGH) - AT(work, box + layout__SECTION_BOX_LOW));
+    section_spread__spread_slopes(work, place);
+    if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_INSIDE) == 1.0 && section_search__slopes_away(tables, work, pair, box))
+    {
+        return 0;
+    }
     angle = section_gap__settled_angle(tables, work, pair, place, y, 0.5 * (AT(work, box + layout__SECTION_BOX_BACK) + AT(work, box + layout__SECTION_BOX_AHEAD)), AT(work, box + layout__SECTION_BOX_BACK), AT(work, box + layout__SECTION_BOX_AHEAD));
     section_search__keep_gap(tables, work, pair, y, angle);
     section_spread__spread_bends(work, place);
@@ -553,7 +561,9 @@ static inline int64_t section_search__judge_box(array_double_1d tables, array_do
         by_angle = double_min(reach * reach / (2.0 * m), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)) * turn + c * half * turn);
     }
     by_place = fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS)) * half - 0.5 * double_min(bend, 0.0) * half * half;
-    fall = by_angle + by_place;
+    steepest = double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RISE)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RISE))) * half;
+    steepest += double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_TURN)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_TURN))) * turn;
+    fall = double_min(by_angle + by_place, steepest);
     if (m > 0.0 && bend * m > c * c)
     {
         fall = double_min(fall, section_search__convex_fall(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)), bend, c, m, half));
@@ -568,7 +578,10 @@ static inline int64_t section_search__judge_box(array_double_1d tables, array_do
     }
     if (m > 0.0 && bend * m > c * c && section_search__newton_in(tables, work, pair, place, box, y, angle))
     {
-        return 0;
+        if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_INSIDE) == 1.0 || section_search__above_surface(tables, pair, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_Y)))
+        {
+            return 0;
+        }
     }
     if (!(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_INSIDE) == 1.0) && half < section_search__EDGE_WIDTH && turn < section_search__EDGE_ANGLE)
     {
@@ -595,15 +608,32 @@ static inline int64_t section_search__judge_box(array_double_1d tables, array_do
     return 2;
 }
 
+/* Whether the gap certainly has a slope all over a box: by the angle, or by the abscissa but at the ends of the
+ * wheel.
+ */
+static inline bool section_search__slopes_away(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box)
+{
+    if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_TURN) > 0.0 || AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_TURN) < 0.0)
+    {
+        return true;
+    }
+    return section_search__within_wheel(tables, work, pair, box) && (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RISE) > 0.0 || AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RISE) < 0.0);
+}
+
+/* Whether a box does not reach an end of the wheel. */
+static inline bool section_search__within_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box)
+{
+    int64_t scan;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    return AT(work, box + layout__SECTION_BOX_LOW) > AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y) && AT(work, box + layout__SECTION_BOX_HIGH) < AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * ((int64_t)AT(tables, scan + layout__SCAN_COUNT) - 1) + layout__SCAN_NODE_Y);
+}
+
 /* Whether the gap certainly has a slope all over a box: by the angle, where Newton's method has stopped at one of its
  * ends or F_phi is larger than what it can change by; or by the abscissa, but at the ends of the wheel.
  */
 static inline bool section_search__no_minimum(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box, double angle, double half, double turn)
 {
-    int64_t scan;
     double change;
-    bool within;
-    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
     change = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) * half;
     if (fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)) > change + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_AROUND) * turn)
     {
@@ -616,8 +646,7 @@ static inline bool section_search__no_minimum(array_double_1d tables, array_doub
             return true;
         }
     }
-    within = AT(work, box + layout__SECTION_BOX_LOW) > AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y) && AT(work, box + layout__SECTION_BOX_HIGH) < AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * ((int64_t)AT(tables, scan + layout__SCAN_COUNT) - 1) + layout__SCAN_NODE_Y);
-    return within && fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS)) > AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ACROSS) * half + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) * turn;
+    return section_search__within_wheel(tables, work, pair, box) && fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS)) > AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ACROSS) * half + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) * turn;
 }
 
 /* How far a convex gap can fall over ``half`` [m] to either side, over any angles, from a place with these absolute
@@ -792,27 +821,44 @@ static inline void section_spread__form(double* out_0, double* out_1, array_doub
     *out_1 = most_along + 2.0 * most_twist + most_across;
 }
 
-/* Bounds of the gap's second derivatives over a box, from those of wheel and rail. */
-static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t place)
+/* Ranges of the gap's first derivatives over a box, from those of wheel and rail. */
+static inline int64_t section_spread__spread_slopes(array_double_1d work, int64_t place)
 {
-    double low, high, least, most, g1_low, g1_high, g3_low, g3_high, out_low, out_high, around_low, around_high, xy_low, xy_high, yy_low, yy_high, xf_low, xf_high, yf_low, yf_high;
-    /* components of G along (sin, cos) and beside it */
+    double low, high, least, most, g1_low, g1_high, level, most_level, g2_low, g2_high, g3_low, g3_high, kept, kept_2;
+    /* components of G: ahead, to the side, down */
     section_spread__scaled(&low, &high, AT(work, place + layout__PLACE_COS_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ALONG), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ALONG));
     section_spread__scaled(&least, &most, AT(work, place + layout__PLACE_SIN_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ACROSS));
     g1_low = low + least;
     g1_high = high + most;
-    section_spread__scaled(&low, &high, AT(work, place + layout__PLACE_SIN_ROLL) * AT(work, place + layout__PLACE_SIN_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ALONG), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ALONG));
-    section_spread__scaled(&least, &most, -AT(work, place + layout__PLACE_SIN_ROLL) * AT(work, place + layout__PLACE_COS_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ACROSS));
-    g3_low = low + least - AT(work, place + layout__PLACE_COS_ROLL);
-    g3_high = high + most - AT(work, place + layout__PLACE_COS_ROLL);
+    section_spread__scaled(&low, &high, -AT(work, place + layout__PLACE_SIN_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ALONG), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ALONG));
+    section_spread__scaled(&least, &most, AT(work, place + layout__PLACE_COS_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ACROSS));
+    level = low + least;
+    most_level = high + most;
+    section_spread__scaled(&g2_low, &g2_high, AT(work, place + layout__PLACE_COS_ROLL), level, most_level);
+    section_spread__scaled(&low, &high, -AT(work, place + layout__PLACE_SIN_ROLL), level, most_level);
+    g3_low = low - AT(work, place + layout__PLACE_COS_ROLL);
+    g3_high = high - AT(work, place + layout__PLACE_COS_ROLL);
     section_spread__product(&low, &high, g1_low, g1_high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SINE));
     section_spread__product(&least, &most, g3_low, g3_high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_COSINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_COSINE));
-    out_low = low + least;
-    out_high = high + most;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD) = low + least;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD) = high + most;
     section_spread__product(&low, &high, g1_low, g1_high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_COSINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_COSINE));
     section_spread__product(&least, &most, g3_low, g3_high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SINE));
-    around_low = low - most;
-    around_high = high - least;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_ASIDE) = low - most;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ASIDE) = high - least;
+    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD));
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RISE) = low + g2_low - AT(work, place + layout__PLACE_SIN_ROLL);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RISE) = high + g2_high - AT(work, place + layout__PLACE_SIN_ROLL);
+    section_spread__product(&kept, &kept_2, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_ASIDE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ASIDE));
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_TURN) = kept;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_TURN) = kept_2;
+    return 0;
+}
+
+/* Bounds of the gap's second derivatives over a box, from those of wheel and rail, where its first ones are known. */
+static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t place)
+{
+    double low, high, least, most, xy_low, xy_high, yy_low, yy_high, xf_low, xf_high, yf_low, yf_high;
     /* tangents by y and by the angle */
     section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SINE));
     section_spread__product(&least, &most, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_COSINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_COSINE));
@@ -822,16 +868,16 @@ static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t
     section_spread__product(&least, &most, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SINE));
     section_spread__scaled(&least, &most, AT(work, place + layout__PLACE_SIN_ROLL), least, most);
     section_spread__tangent(&xf_low, &xf_high, &yf_low, &yf_high, work, place, low, high, least, most);
-    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_BEND), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_BEND), out_low, out_high);
+    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_BEND), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_BEND), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD));
     section_spread__form(&least, &most, work, xy_low, xy_high, yy_low, yy_high);
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_ACROSS) = least + low;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ACROSS) = double_max(fabs(least + low), fabs(most + high));
-    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), out_low, out_high);
+    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD));
     section_spread__form(&least, &most, work, xf_low, xf_high, yf_low, yf_high);
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_AROUND) = least - high;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_AROUND) = double_max(fabs(least - high), fabs(most - low));
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) = section_spread__mixed(work, xy_low, xy_high, xf_low, xf_high, yy_low, yy_high, yf_low, yf_high);
-    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), around_low, around_high);
+    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_ASIDE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ASIDE));
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) += double_max(fabs(low), fabs(high));
     return 0;
 }

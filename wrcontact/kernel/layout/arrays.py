@@ -29,6 +29,7 @@ from .patch import (
     Forces,
     HertzTable,
     InfluenceTable,
+    NodePoints,
     NodesOfRegions,
     Outline,
     Patch,
@@ -280,6 +281,7 @@ class Contact:
     first_widths: FirstWidths
     regions: Regions
     nodes: NodesOfRegions
+    node_points: NodePoints
     strips: SolvedStrips
     strip_problem: StripProblem
     equations: Equations

@@ -27,6 +27,8 @@ from ..layout import (
     WHEEL,
     Contact,
     Frame,
+    Meeting,
+    NodePoint,
     NodeRun,
     Nodes,
     NodesOfRegions,
@@ -34,6 +36,7 @@ from ..layout import (
     Region,
     Regions,
     Tables,
+    copy,
 )
 from ..surface.curvature import longitudinal_curvature, relative_curvature
 from ..surface.tables import height_slope
@@ -112,11 +115,10 @@ def lay_nodes(
         nodes.B[0] = relative_curvature(
             pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
         )
-    y = contact.frame.place.meeting.wheel
-    slope = contact.frame.place.meeting.slope
-    before = lay_side_nodes(pair, contact, region, nodes, -1, low_reach, rate, y, slope)
+    note_node(contact.node_points[0], contact.frame.place.meeting, 0)
+    before = lay_side_nodes(pair, contact, region, nodes, -1, low_reach, rate)
     region.first = -before
-    after = lay_side_nodes(pair, contact, region, nodes, 1, high_reach, rate, y, slope)
+    after = lay_side_nodes(pair, contact, region, nodes, 1, high_reach, rate)
     region.last = after
 
 
@@ -164,30 +166,15 @@ def trace_node(pair: Pair, contact: Contact, region: Region, nodes: Nodes, at: i
 
 
 def lay_side_nodes(
-    pair: Pair,
-    contact: Contact,
-    region: Region,
-    nodes: Nodes,
-    direction: int,
-    reach: float,
-    rate: float,
-    y: float,
-    slope: float,
+    pair: Pair, contact: Contact, region: Region, nodes: Nodes, direction: int, reach: float, rate: float
 ):
-    """Nodes in ``direction`` from the minimum, where the gap has this ``rate`` and the wheel's profile the
-    ``slope`` at its abscissa ``y`` [m]; how many until the gap has risen above ``reach`` [m] or the bound is
-    passed.
+    """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
+    risen above ``reach`` [m] or the bound is passed.
 
     Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
-    slope there.  With yaw the wheel's second derivative is part of A.  Taken at a point it would jump when a
-    joint of the profile passes a node; so it is averaged from the traced node before to the one after.
+    slope there.
     """
-    meeting = contact.frame.place.meeting
-    blurred = contact.frame.blur > 0.0
-    inner = 0
-    inner_y = y
-    inner_slope = slope
-    last_z = 0.0
+    copy(contact.node_points[0], contact.node_points[2])
     start_at_region(contact.frame, region)
     stride = node_stride(pair.tables)
     window = window_nodes(pair.tables)
@@ -207,24 +194,12 @@ def lay_side_nodes(
                 gap, next_rate = trace_node(pair, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP:
                 ended = True
-                if blurred and traced > 0:
-                    bend = (slope - inner_slope) / (y - inner_y)
-                    set_curvature(pair, contact.frame, nodes, direction, inner, traced, last_z, slope, bend)
+                close_curvature(pair, contact, nodes, direction)
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
             else:
                 start = direction * traced
                 fill_between(nodes, start, start + direction * step, step, region.spacing, rate, next_rate)
-                if not blurred:
-                    fill_straight(nodes.A, start, start + direction * step, step)
-                elif traced > 0:
-                    bend = (meeting.slope - inner_slope) / (meeting.wheel - inner_y)
-                    set_curvature(pair, contact.frame, nodes, direction, inner, traced, last_z, slope, bend)
-                    inner = traced
-                    inner_y = y
-                    inner_slope = slope
-                y = meeting.wheel
-                slope = meeting.slope
-                last_z = meeting.z
+                fill_curvature(pair, contact, nodes, direction, step)
                 rate = next_rate
                 traced += step
         k += 1
@@ -240,31 +215,59 @@ def lay_side_nodes(
             passed = k
         elif station > region.high or station < region.low:
             passed = k
-    if blurred and traced > 0 and not ended:
-        bend = (slope - inner_slope) / (y - inner_y)
-        set_curvature(pair, contact.frame, nodes, direction, inner, traced, last_z, slope, bend)
+    if not ended:
+        close_curvature(pair, contact, nodes, direction)
     if passed == 0:
         passed = k - window
     return passed
 
 
-def set_curvature(
-    pair: Pair,
-    frame: Frame,
-    nodes: Nodes,
-    direction: int,
-    inner: int,
-    outer: int,
-    z: float,
-    slope: float,
-    bend: float,
-):
-    """A of a traced node, ``outer`` nodes away in ``direction``, where the wheel's profile has height ``z`` [m],
-    ``slope`` [-] and a mean second derivative ``bend`` [1/m]; and of those up to the traced node before."""
-    start = direction * inner
-    stop = direction * outer
-    nodes.A[stop] = 0.5 * longitudinal_curvature(pair.tables, frame.place, z, slope, bend)
-    fill_straight(nodes.A, start, stop, outer - inner)
+def note_node(point: NodePoint, meeting: Meeting, at: int):
+    """Note the wheel's profile at a traced node, ``at`` nodes from the minimum."""
+    point.at = at
+    point.y = meeting.wheel
+    point.z = meeting.z
+    point.slope = meeting.slope
+
+
+def fill_curvature(pair: Pair, contact: Contact, nodes: Nodes, direction: int, count: int):
+    """A at nodes before one that has been traced, ``count`` nodes after the last one.
+
+    With yaw the wheel's second derivative is part of A.  Taken at a point it would jump when a joint of the
+    profile passes a node; so it is averaged from the traced node before to the one after.
+    """
+    last = contact.node_points[2]
+    meeting = contact.frame.place.meeting
+    if contact.frame.blur == 0.0:
+        start = direction * last.at
+        fill_straight(nodes.A, start, start + direction * count, count)
+    else:
+        average_curvature(pair, contact, nodes, direction, meeting.wheel, meeting.slope)
+    at = last.at + count
+    copy(last, contact.node_points[1])
+    note_node(last, meeting, at)
+
+
+def close_curvature(pair: Pair, contact: Contact, nodes: Nodes, direction: int):
+    """A at the last traced node, where that is averaged."""
+    last = contact.node_points[2]
+    if contact.frame.blur > 0.0:
+        average_curvature(pair, contact, nodes, direction, last.y, last.slope)
+
+
+def average_curvature(pair: Pair, contact: Contact, nodes: Nodes, direction: int, y: float, slope: float):
+    """A at the last traced node, with the mean second derivative of the wheel's profile from the one before it up
+    to abscissa ``y`` [m] with this ``slope``; and at the nodes between these two."""
+    inner = contact.node_points[1]
+    last = contact.node_points[2]
+    if last.at > 0:
+        bend = (slope - inner.slope) / (y - inner.y)
+        start = direction * inner.at
+        stop = direction * last.at
+        nodes.A[stop] = 0.5 * longitudinal_curvature(
+            pair.tables, contact.frame.place, last.z, last.slope, bend
+        )
+        fill_straight(nodes.A, start, stop, last.at - inner.at)
 
 
 def fill_straight(values: NodeRun, start: int, stop: int, count: int):
