@@ -39,7 +39,7 @@ from .traces import first_abscissa
 #: for nodes. The move is still made, and the overlap follows it to second order: what is left is rounding,
 #: or 4e-11 m at a node where the curvature jumps within the move.
 LINE_SHARP: Final[float] = 1e-8
-NODE_SHARP: Final[float] = 1e-6
+NODE_SHARP: Final[float] = 1e-7
 #: And this after the last iteration: at a joint of the profile Newton's method can alternate between both
 #: sides [m].
 LINE_JOINT: Final[float] = 1e-7

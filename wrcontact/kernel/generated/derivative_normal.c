@@ -1952,9 +1952,9 @@ static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, la
 /* Derivative of ``lay_nodes``. */
 static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t)
 {
-    double v1, gap, rate, bend, curvature, v2;
-    lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t;
-    int64_t n3, before, n4, after;
+    double v1, gap, rate, bend, curvature, v2, v3;
+    lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t, v3_t;
+    int64_t n4, before, n5, after;
     derivative_traces__start_at_region_t(work, work_t, region);
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
@@ -1963,31 +1963,33 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, arra
     AT(work, nodes + layout__NODES_GAP + 128 + 0) = 0.0;
     EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + 0)) = 0.5 * each(curvature_t);
     AT(work, nodes + layout__NODES_A + 128 + 0) = 0.5 * curvature;
-    derivative_nodes__note_turn_t(tables, work, work_t, pair, nodes, 0);
+    derivative_nodes__turn_cosine_t(&v2, &v2_t, tables, work, work_t, pair);
+    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + 0)) = each(v2_t);
+    AT(work, nodes + layout__NODES_TURN + 128 + 0) = v2;
     if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + 0)) = each(v2_t);
-        AT(work, nodes + layout__NODES_B + 128 + 0) = v2;
+        derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + 0)) = each(v3_t);
+        AT(work, nodes + layout__NODES_B + 128 + 0) = v3;
     }
     derivative_nodes__note_node_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING, 0);
-    n3 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -1, low_reach, low_reach_t, rate, rate_t);
-    before = n3;
+    n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -1, low_reach, low_reach_t, rate, rate_t);
+    before = n4;
     RATE_AT(work_t, region + layout__REGION_FIRST) = all_lanes(0.0);
     AT(work, region + layout__REGION_FIRST) = (double)(-before);
-    n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, 1, high_reach, high_reach_t, rate, rate_t);
-    after = n4;
+    n5 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, 1, high_reach, high_reach_t, rate, rate_t);
+    after = n5;
     RATE_AT(work_t, region + layout__REGION_LAST) = all_lanes(0.0);
     AT(work, region + layout__REGION_LAST) = (double)after;
     return 0;
 }
 
-/* Derivative of ``note_turn``. */
-static inline int64_t derivative_nodes__note_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t at)
+/* Derivative of ``turn_cosine``. */
+static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     int64_t k1;
-    lanes slope_t, height_t, cosine_t;
-    double slope, height, v2, v3, v4, cosine, v5, v6;
+    lanes slope_t, height_t;
+    double slope, height, v2, v3, v4, v5;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_RAIL_SLOPE;
     EACH_LANE each(slope_t) = each(RATE_AT(work_t, k1));
     slope = AT(work, k1);
@@ -1995,18 +1997,12 @@ static inline int64_t derivative_nodes__note_turn_t(array_double_1d tables, arra
     {
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
-    v2 = 1.0 + slope * slope;
-    v3 = sqrt(v2);
-    v4 = 1.0 / v3;
-    EACH_LANE each(cosine_t) = -v4 * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t)) / v3;
-    cosine = v4;
-    v5 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(cosine_t) * v5 + cosine * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
-    AT(work, nodes + layout__NODES_TURN + 128 + at) = cosine * v5;
-    v6 = slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + at)) = each(cosine_t) * v6 + cosine * (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-    AT(work, nodes + layout__NODES_TILT + 128 + at) = cosine * v6;
-    return 0;
+    v2 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
+    v3 = 1.0 + slope * slope;
+    v4 = sqrt(v3);
+    v5 = v2 / v4;
+    *v5_out = v5;
+    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t))) / v4;
 }
 
 /* Derivative of ``bring_nearer``. */
@@ -2034,8 +2030,8 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 /* Derivative of ``trace_node``. */
 static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
-    double v1, station, v2, gap, rate, bend, v3, v4;
-    lanes station_t, v2_t, gap_t, rate_t, bend_t, v3_t, v4_t;
+    double v1, station, v2, gap, rate, bend, v3, v4, v5;
+    lanes station_t, v2_t, gap_t, rate_t, bend_t, v3_t, v4_t, v5_t;
     v1 = (double)at;
     EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
     station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v1;
@@ -2051,12 +2047,14 @@ static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_
             EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + at)) = 0.5 * each(v3_t);
             AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * v3;
         }
-        derivative_nodes__note_turn_t(tables, work, work_t, pair, nodes, at);
+        derivative_nodes__turn_cosine_t(&v4, &v4_t, tables, work, work_t, pair);
+        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(v4_t);
+        AT(work, nodes + layout__NODES_TURN + 128 + at) = v4;
         if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
-            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(v4_t);
-            AT(work, nodes + layout__NODES_B + 128 + at) = v4;
+            derivative_curvature__relative_curvature_t(&v5, &v5_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(v5_t);
+            AT(work, nodes + layout__NODES_B + 128 + at) = v5;
         }
     }
     *gap_out = gap;
@@ -2294,7 +2292,6 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
         AT(work, nodes + layout__NODES_GAP + 128 + (start + inward * i)) = gap;
     }
     derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_TURN, start, stop, count);
-    derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_TILT, start, stop, count);
     return 0;
 }
 
@@ -2337,8 +2334,6 @@ static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work,
     AT(work, nodes + layout__NODES_A + 128 + at) = AT(work, nodes + layout__NODES_A + 128 + one);
     EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + one));
     AT(work, nodes + layout__NODES_TURN + 128 + at) = AT(work, nodes + layout__NODES_TURN + 128 + one);
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + one));
-    AT(work, nodes + layout__NODES_TILT + 128 + at) = AT(work, nodes + layout__NODES_TILT + 128 + one);
     return 0;
 }
 
@@ -2528,11 +2523,12 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
 /* Derivative of ``mean_normal``. */
 static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
 {
-    bool upright;
-    lanes total_t, cosines_t, sines_t, weight_t, turn_t, tilt_t, along_t, v3_t, height_t, slope_t, share_t, v11_t;
-    double total, cosines, sines, v1, weight, turn, tilt, v2, along, v3, height, slope, v4, v5, v6, share, v7, v8, v9, v10, v11;
-    int64_t direction, last, k, at;
-    upright = (int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_VERTICAL;
+    double v1, arc, total, cosines, sines, x, v2, step, height, slope, v3, v4, v5, cosine, v6, weight, v7, v9, v8, v10, v11, v12;
+    lanes v1_t, arc_t, total_t, cosines_t, sines_t, x_t, step_t, height_t, slope_t, cosine_t, weight_t, v8_t, v12_t, rates;
+    int64_t direction, last, k;
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL));
+    EACH_LANE each(arc_t) = each(v1_t);
+    arc = v1;
     total_t = all_lanes(0.0);
     total = 0.0;
     cosines_t = all_lanes(0.0);
@@ -2541,6 +2537,11 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
     sines = 0.0;
     for (direction = -1; direction < 2; direction += 2)
     {
+        EACH_LANE each(x_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
+        x = AT(work, region + layout__REGION_RAIL);
+        v2 = (double)direction;
+        EACH_LANE each(step_t) = v2 * each(RATE_AT(work_t, region + layout__REGION_SPACING));
+        step = v2 * AT(work, region + layout__REGION_SPACING);
         last = (int64_t)AT(work, region + layout__REGION_LAST);
         if (direction < 0)
         {
@@ -2548,10 +2549,15 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
         }
         for (k = 0; k < last + 1; k += 1)
         {
-            at = direction * k;
-            v1 = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + at);
-            EACH_LANE each(weight_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + at)) * v1 + AT(work, nodes + layout__NODES_LINE + 128 + at) * (each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + at)));
-            weight = AT(work, nodes + layout__NODES_LINE + 128 + at) * v1;
+            derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x, x_t);
+            v3 = 1.0 + slope * slope;
+            v4 = sqrt(v3);
+            v5 = 1.0 / v4;
+            EACH_LANE each(cosine_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
+            cosine = v5;
+            v6 = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + direction * k);
+            EACH_LANE each(weight_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + direction * k)) * v6 + AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * (each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + direction * k)));
+            weight = AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * v6;
             if (weight <= 0.0)
             {
                 break;
@@ -2563,48 +2569,31 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             }
             EACH_LANE each(total_t) = each(total_t) + each(weight_t);
             total = total + weight;
-            EACH_LANE each(turn_t) = each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at));
-            turn = AT(work, nodes + layout__NODES_TURN + 128 + at);
-            EACH_LANE each(tilt_t) = each(RATE_AT(work_t, nodes + layout__NODES_TILT + 128 + at));
-            tilt = AT(work, nodes + layout__NODES_TILT + 128 + at);
-            if (upright)
-            {
-                v2 = (double)at;
-                EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v2;
-                along = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) + AT(work, region + layout__REGION_SPACING) * v2;
-                derivative_curves__abscissa_at_arc_t(&v3, &v3_t, tables, pair, along, along_t);
-                derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), v3, v3_t);
-                EACH_LANE each(turn_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
-                turn = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-                EACH_LANE each(tilt_t) = each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-                tilt = slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-            }
-            v4 = turn * turn + tilt * tilt;
-            v5 = sqrt(v4);
-            v6 = weight / v5;
-            EACH_LANE each(share_t) = (each(weight_t) - v6 * derivative_rates__root_rate(v5, each(turn_t) * turn + turn * each(turn_t) + (each(tilt_t) * tilt + tilt * each(tilt_t)))) / v5;
-            share = v6;
-            v7 = turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-            EACH_LANE each(cosines_t) = each(cosines_t) + (each(share_t) * v7 + share * (each(turn_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (each(tilt_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + tilt * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
-            cosines = cosines + share * v7;
-            v8 = tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-            EACH_LANE each(sines_t) = each(sines_t) + (each(share_t) * v8 + share * (each(tilt_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + tilt * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(turn_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + turn * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
-            sines = sines + share * v8;
+            EACH_LANE each(cosines_t) = each(cosines_t) + (each(weight_t) * cosine + weight * each(cosine_t));
+            cosines = cosines + weight * cosine;
+            v7 = weight * slope;
+            EACH_LANE each(sines_t) = each(sines_t) + ((each(weight_t) * slope + weight * each(slope_t)) * cosine + v7 * each(cosine_t));
+            sines = sines + v7 * cosine;
+            v9 = (double)(k + 1);
+            EACH_LANE each(rates) = each(arc_t) + each(step_t) * v9;
+            derivative_tables__read_cubic_t(&v8, &v8_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc + step * v9, rates);
+            EACH_LANE each(x_t) = each(v8_t);
+            x = v8;
         }
     }
     if (total > 0.0)
     {
-        v9 = cosines / total;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v9 * each(total_t)) / total;
-        AT(work, region + layout__REGION_COS) = v9;
-        v10 = sines / total;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v10 * each(total_t)) / total;
-        AT(work, region + layout__REGION_SIN) = v10;
+        v10 = cosines / total;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v10 * each(total_t)) / total;
+        AT(work, region + layout__REGION_COS) = v10;
+        v11 = sines / total;
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v11 * each(total_t)) / total;
+        AT(work, region + layout__REGION_SIN) = v11;
         if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v11, &v11_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), RATE_AT(work_t, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v11_t);
-            AT(work, region + layout__REGION_SHARE) = v11;
+            derivative_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), RATE_AT(work_t, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v12_t);
+            AT(work, region + layout__REGION_SHARE) = v12;
         }
     }
     return 0;

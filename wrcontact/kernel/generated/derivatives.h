@@ -304,7 +304,7 @@ static inline void derivative_node_patches__peak_square_t(double* square_out, la
 /* derivative_nodes.py */
 static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double spacing, lanes spacing_t);
 static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t);
-static inline int64_t derivative_nodes__note_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t at);
+static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
 static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes);
 static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t);

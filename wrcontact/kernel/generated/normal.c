@@ -74,7 +74,7 @@ static inline int64_t nodes__window_nodes(array_double_1d tables);
 static inline int64_t nodes__node_stride(array_double_1d tables);
 static inline double nodes__trace_tolerance(double spacing);
 static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double low_reach, double high_reach);
-static inline int64_t nodes__note_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t at);
+static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
@@ -1690,7 +1690,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, AT(work, region + layout__REGION_STATION), nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
     AT(work, nodes + layout__NODES_GAP + 128 + 0) = 0.0;
     AT(work, nodes + layout__NODES_A + 128 + 0) = 0.5 * curvature;
-    nodes__note_turn(tables, work, pair, nodes, 0);
+    AT(work, nodes + layout__NODES_TURN + 128 + 0) = nodes__turn_cosine(tables, work, pair);
     if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
         AT(work, nodes + layout__NODES_B + 128 + 0) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
@@ -1703,21 +1703,16 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     return 0;
 }
 
-/* Note at node ``at`` cosine and sine of the angle from the open frame's normal to the rail's at the present
- * trace.
- */
-static inline int64_t nodes__note_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t at)
+/* Cosine of the angle between the rail's normal at the present trace and that of the open frame. */
+static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    double slope, height, cosine;
+    double slope, height;
     slope = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_RAIL_SLOPE);
     if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
         tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
-    cosine = 1.0 / sqrt(1.0 + slope * slope);
-    AT(work, nodes + layout__NODES_TURN + 128 + at) = cosine * (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    AT(work, nodes + layout__NODES_TILT + 128 + at) = cosine * (slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    return 0;
+    return (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / sqrt(1.0 + slope * slope);
 }
 
 /* Let the gap rise less where a region turns.
@@ -1757,7 +1752,7 @@ static inline void nodes__trace_node(double* gap_out, double* rate_out, array_do
         {
             AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * pressed__met_curvature(tables, work, pair);
         }
-        nodes__note_turn(tables, work, pair, nodes, at);
+        AT(work, nodes + layout__NODES_TURN + 128 + at) = nodes__turn_cosine(tables, work, pair);
         if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
             AT(work, nodes + layout__NODES_B + 128 + at) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
@@ -1969,7 +1964,6 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
         AT(work, nodes + layout__NODES_GAP + 128 + (start + inward * i)) = gap;
     }
     nodes__fill_straight(work, nodes + layout__NODES_TURN, start, stop, count);
-    nodes__fill_straight(work, nodes + layout__NODES_TILT, start, stop, count);
     return 0;
 }
 
@@ -2009,7 +2003,6 @@ static inline int64_t nodes__extrapolate_node(array_double_1d work, int64_t node
     }
     AT(work, nodes + layout__NODES_A + 128 + at) = AT(work, nodes + layout__NODES_A + 128 + one);
     AT(work, nodes + layout__NODES_TURN + 128 + at) = AT(work, nodes + layout__NODES_TURN + 128 + one);
-    AT(work, nodes + layout__NODES_TILT + 128 + at) = AT(work, nodes + layout__NODES_TILT + 128 + one);
     return 0;
 }
 
@@ -2210,19 +2203,20 @@ static inline double normal_contact__residual_rate(array_double_1d tables)
 /* Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
  * local penetration [m].
  *
- * Nodes lie along the rail, also those of vertical distances here.
+ * The nodes lie along the rail.
  */
 static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration)
 {
-    bool upright;
-    double total, cosines, sines, weight, turn, tilt, along, height, slope, share;
-    int64_t direction, last, k, at;
-    upright = (int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_VERTICAL;
+    double arc, total, cosines, sines, x, step, height, slope, cosine, weight;
+    int64_t direction, last, k;
+    arc = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), AT(work, region + layout__REGION_RAIL));
     total = 0.0;
     cosines = 0.0;
     sines = 0.0;
     for (direction = -1; direction < 2; direction += 2)
     {
+        x = AT(work, region + layout__REGION_RAIL);
+        step = (double)direction * AT(work, region + layout__REGION_SPACING);
         last = (int64_t)AT(work, region + layout__REGION_LAST);
         if (direction < 0)
         {
@@ -2230,8 +2224,9 @@ static inline int64_t patch_places__mean_normal(array_double_1d tables, array_do
         }
         for (k = 0; k < last + 1; k += 1)
         {
-            at = direction * k;
-            weight = AT(work, nodes + layout__NODES_LINE + 128 + at) * (local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + at));
+            tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x);
+            cosine = 1.0 / sqrt(1.0 + slope * slope);
+            weight = AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * (local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + direction * k));
             if (weight <= 0.0)
             {
                 break;
@@ -2241,18 +2236,9 @@ static inline int64_t patch_places__mean_normal(array_double_1d tables, array_do
                 weight *= 0.5;
             }
             total += weight;
-            turn = AT(work, nodes + layout__NODES_TURN + 128 + at);
-            tilt = AT(work, nodes + layout__NODES_TILT + 128 + at);
-            if (upright)
-            {
-                along = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) + AT(work, region + layout__REGION_SPACING) * (double)at;
-                tables__height_slope(&height, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), curves__abscissa_at_arc(tables, pair, along));
-                turn = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-                tilt = slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-            }
-            share = weight / sqrt(turn * turn + tilt * tilt);
-            cosines += share * (turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-            sines += share * (tilt * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + turn * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+            cosines += weight * cosine;
+            sines += weight * slope * cosine;
+            x = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc + step * (double)(k + 1));
         }
     }
     if (total > 0.0)

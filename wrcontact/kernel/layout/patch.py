@@ -197,8 +197,7 @@ class Nodes:
     line: NodeRun  # E* / (n r): line load per local penetration [N/m^2]
     length: NodeRun  # (1 + alpha) A [1/m]
     B: NodeRun  # lateral curvature B [1/m]
-    turn: NodeRun  # cosine and sine of the angle from the normal of the region to the rail's [-]
-    tilt: NodeRun
+    turn: NodeRun  # cosine of the angle between the rail's normal and the region's [-]
 
 
 NodesOfRegions = Nodes * REGION_LIMIT

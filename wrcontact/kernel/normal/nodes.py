@@ -110,7 +110,7 @@ def lay_nodes(
     )
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
-    note_turn(pair, contact.frame, nodes, 0)
+    nodes.turn[0] = turn_cosine(pair, contact.frame)
     if pair.tables.lateral != LATERAL_ADAPTIVE:
         nodes.B[0] = relative_curvature(
             pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
@@ -122,15 +122,12 @@ def lay_nodes(
     region.last = after
 
 
-def note_turn(pair: Pair, frame: Frame, nodes: Nodes, at: int):
-    """Note at node ``at`` cosine and sine of the angle from the open frame's normal to the rail's at the present
-    trace."""
+def turn_cosine(pair: Pair, frame: Frame):
+    """Cosine of the angle between the rail's normal at the present trace and that of the open frame."""
     slope = frame.place.meeting.rail_slope
     if not frame.pressed or pair.tables.separation != SEPARATION_NORMAL:
         height, slope = height_slope(pair.rail, frame.traces[RAIL].abscissa)
-    cosine = 1.0 / sqrt(1.0 + slope * slope)
-    nodes.turn[at] = cosine * (frame.plane.cos + slope * frame.plane.sin)
-    nodes.tilt[at] = cosine * (slope * frame.plane.cos - frame.plane.sin)
+    return (frame.plane.cos + slope * frame.plane.sin) / sqrt(1.0 + slope * slope)
 
 
 def bring_nearer(region: Region, nodes: Nodes):
@@ -157,7 +154,7 @@ def trace_node(pair: Pair, contact: Contact, region: Region, nodes: Nodes, at: i
         nodes.gap[at] = gap - region.gap
         if contact.frame.blur == 0.0:
             nodes.A[at] = 0.5 * met_curvature(pair, contact.frame)
-        note_turn(pair, contact.frame, nodes, at)
+        nodes.turn[at] = turn_cosine(pair, contact.frame)
         if pair.tables.lateral != LATERAL_ADAPTIVE:
             nodes.B[at] = relative_curvature(
                 pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
@@ -303,7 +300,6 @@ def fill_between(
         gap = max(low + x * (rise + rest * (rest * forward - x * backward)), 0.0)
         nodes.gap[start + inward * i] = gap
     fill_straight(nodes.turn, start, stop, count)
-    fill_straight(nodes.tilt, start, stop, count)
 
 
 def end_region(region: Region, direction: int, station: float):
@@ -327,7 +323,6 @@ def extrapolate_node(nodes: Nodes, at: int, direction: int):
         nodes.gap[at] = nodes.gap[one]
     nodes.A[at] = nodes.A[one]
     nodes.turn[at] = nodes.turn[one]
-    nodes.tilt[at] = nodes.tilt[one]
 
 
 def zone_share(tables: Tables, A: float, side: float):

@@ -23,42 +23,37 @@ from ..layout import (
     SideSearch,
 )
 from ..surface.rails import on_track, upright_share
-from ..surface.tables import height_slope
+from ..surface.tables import height_slope, read_cubic
 
 
 def mean_normal(pair: Pair, frame: Frame, region: Region, nodes: Nodes, local_penetration: float):
     """Let the force of a region act along the mean of the rail's normals, weighted by the line load at a
     local penetration [m].
 
-    Nodes lie along the rail, also those of vertical distances here.
+    The nodes lie along the rail.
     """
-    plane = frame.plane
-    upright = pair.tables.separation == SEPARATION_VERTICAL
+    arc = read_cubic(pair.rail_arc, region.rail)
     total = 0.0
     cosines = 0.0
     sines = 0.0
     for direction in range(-1, 2, 2):
+        x = region.rail
+        step = float(direction) * region.spacing
         last = region.last
         if direction < 0:
             last = -region.first
         for k in range(last + 1):
-            at = direction * k
-            weight = nodes.line[at] * (local_penetration - nodes.rise[at])
+            height, slope = height_slope(pair.rail, x)
+            cosine = 1.0 / sqrt(1.0 + slope * slope)
+            weight = nodes.line[direction * k] * (local_penetration - nodes.rise[direction * k])
             if weight <= 0.0:
                 break
             if k == 0:
                 weight *= 0.5
             total += weight
-            turn = nodes.turn[at]
-            tilt = nodes.tilt[at]
-            if upright:
-                along = frame.arc + region.spacing * float(at)
-                height, slope = height_slope(pair.rail, abscissa_at_arc(pair, along))
-                turn = plane.cos + slope * plane.sin
-                tilt = slope * plane.cos - plane.sin
-            share = weight / sqrt(turn * turn + tilt * tilt)
-            cosines += share * (turn * plane.cos - tilt * plane.sin)
-            sines += share * (tilt * plane.cos + turn * plane.sin)
+            cosines += weight * cosine
+            sines += weight * slope * cosine
+            x = read_cubic(pair.rail_at_arc, arc + step * float(k + 1))
     if total > 0.0:
         region.cos = cosines / total
         region.sin = sines / total
