@@ -176,28 +176,23 @@ def rail_length(pair: Pair, start: float, stop: float):
 
 @seldom
 def rail_abscissa(pair: Pair, start: float, length: float):
-    """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing."""
-    return abscissa_at_arc(pair, arc_of_abscissa(pair, start) + length)
+    """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
 
-
-def arc_of_abscissa(pair: Pair, x: float):
-    """The arc length [m] at which the table of abscissae has ``x`` [m].
-
-    The other table is its inverse within 1e-8 m, and a step of Newton's method leaves rounding.
+    The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
+    leaves rounding.
     """
-    arc = read_cubic(pair.rail_arc, x)
-    found, rate = read_cubic_jet(pair.rail_at_arc, arc)
-    return arc + (x - found) / rate
-
-
-def abscissa_at_arc(pair: Pair, arc: float):
-    """Abscissa [m] of the rail at an arc length from its start [m]; beyond an end, by what is missing."""
+    rail = pair.rail
+    arcs = pair.rail_arc
     abscissae = pair.rail_at_arc
-    x = read_cubic(abscissae, arc)
+    arc = read_cubic(arcs, start) + length
     if arc < 0.0:
-        x = pair.rail.start + arc
+        x = rail.start + arc
     elif arc * abscissae.cells_per_unit > abscissae.count:
-        x = pair.rail.stop + (arc - abscissae.count / abscissae.cells_per_unit)
+        x = rail.stop + (arc - abscissae.count / abscissae.cells_per_unit)
+    else:
+        x = read_cubic(abscissae, arc)
+        found, speed = read_cubic_jet(arcs, x)
+        x += (arc - found) / speed
     return x
 
 

@@ -144,8 +144,6 @@ def open_contact_region(tables: Tables, frame: Frame, region: Region):
     region.wheel = frame.wheel.y
     region.bend = frame.bend
     region.curvature = frame.curvature
-    region.along = frame.plane.cos
-    region.along_bend = 0.0
     region.low = -BEYOND
     region.high = BEYOND
     incline_region(tables, frame, region, frame.plane.sin / frame.plane.cos)

@@ -31,15 +31,14 @@ from ..layout import RAIL, WHEEL, Frame, Pair, Place, inlined, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope, height_slope_bend
-from .curves import abscissa_at_arc
+from .curves import rail_abscissa
 from .frame import NO_GAP
-from .traces import first_abscissa
 
 #: The wheel's abscissa is found when Newton's last move is no longer than this [m], for deepest points and
 #: for nodes. The move is still made, and the overlap follows it to second order: what is left is rounding,
 #: or 4e-11 m at a node where the curvature jumps within the move.
 LINE_SHARP: Final[float] = 1e-8
-NODE_SHARP: Final[float] = 1e-7
+NODE_SHARP: Final[float] = 1e-6
 #: And this after the last iteration: at a joint of the profile Newton's method can alternate between both
 #: sides [m].
 LINE_JOINT: Final[float] = 1e-7
@@ -48,6 +47,8 @@ LINE_ITERATIONS: Final[int] = 20
 LINE_STEP: Final[float] = 4e-3
 #: Points of wheel and rail farther apart than this do not face each other [m].
 FARTHEST: Final[float] = 5e-3
+#: Over a longer way the wheel's abscissa per station is noted for the next estimate [m].
+LEAST_WAY: Final[float] = 1e-5
 #: A deepest point is located to this on the rail [m], so that differences of its place between poses are its
 #: derivatives; its depth, being second order, asks for less.
 DEEP_SHARP: Final[float] = 1e-13
@@ -102,8 +103,6 @@ def meet_wheel(pair: Pair, place: Place, abscissa: float, y: float, height: floa
             meeting.z = z + slope * move
             meeting.slope = slope + bend * move
             meeting.bend = bend
-            meeting.along = (1.0 - kappa * overlap) * sqrt(steep) * wheel_cos / stretch
-            meeting.along_bend = -outline_slope * wheel_cos * wheel_kappa / stretch
             meeting.rail_slope = m
             return True
         move = max(min(move, LINE_STEP), -LINE_STEP)
@@ -140,21 +139,22 @@ def pressed_gap(pair: Pair, frame: Frame, station: float):
     [m], with its derivatives [-, 1/m]: as ``normal_gap``, for the open frame of a pressed wheel."""
     frame.place.node_count += 1.0
     rail = pair.rail
-    abscissa = abscissa_at_arc(pair, frame.arc + station)
+    way = station - frame.station
+    abscissa = rail_abscissa(pair, frame.traces[RAIL].abscissa, way)
     gap = NO_GAP
     rate = 0.0
     bend = 0.0
     if abscissa >= rail.start and abscissa <= rail.stop:
         trace = frame.traces[WHEEL]
-        estimate = first_abscissa(trace, station - frame.station)
+        estimate = trace.abscissa + way * trace.rate
         if meet_wheel(pair, frame.place, abscissa, estimate, frame.height, NODE_SHARP):
             meeting = frame.place.meeting
             gap = frame.raised + frame.depth - meeting.overlap
             rate = -meeting.rise
             bend = -meeting.rate
+            if fabs(way) > LEAST_WAY:
+                trace.rate = (meeting.wheel - trace.abscissa) / way
             trace.abscissa = meeting.wheel
-            trace.rate = meeting.along
-            trace.bend = meeting.along_bend
             frame.traces[RAIL].abscissa = abscissa
             frame.station = station
     return gap, rate, bend
@@ -222,8 +222,6 @@ def turning_point(
             if fabs(following - x) < DEEP_SHARP:
                 break
             before = fabs(meeting.rise)
-            way = (following - x) * stretch
-            y += way * (meeting.along + 0.5 * way * meeting.along_bend)
         elif fabs(x - met) < DEEP_SHARP:
             return x, False
         x = following

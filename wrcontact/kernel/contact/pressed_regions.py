@@ -16,7 +16,7 @@ from ..layout import (
 )
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
-from .curves import arc_of_abscissa, rail_length
+from .curves import rail_length
 from .frame import BEYOND, incline_region, locate_along_track, open_frame
 from .deep_points import deepest_entry
 from .overlaps import find_overlaps
@@ -121,7 +121,6 @@ def gather_overlaps(pair: Pair, frame: Frame, frames: KeptFrames, regions: Regio
     point where it just touched."""
     count = overlap.count
     contact = deepest_entry(overlap)
-    frame.arc = arc_of_abscissa(pair, overlap.points[contact].rail)
     copy(frame, frames[REGION_LIMIT])
     for index in range(count):
         region = regions[index]
@@ -129,13 +128,10 @@ def gather_overlaps(pair: Pair, frame: Frame, frames: KeptFrames, regions: Regio
         open_pressed_region(pair, frame, region, point)
         if index != contact or frame.sunk:
             give_own_frame(pair, frame, region, point)
-            frame.arc = arc_of_abscissa(pair, point.rail)
         start_traces(frame, 0.0, point.rail, point.wheel)
         gap, rate, bend = pressed_gap(pair, frame, 0.0)
         region.bend = bend
         region.curvature = met_curvature(pair, frame)
-        region.along = frame.place.meeting.along
-        region.along_bend = frame.place.meeting.along_bend
         region.low = -BEYOND
         region.high = BEYOND
         if index > 0:

@@ -128,9 +128,9 @@ def separation_jet(pair: Pair, frame: Frame, origin: Origin, station: float, tol
 
 
 def separation(pair: Pair, frame: Frame, origin: Origin, station: float, tolerance: float):
-    """:func:`separation_jet`, and the wheel's 1/R_x [1/m]."""
+    """:func:`separation_jet`, and the wheel's 1/R_x [1/m]; 1 where a pressed wheel is not met."""
     gap, rate, bend = separation_jet(pair, frame, origin, station, tolerance)
-    curvature = 0.0
-    if gap < NO_GAP:
+    curvature = 1.0
+    if gap < NO_GAP or not frame.pressed or pair.tables.separation != SEPARATION_NORMAL:
         curvature = met_curvature(pair, frame)
     return gap, rate, bend, curvature

@@ -10,7 +10,7 @@ small residual.
 from math import fabs
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Direction, Frame, Meeting, Pair, Point, Profile, Region, Trace
+from ..layout import RAIL, WHEEL, Direction, Frame, Meeting, Pair, Point, Profile, Trace
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope_bend
 
@@ -28,13 +28,6 @@ def start_traces(frame: Frame, station: float, abscissa: float, y: float):
     frame.traces[WHEEL].abscissa = y
     frame.traces[WHEEL].rate = frame.plane.cos
     frame.traces[WHEEL].bend = 0.0
-
-
-def start_at_region(frame: Frame, region: Region):
-    """Let the traces begin at the smallest gap of a region."""
-    start_traces(frame, region.station, region.rail, region.wheel)
-    frame.traces[WHEEL].rate = region.along
-    frame.traces[WHEEL].bend = region.along_bend
 
 
 def first_abscissa(trace: Trace, away: float):

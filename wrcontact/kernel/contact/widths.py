@@ -10,7 +10,7 @@ from ..surface.locus import outline_x
 from .curves import open_origin
 from .frame import NO_GAP, is_yawed
 from .separation import separation_jet
-from .traces import start_at_region, start_traces
+from .traces import start_traces
 
 #: Tolerance of the traces [m]: this share of the estimated half-width, or less; as that of nodes.
 TRACE_OF_WIDTH: Final[float] = 1e-2
@@ -57,7 +57,7 @@ def zone_width(
     chosen separation, with arcs in place of the chords whose length follows from this width.
     """
     limit = width_limit(region, direction)
-    start_at_region(frame, region)
+    start_traces(frame, region.station, region.rail, region.wheel)
     open_origin(pair, frame, origin, region, 0.0)
     tolerance = width_tolerance(estimate)
     root = sqrt(level)

@@ -8,7 +8,7 @@ from ..contact.curves import arc_length, curve_jet, curve_speed, move_across, mo
 from ..contact.overlaps import find_overlaps
 from ..contact.pressed import LINE_SHARP, meet_wheel
 from ..contact.separation import separation_jet
-from ..contact.traces import start_at_region
+from ..contact.traces import start_traces
 from ..contact.widths import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
 from ..layout import RAIL, WHEEL, Frame, Origin, Overlap, Pair, Place, Region, SideSearch, Tables, Work
 from ..normal.analyn import load_regions, region_influence, region_load, solve_penetrations
@@ -55,7 +55,7 @@ def width_jet(
 ):
     """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as
     ``zone_width`` measures it."""
-    start_at_region(frame, region)
+    start_traces(frame, region.station, region.rail, region.wheel)
     gap, rate, bend = separation_jet(pair, frame, origin, region.station + direction * width, tolerance)
     return gap, rate
 

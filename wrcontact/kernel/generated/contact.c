@@ -12,8 +12,6 @@ static OUT_OF_LINE double curves__panel_length(array_double_1d tables, array_dou
 static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double start, double stop);
 static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop);
 static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length);
-static inline double curves__arc_of_abscissa(array_double_1d tables, int64_t pair, double x);
-static inline double curves__abscissa_at_arc(array_double_1d tables, int64_t pair, double arc);
 static OUT_OF_LINE bool curves__move_arc(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double length);
 static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double chord);
 static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double station);
@@ -96,7 +94,6 @@ static inline void separation__separation(double* gap_out, double* rate_out, dou
 
 /* contact/traces.py */
 static inline int64_t traces__start_traces(array_double_1d work, double station, double abscissa, double y);
-static inline int64_t traces__start_at_region(array_double_1d work, int64_t region);
 static inline double traces__first_abscissa(array_double_1d work, int64_t trace, double away);
 static inline void traces__trace_profile(double* out_0, double* out_1, double* ordinate_bend_out, double* out_3, double* out_4, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double tolerance);
 static inline void traces__trace_rail(double* ordinate_out, double* rate_out, double* bend_out, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
@@ -318,38 +315,32 @@ static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pa
     return tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), stop) - tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), start);
 }
 
-/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing. */
+/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
+ *
+ * The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
+ * leaves rounding.
+ */
 static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length)
 {
-    return curves__abscissa_at_arc(tables, pair, curves__arc_of_abscissa(tables, pair, start) + length);
-}
-
-/* The arc length [m] at which the table of abscissae has ``x`` [m].
- *
- * The other table is its inverse within 1e-8 m, and a step of Newton's method leaves rounding.
- */
-static inline double curves__arc_of_abscissa(array_double_1d tables, int64_t pair, double x)
-{
-    double arc, found, rate;
-    arc = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), x);
-    tables__read_cubic_jet(&found, &rate, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc);
-    return arc + (x - found) / rate;
-}
-
-/* Abscissa [m] of the rail at an arc length from its start [m]; beyond an end, by what is missing. */
-static inline double curves__abscissa_at_arc(array_double_1d tables, int64_t pair, double arc)
-{
-    int64_t abscissae;
-    double x;
+    int64_t rail, arcs, abscissae;
+    double arc, x, found, speed;
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    arcs = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC);
     abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
-    x = tables__read_cubic(tables, abscissae, arc);
+    arc = tables__read_cubic(tables, arcs, start) + length;
     if (arc < 0.0)
     {
-        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + arc;
+        x = AT(tables, rail + layout__PROFILE_START) + arc;
     }
     else if (arc * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
-        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+        x = AT(tables, rail + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    }
+    else
+    {
+        x = tables__read_cubic(tables, abscissae, arc);
+        tables__read_cubic_jet(&found, &speed, tables, arcs, x);
+        x += (arc - found) / speed;
     }
     return x;
 }
@@ -864,9 +855,9 @@ static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t regi
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 28; i_1 += 1)
+        for (i_1 = 0; i_1 < 27; i_1 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1);
         }
     }
     return 0;
@@ -878,9 +869,9 @@ static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t regi
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 28; i_1 += 1)
+        for (i_1 = 0; i_1 < 27; i_1 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1);
         }
     }
     return 0;
@@ -916,8 +907,6 @@ static inline int64_t frame__open_contact_region(array_double_1d work, array_dou
     AT(work, region + layout__REGION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y);
     AT(work, region + layout__REGION_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND);
     AT(work, region + layout__REGION_CURVATURE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE);
-    AT(work, region + layout__REGION_ALONG) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    AT(work, region + layout__REGION_ALONG_BEND) = 0.0;
     AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
     AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
     frame__incline_region(work, tables, region, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
@@ -1647,8 +1636,6 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
             AT(work, meeting + layout__MEETING_Z) = z + slope * move;
             AT(work, meeting + layout__MEETING_SLOPE) = slope + bend * move;
             AT(work, meeting + layout__MEETING_BEND) = bend;
-            AT(work, meeting + layout__MEETING_ALONG) = (1.0 - kappa * overlap) * sqrt(steep) * wheel_cos / stretch;
-            AT(work, meeting + layout__MEETING_ALONG_BEND) = -outline_slope * wheel_cos * wheel_kappa / stretch;
             AT(work, meeting + layout__MEETING_RAIL_SLOPE) = m;
             return true;
         }
@@ -1693,26 +1680,29 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_doubl
 static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
     int64_t rail, trace, meeting;
-    double abscissa, gap, rate, bend, estimate;
+    double way, abscissa, gap, rate, bend, estimate;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT) += 1.0;
     rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    abscissa = curves__abscissa_at_arc(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) + station);
+    way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
+    abscissa = curves__rail_abscissa(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), way);
     gap = frame__NO_GAP;
     rate = 0.0;
     bend = 0.0;
     if (abscissa >= AT(tables, rail + layout__PROFILE_START) && abscissa <= AT(tables, rail + layout__PROFILE_STOP))
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        estimate = traces__first_abscissa(work, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+        estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
         if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, estimate, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP))
         {
             meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
             gap = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) - AT(work, meeting + layout__MEETING_OVERLAP);
             rate = -AT(work, meeting + layout__MEETING_RISE);
             bend = -AT(work, meeting + layout__MEETING_RATE);
+            if (fabs(way) > pressed__LEAST_WAY)
+            {
+                AT(work, trace + layout__TRACE_RATE) = (AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA)) / way;
+            }
             AT(work, trace + layout__TRACE_ABSCISSA) = AT(work, meeting + layout__MEETING_WHEEL);
-            AT(work, trace + layout__TRACE_RATE) = AT(work, meeting + layout__MEETING_ALONG);
-            AT(work, trace + layout__TRACE_BEND) = AT(work, meeting + layout__MEETING_ALONG_BEND);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
         }
@@ -1748,7 +1738,7 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
 static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
 {
     int64_t meeting, i;
-    double before, met, following, z_rail, slope, rail_bend, stretch, kappa, rate, move, way, rise;
+    double before, met, following, z_rail, slope, rail_bend, stretch, kappa, rate, move, rise;
     bool moved_low, moved_high;
     meeting = place + layout__PLACE_MEETING;
     before = 0.0;
@@ -1795,8 +1785,6 @@ static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array
                 break;
             }
             before = fabs(AT(work, meeting + layout__MEETING_RISE));
-            way = (following - x) * stretch;
-            y += way * (AT(work, meeting + layout__MEETING_ALONG) + 0.5 * way * AT(work, meeting + layout__MEETING_ALONG_BEND));
         }
         else if (fabs(x - met) < pressed__DEEP_SHARP)
         {
@@ -1883,24 +1871,24 @@ static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, in
     pressed_regions__press_frame(work, height, penetration, 0.0);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        for (i_2 = 0; i_2 < 28; i_2 += 1)
+        for (i_2 = 0; i_2 < 27; i_2 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2);
         }
         pressed_regions__press_frame(work, height, AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP), AT(work, region + layout__REGION_GAP));
         for (i_3 = 0; i_3 < layout__FRAME_SIZE; i_3 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
         }
     }
-    for (i_4 = 0; i_4 < 28; i_4 += 1)
+    for (i_4 = 0; i_4 < 27; i_4 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_4);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_4);
     }
     return 0;
 }
@@ -1951,10 +1939,9 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
     double gap, rate, bend;
     count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     contact = deep_points__deepest_entry(work);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) = curves__arc_of_abscissa(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * contact + layout__DEEP_POINT_RAIL));
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
@@ -1964,14 +1951,11 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
         if (index != contact || AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
         {
             pressed_regions__give_own_frame(tables, work, pair, region, point);
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) = curves__arc_of_abscissa(tables, pair, AT(work, point + layout__DEEP_POINT_RAIL));
         }
         traces__start_traces(work, 0.0, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL));
         pressed__pressed_gap(&gap, &rate, &bend, tables, work, pair, 0.0);
         AT(work, region + layout__REGION_BEND) = bend;
         AT(work, region + layout__REGION_CURVATURE) = pressed__met_curvature(tables, work, pair);
-        AT(work, region + layout__REGION_ALONG) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_ALONG);
-        AT(work, region + layout__REGION_ALONG_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_ALONG_BEND);
         AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
         AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
         if (index > 0)
@@ -1984,11 +1968,11 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
         }
         for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
-        for (i_3 = 0; i_3 < 28; i_3 += 1)
+        for (i_3 = 0; i_3 < 27; i_3 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3);
         }
     }
     if (count > 1)
@@ -2156,13 +2140,13 @@ static inline void separation__separation_jet(double* gap_out, double* rate_out,
     *bend_out = bend;
 }
 
-/* :func:`separation_jet`, and the wheel's 1/R_x [1/m]. */
+/* :func:`separation_jet`, and the wheel's 1/R_x [1/m]; 1 where a pressed wheel is not met. */
 static inline void separation__separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     double gap, rate, bend, curvature;
     separation__separation_jet(&gap, &rate, &bend, tables, work, pair, station, tolerance);
-    curvature = 0.0;
-    if (gap < frame__NO_GAP)
+    curvature = 1.0;
+    if (gap < frame__NO_GAP || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
         curvature = pressed__met_curvature(tables, work, pair);
     }
@@ -2194,15 +2178,6 @@ static inline int64_t traces__start_traces(array_double_1d work, double station,
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) = y;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = 0.0;
-    return 0;
-}
-
-/* Let the traces begin at the smallest gap of a region. */
-static inline int64_t traces__start_at_region(array_double_1d work, int64_t region)
-{
-    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, region + layout__REGION_ALONG);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = AT(work, region + layout__REGION_ALONG_BEND);
     return 0;
 }
 
@@ -2667,7 +2642,7 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
     double limit, tolerance, root, low, high, width, station, abscissa, y, near, gap, rate, bend, rise, following, sharp, square, newton;
     int64_t i;
     limit = widths__width_limit(work, region, direction);
-    traces__start_at_region(work, region);
+    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
     curves__open_origin(tables, work, pair, region, 0.0);
     tolerance = widths__width_tolerance(estimate);
     root = sqrt(level);

@@ -234,51 +234,37 @@ static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1,
 }
 
 /* Derivative of ``rail_abscissa``. */
-static inline void derivative_curves__rail_abscissa_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t)
+static inline void derivative_curves__rail_abscissa_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t)
 {
-    double v2, v1;
-    lanes v2_t, v1_t, rates;
-    derivative_curves__arc_of_abscissa_t(&v2, &v2_t, tables, pair, start, start_t);
-    EACH_LANE each(rates) = each(v2_t) + each(length_t);
-    derivative_curves__abscissa_at_arc_t(&v1, &v1_t, tables, pair, v2 + length, rates);
-    *v1_out = v1;
-    EACH_LANE each(*v1_t_out) = each(v1_t);
-}
-
-/* Derivative of ``arc_of_abscissa``. */
-static inline void derivative_curves__arc_of_abscissa_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double x, lanes x_t)
-{
-    double v1, arc, found, rate, v2, v3;
-    lanes v1_t, arc_t, found_t, rate_t;
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), x, x_t);
-    EACH_LANE each(arc_t) = each(v1_t);
-    arc = v1;
-    derivative_tables__read_cubic_jet_t(&found, &found_t, &rate, &rate_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc, arc_t);
-    v2 = x - found;
-    v3 = v2 / rate;
-    *out_0 = arc + v3;
-    EACH_LANE each(*out_1) = each(arc_t) + (each(x_t) - each(found_t) - v3 * each(rate_t)) / rate;
-}
-
-/* Derivative of ``abscissa_at_arc``. */
-static inline void derivative_curves__abscissa_at_arc_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double arc, lanes arc_t)
-{
-    int64_t abscissae;
-    double v1, x;
-    lanes v1_t, x_t;
+    int64_t rail, arcs, abscissae;
+    double v1, arc, x, v2, found, speed, v3, v4;
+    lanes v1_t, arc_t, x_t, v2_t, found_t, speed_t;
+    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
+    arcs = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC);
     abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, abscissae, arc, arc_t);
-    EACH_LANE each(x_t) = each(v1_t);
-    x = v1;
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, arcs, start, start_t);
+    EACH_LANE each(arc_t) = each(v1_t) + each(length_t);
+    arc = v1 + length;
     if (arc < 0.0)
     {
         EACH_LANE each(x_t) = each(arc_t);
-        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + arc;
+        x = AT(tables, rail + layout__PROFILE_START) + arc;
     }
     else if (arc * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
         EACH_LANE each(x_t) = each(arc_t);
-        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+        x = AT(tables, rail + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    }
+    else
+    {
+        derivative_tables__read_cubic_t(&v2, &v2_t, tables, abscissae, arc, arc_t);
+        EACH_LANE each(x_t) = each(v2_t);
+        x = v2;
+        derivative_tables__read_cubic_jet_t(&found, &found_t, &speed, &speed_t, tables, arcs, x, x_t);
+        v3 = arc - found;
+        v4 = v3 / speed;
+        EACH_LANE each(x_t) = each(x_t) + (each(arc_t) - each(found_t) - v4 * each(speed_t)) / speed;
+        x = x + v4;
     }
     *x_out = x;
     EACH_LANE each(*x_t_out) = each(x_t);
@@ -678,10 +664,10 @@ static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, arra
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 28; i_1 += 1)
+        for (i_1 = 0; i_1 < 27; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1);
         }
     }
     return 0;
@@ -693,10 +679,10 @@ static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, arra
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 28; i_1 += 1)
+        for (i_1 = 0; i_1 < 27; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1);
         }
     }
     return 0;
@@ -752,10 +738,6 @@ static inline int64_t derivative_frame__open_contact_region_t(array_double_1d wo
     AT(work, region + layout__REGION_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND);
     EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
     AT(work, region + layout__REGION_CURVATURE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALONG)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    AT(work, region + layout__REGION_ALONG) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    RATE_AT(work_t, region + layout__REGION_ALONG_BEND) = all_lanes(0.0);
-    AT(work, region + layout__REGION_ALONG_BEND) = 0.0;
     RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
     AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
     RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
@@ -852,8 +834,8 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d table
 static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
 {
     int64_t meeting, wheel, i;
-    double z_rail, m, rail_bend, v1, v2, v3, cosine, v4, v5, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, v6, along, v7, v8, move, sharp, v9, overlap, v10, v11, v12, rise, v13, v14, v15, wheel_cos, v16, v17, v18, wheel_kappa, steep, v19, rest, v20, v21, v22, turn, v23, v24, v25, v26, v27, v28, v29, v30, v31, v32, v33, v34, v35, v36, v37;
-    lanes z_rail_t, m_t, rail_bend_t, cosine_t, kappa_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, across_t, down_t, residual_t, along_t, move_t, sharp_t, overlap_t, rise_t, wheel_cos_t, wheel_kappa_t, steep_t, rest_t, turn_t, v35_t, v37_t;
+    double z_rail, m, rail_bend, v1, v2, v3, cosine, v4, v5, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, v6, along, v7, v8, move, sharp, v9, overlap, v10, v11, v12, rise, v13, v14, v15, wheel_cos, v16, v17, v18, wheel_kappa, steep, v19, rest, v20, v21, v22, turn, v23, v24, v25, v26, v27, v28;
+    lanes z_rail_t, m_t, rail_bend_t, cosine_t, kappa_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, across_t, down_t, residual_t, along_t, move_t, sharp_t, overlap_t, rise_t, wheel_cos_t, wheel_kappa_t, steep_t, rest_t, turn_t, v26_t, v28_t;
     meeting = place + layout__PLACE_MEETING;
     RATE_AT(work_t, meeting + layout__MEETING_OVERLAP) = all_lanes(0.0);
     AT(work, meeting + layout__MEETING_OVERLAP) = 0.0;
@@ -947,40 +929,27 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
             AT(work, meeting + layout__MEETING_SLOPE) = slope + bend * move;
             EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_BEND)) = each(bend_t);
             AT(work, meeting + layout__MEETING_BEND) = bend;
-            v26 = 1.0 - kappa * overlap;
-            v27 = sqrt(steep);
-            v28 = v26 * v27;
-            v29 = v28 * wheel_cos;
-            v30 = v29 / stretch;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_ALONG)) = ((-(each(kappa_t) * overlap + kappa * each(overlap_t)) * v27 + v26 * derivative_rates__root_rate(v27, each(steep_t))) * wheel_cos + v28 * each(wheel_cos_t) - v30 * each(stretch_t)) / stretch;
-            AT(work, meeting + layout__MEETING_ALONG) = v30;
-            v31 = -outline_slope;
-            v32 = v31 * wheel_cos;
-            v33 = v32 * wheel_kappa;
-            v34 = v33 / stretch;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_ALONG_BEND)) = ((-each(outline_slope_t) * wheel_cos + v31 * each(wheel_cos_t)) * wheel_kappa + v32 * each(wheel_kappa_t) - v34 * each(stretch_t)) / stretch;
-            AT(work, meeting + layout__MEETING_ALONG_BEND) = v34;
             EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_RAIL_SLOPE)) = each(m_t);
             AT(work, meeting + layout__MEETING_RAIL_SLOPE) = m;
             return true;
         }
-        v35 = move;
-        EACH_LANE each(v35_t) = each(move_t);
-        if (pressed__LINE_STEP < v35)
+        v26 = move;
+        EACH_LANE each(v26_t) = each(move_t);
+        if (pressed__LINE_STEP < v26)
         {
-            v35 = pressed__LINE_STEP;
-            v35_t = all_lanes(0.0);
+            v26 = pressed__LINE_STEP;
+            v26_t = all_lanes(0.0);
         }
-        v36 = -pressed__LINE_STEP;
-        v37 = v35;
-        EACH_LANE each(v37_t) = each(v35_t);
-        if (v36 > v37)
+        v27 = -pressed__LINE_STEP;
+        v28 = v26;
+        EACH_LANE each(v28_t) = each(v26_t);
+        if (v27 > v28)
         {
-            v37 = v36;
-            v37_t = all_lanes(0.0);
+            v28 = v27;
+            v28_t = all_lanes(0.0);
         }
-        EACH_LANE each(move_t) = each(v37_t);
-        move = v37;
+        EACH_LANE each(move_t) = each(v28_t);
+        move = v28;
         EACH_LANE each(y_t) = each(y_t) + each(move_t);
         y = y + move;
         if (!(y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
@@ -1040,14 +1009,15 @@ static inline void derivative_pressed__mean_bend_t(double* bend_out, lanes* bend
 static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
     int64_t k1, rail, trace, meeting;
-    double v2, abscissa, gap, rate, bend, v3, estimate;
-    lanes v2_t, abscissa_t, gap_t, rate_t, bend_t, v3_t, estimate_t, rates, rates_2;
-    bool n4;
+    lanes way_t, v2_t, abscissa_t, gap_t, rate_t, bend_t, estimate_t;
+    double way, v2, abscissa, gap, rate, bend, estimate, v4, v5;
+    bool n3;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
     AT(work, k1) = AT(work, k1) + 1.0;
     rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC)) + each(station_t);
-    derivative_curves__abscissa_at_arc_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) + station, rates);
+    EACH_LANE each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
+    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), way, way_t);
     EACH_LANE each(abscissa_t) = each(v2_t);
     abscissa = v2;
     gap_t = all_lanes(0.0);
@@ -1059,12 +1029,10 @@ static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap
     if (abscissa >= AT(tables, rail + layout__PROFILE_START) && abscissa <= AT(tables, rail + layout__PROFILE_STOP))
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        EACH_LANE each(rates_2) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-        derivative_traces__first_abscissa_t(&v3, &v3_t, work, work_t, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION), rates_2);
-        EACH_LANE each(estimate_t) = each(v3_t);
-        estimate = v3;
-        n4 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP, all_lanes(0.0));
-        if (n4)
+        EACH_LANE each(estimate_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(way_t) * AT(work, trace + layout__TRACE_RATE) + way * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
+        estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
+        n3 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP, all_lanes(0.0));
+        if (n3)
         {
             meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
             EACH_LANE each(gap_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
@@ -1073,12 +1041,15 @@ static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap
             rate = -AT(work, meeting + layout__MEETING_RISE);
             EACH_LANE each(bend_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RATE));
             bend = -AT(work, meeting + layout__MEETING_RATE);
+            if (fabs(way) > pressed__LEAST_WAY)
+            {
+                v4 = AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA);
+                v5 = v4 / way;
+                EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = (each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) - each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) - v5 * each(way_t)) / way;
+                AT(work, trace + layout__TRACE_RATE) = v5;
+            }
             EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
             AT(work, trace + layout__TRACE_ABSCISSA) = AT(work, meeting + layout__MEETING_WHEEL);
-            EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = each(RATE_AT(work_t, meeting + layout__MEETING_ALONG));
-            AT(work, trace + layout__TRACE_RATE) = AT(work, meeting + layout__MEETING_ALONG);
-            EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = each(RATE_AT(work_t, meeting + layout__MEETING_ALONG_BEND));
-            AT(work, trace + layout__TRACE_BEND) = AT(work, meeting + layout__MEETING_ALONG_BEND);
             EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(abscissa_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
             EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
@@ -1136,8 +1107,8 @@ static inline void derivative_pressed__limited_t(double* step_out, lanes* step_t
 static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
 {
     int64_t meeting, i;
-    lanes before_t, met_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v11_t, rate_t, move_t, way_t, rise_t;
-    double before, met, v1, following, v3, z_rail, slope, rail_bend, v4, v5, stretch, v6, v7, v8, kappa, v9, v10, v11, rate, v12, v13, v14, move, v15, way, v16, v17, rise;
+    lanes before_t, met_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v11_t, rate_t, move_t, rise_t;
+    double before, met, v1, following, v3, z_rail, slope, rail_bend, v4, v5, stretch, v6, v7, v8, kappa, v9, v10, v11, rate, v12, v13, v14, move, rise;
     bool moved_low, moved_high, n2;
     meeting = place + layout__PLACE_MEETING;
     before_t = all_lanes(0.0);
@@ -1217,13 +1188,6 @@ static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t
             }
             EACH_LANE each(before_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
             before = fabs(AT(work, meeting + layout__MEETING_RISE));
-            v15 = following - x;
-            EACH_LANE each(way_t) = (each(following_t) - each(x_t)) * stretch + v15 * each(stretch_t);
-            way = v15 * stretch;
-            v16 = 0.5 * way;
-            v17 = AT(work, meeting + layout__MEETING_ALONG) + v16 * AT(work, meeting + layout__MEETING_ALONG_BEND);
-            EACH_LANE each(y_t) = each(y_t) + (each(way_t) * v17 + way * (each(RATE_AT(work_t, meeting + layout__MEETING_ALONG)) + (0.5 * each(way_t) * AT(work, meeting + layout__MEETING_ALONG_BEND) + v16 * each(RATE_AT(work_t, meeting + layout__MEETING_ALONG_BEND)))));
-            y = y + way * v17;
         }
         else if (fabs(x - met) < pressed__DEEP_SHARP)
         {
@@ -1394,18 +1358,15 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
 /* Derivative of ``gather_overlaps``. */
 static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
-    int64_t count, contact, i_1, index, region, point, k4, k5, i_2, i_3;
-    double v1, v2, gap, rate, bend, v3, v6, v7;
-    lanes v1_t, v2_t, gap_t, rate_t, bend_t, v3_t, v6_t, v7_t;
+    int64_t count, contact, i_1, index, region, point, i_2, i_3;
+    double gap, rate, bend, v1, v2, v3;
+    lanes gap_t, rate_t, bend_t, v1_t, v2_t, v3_t;
     count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     contact = deep_points__deepest_entry(work);
-    derivative_curves__arc_of_abscissa_t(&v1, &v1_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * contact + layout__DEEP_POINT_RAIL), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * contact + layout__DEEP_POINT_RAIL));
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC)) = each(v1_t);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) = v1;
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
@@ -1415,48 +1376,39 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
         if (index != contact || AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
         {
             derivative_pressed_regions__give_own_frame_t(tables, work, work_t, pair, region, point);
-            derivative_curves__arc_of_abscissa_t(&v2, &v2_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC)) = each(v2_t);
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ARC) = v2;
         }
         derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
         derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(bend_t);
         AT(work, region + layout__REGION_BEND) = bend;
-        derivative_pressed__met_curvature_t(&v3, &v3_t, tables, work, work_t, pair);
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(v3_t);
-        AT(work, region + layout__REGION_CURVATURE) = v3;
-        k4 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_ALONG;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALONG)) = each(RATE_AT(work_t, k4));
-        AT(work, region + layout__REGION_ALONG) = AT(work, k4);
-        k5 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_ALONG_BEND;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALONG_BEND)) = each(RATE_AT(work_t, k5));
-        AT(work, region + layout__REGION_ALONG_BEND) = AT(work, k5);
+        derivative_pressed__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(v1_t);
+        AT(work, region + layout__REGION_CURVATURE) = v1;
         RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
         AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
         RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
         AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
         if (index > 0)
         {
-            derivative_curves__rail_length_t(&v6, &v6_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(v6_t);
-            AT(work, region + layout__REGION_LOW) = v6;
+            derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(v2_t);
+            AT(work, region + layout__REGION_LOW) = v2;
         }
         if (index < count - 1)
         {
-            derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(v7_t);
-            AT(work, region + layout__REGION_HIGH) = v7;
+            derivative_curves__rail_length_t(&v3, &v3_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(v3_t);
+            AT(work, region + layout__REGION_HIGH) = v3;
         }
         for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
-        for (i_3 = 0; i_3 < 28; i_3 += 1)
+        for (i_3 = 0; i_3 < 27; i_3 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3);
         }
     }
     if (count > 1)
@@ -1687,8 +1639,8 @@ static inline void derivative_separation__separation_t(double* gap_out, lanes* g
     lanes gap_t, rate_t, bend_t, curvature_t, v1_t;
     derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     curvature_t = all_lanes(0.0);
-    curvature = 0.0;
-    if (gap < frame__NO_GAP)
+    curvature = 1.0;
+    if (gap < frame__NO_GAP || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
         derivative_pressed__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
         EACH_LANE each(curvature_t) = each(v1_t);
@@ -1727,17 +1679,6 @@ static inline int64_t derivative_traces__start_traces_t(array_double_1d work, ar
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = all_lanes(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = 0.0;
-    return 0;
-}
-
-/* Derivative of ``start_at_region``. */
-static inline int64_t derivative_traces__start_at_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
-{
-    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = each(RATE_AT(work_t, region + layout__REGION_ALONG));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, region + layout__REGION_ALONG);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = each(RATE_AT(work_t, region + layout__REGION_ALONG_BEND));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = AT(work, region + layout__REGION_ALONG_BEND);
     return 0;
 }
 
@@ -2095,7 +2036,7 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
     derivative_widths__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
     EACH_LANE each(limit_t) = each(v1_t);
     limit = v1;
-    derivative_traces__start_at_region_t(work, work_t, region);
+    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
     derivative_widths__width_tolerance_t(&v2, &v2_t, estimate, estimate_t);
     EACH_LANE each(tolerance_t) = each(v2_t);
@@ -2437,7 +2378,7 @@ static inline void derivative_widths__width_jet_t(double* gap_out, lanes* gap_t_
 {
     double gap, rate, bend;
     lanes gap_t, rate_t, bend_t, rates;
-    derivative_traces__start_at_region_t(work, work_t, region);
+    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
     derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
     *gap_out = gap;

@@ -1955,7 +1955,7 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, arra
     double v1, gap, rate, bend, curvature, v2, v3;
     lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t, v3_t;
     int64_t n4, before, n5, after;
-    derivative_traces__start_at_region_t(work, work_t, region);
+    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), v1, v1_t);
@@ -1972,7 +1972,6 @@ static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, arra
         EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + 0)) = each(v3_t);
         AT(work, nodes + layout__NODES_B + 128 + 0) = v3;
     }
-    derivative_nodes__note_node_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING, 0);
     n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -1, low_reach, low_reach_t, rate, rate_t);
     before = n4;
     RATE_AT(work_t, region + layout__REGION_FIRST) = all_lanes(0.0);
@@ -2030,31 +2029,27 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 /* Derivative of ``trace_node``. */
 static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
-    double v1, station, v2, gap, rate, bend, v3, v4, v5;
-    lanes station_t, v2_t, gap_t, rate_t, bend_t, v3_t, v4_t, v5_t;
+    double v1, station, v2, gap, rate, bend, curvature, v3, v4;
+    lanes station_t, v2_t, gap_t, rate_t, bend_t, curvature_t, v3_t, v4_t;
     v1 = (double)at;
     EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
     station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v1;
     derivative_nodes__trace_tolerance_t(&v2, &v2_t, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
-    derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, v2, v2_t);
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, v2, v2_t);
     if (gap < frame__NO_GAP)
     {
         EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + at)) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
         AT(work, nodes + layout__NODES_GAP + 128 + at) = gap - AT(work, region + layout__REGION_GAP);
-        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) == 0.0)
-        {
-            derivative_pressed__met_curvature_t(&v3, &v3_t, tables, work, work_t, pair);
-            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + at)) = 0.5 * each(v3_t);
-            AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * v3;
-        }
-        derivative_nodes__turn_cosine_t(&v4, &v4_t, tables, work, work_t, pair);
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(v4_t);
-        AT(work, nodes + layout__NODES_TURN + 128 + at) = v4;
+        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + at)) = 0.5 * each(curvature_t);
+        AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * curvature;
+        derivative_nodes__turn_cosine_t(&v3, &v3_t, tables, work, work_t, pair);
+        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(v3_t);
+        AT(work, nodes + layout__NODES_TURN + 128 + at) = v3;
         if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
-            derivative_curvature__relative_curvature_t(&v5, &v5_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(v5_t);
-            AT(work, nodes + layout__NODES_B + 128 + at) = v5;
+            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(v4_t);
+            AT(work, nodes + layout__NODES_B + 128 + at) = v4;
         }
     }
     *gap_out = gap;
@@ -2066,16 +2061,11 @@ static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_
 /* Derivative of ``lay_side_nodes``. */
 static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t)
 {
-    int64_t i_1, stride, window, k, traced, step, left, passed, start, at;
+    int64_t stride, window, k, traced, step, left, passed, start, at;
     bool ended;
     double gap, next_rate, v1, v2, station;
     lanes gap_t, next_rate_t, station_t, rates;
-    for (i_1 = 0; i_1 < layout__NODE_POINT_SIZE; i_1 += 1)
-    {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2 + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + i_1));
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2 + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + i_1);
-    }
-    derivative_traces__start_at_region_t(work, work_t, region);
+    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
     k = 0;
@@ -2092,13 +2082,12 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             if (gap >= frame__NO_GAP && step > 1)
             {
                 step = 1;
-                derivative_traces__start_at_region_t(work, work_t, region);
+                derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
                 derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
                 ended = true;
-                derivative_nodes__close_curvature_t(tables, work, work_t, pair, nodes, direction);
                 v1 = (double)(direction * k);
                 EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
                 derivative_nodes__end_region_t(work, work_t, region, direction, AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v1, rates);
@@ -2107,7 +2096,6 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             {
                 start = direction * traced;
                 derivative_nodes__fill_between_t(work, work_t, nodes, start, start + direction * step, step, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING), rate, rate_t, next_rate, next_rate_t);
-                derivative_nodes__fill_curvature_t(tables, work, work_t, pair, nodes, direction, step);
                 EACH_LANE each(rate_t) = each(next_rate_t);
                 rate = next_rate;
                 traced = traced + step;
@@ -2140,91 +2128,11 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             passed = k;
         }
     }
-    if (!ended)
-    {
-        derivative_nodes__close_curvature_t(tables, work, work_t, pair, nodes, direction);
-    }
     if (passed == 0)
     {
         passed = k - window;
     }
     return passed;
-}
-
-/* Derivative of ``note_node``. */
-static inline int64_t derivative_nodes__note_node_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t meeting, int64_t at)
-{
-    RATE_AT(work_t, point + layout__NODE_POINT_AT) = all_lanes(0.0);
-    AT(work, point + layout__NODE_POINT_AT) = (double)at;
-    EACH_LANE each(RATE_AT(work_t, point + layout__NODE_POINT_Y)) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
-    AT(work, point + layout__NODE_POINT_Y) = AT(work, meeting + layout__MEETING_WHEEL);
-    EACH_LANE each(RATE_AT(work_t, point + layout__NODE_POINT_Z)) = each(RATE_AT(work_t, meeting + layout__MEETING_Z));
-    AT(work, point + layout__NODE_POINT_Z) = AT(work, meeting + layout__MEETING_Z);
-    EACH_LANE each(RATE_AT(work_t, point + layout__NODE_POINT_SLOPE)) = each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE));
-    AT(work, point + layout__NODE_POINT_SLOPE) = AT(work, meeting + layout__MEETING_SLOPE);
-    return 0;
-}
-
-/* Derivative of ``fill_curvature``. */
-static inline int64_t derivative_nodes__fill_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction, int64_t count)
-{
-    int64_t last, meeting, start, at, i_1;
-    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
-    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) == 0.0)
-    {
-        start = direction * (int64_t)AT(work, last + layout__NODE_POINT_AT);
-        derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, start + direction * count, count);
-    }
-    else
-    {
-        derivative_nodes__average_curvature_t(tables, work, work_t, pair, nodes, direction, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE));
-    }
-    at = (int64_t)AT(work, last + layout__NODE_POINT_AT) + count;
-    for (i_1 = 0; i_1 < layout__NODE_POINT_SIZE; i_1 += 1)
-    {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1 + i_1)) = each(RATE_AT(work_t, last + i_1));
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1 + i_1) = AT(work, last + i_1);
-    }
-    derivative_nodes__note_node_t(work, work_t, last, meeting, at);
-    return 0;
-}
-
-/* Derivative of ``close_curvature``. */
-static inline int64_t derivative_nodes__close_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction)
-{
-    int64_t last;
-    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) > 0.0)
-    {
-        derivative_nodes__average_curvature_t(tables, work, work_t, pair, nodes, direction, AT(work, last + layout__NODE_POINT_Y), RATE_AT(work_t, last + layout__NODE_POINT_Y), AT(work, last + layout__NODE_POINT_SLOPE), RATE_AT(work_t, last + layout__NODE_POINT_SLOPE));
-    }
-    return 0;
-}
-
-/* Derivative of ``average_curvature``. */
-static inline int64_t derivative_nodes__average_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction, double y, lanes y_t, double slope, lanes slope_t)
-{
-    int64_t inner, last, start, stop;
-    double v1, v2, v3, bend, v4;
-    lanes bend_t, v4_t;
-    inner = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1;
-    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
-    if ((int64_t)AT(work, last + layout__NODE_POINT_AT) > 0)
-    {
-        v1 = slope - AT(work, inner + layout__NODE_POINT_SLOPE);
-        v2 = y - AT(work, inner + layout__NODE_POINT_Y);
-        v3 = v1 / v2;
-        EACH_LANE each(bend_t) = (each(slope_t) - each(RATE_AT(work_t, inner + layout__NODE_POINT_SLOPE)) - v3 * (each(y_t) - each(RATE_AT(work_t, inner + layout__NODE_POINT_Y)))) / v2;
-        bend = v3;
-        start = direction * (int64_t)AT(work, inner + layout__NODE_POINT_AT);
-        stop = direction * (int64_t)AT(work, last + layout__NODE_POINT_AT);
-        derivative_curvature__longitudinal_curvature_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, last + layout__NODE_POINT_Z), RATE_AT(work_t, last + layout__NODE_POINT_Z), AT(work, last + layout__NODE_POINT_SLOPE), RATE_AT(work_t, last + layout__NODE_POINT_SLOPE), bend, bend_t);
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + stop)) = 0.5 * each(v4_t);
-        AT(work, nodes + layout__NODES_A + 128 + stop) = 0.5 * v4;
-        derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, (int64_t)AT(work, last + layout__NODE_POINT_AT) - (int64_t)AT(work, inner + layout__NODE_POINT_AT));
-    }
-    return 0;
 }
 
 /* Derivative of ``fill_straight``. */
@@ -2291,6 +2199,7 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
         EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + (start + inward * i))) = each(gap_t);
         AT(work, nodes + layout__NODES_GAP + 128 + (start + inward * i)) = gap;
     }
+    derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, count);
     derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_TURN, start, stop, count);
     return 0;
 }
@@ -2841,8 +2750,6 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
     double v2, penetration, v3, estimate;
     lanes v2_t, penetration_t, v3_t, estimate_t;
     by_penetration = isfinite(prescribed);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
         n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
@@ -2861,7 +2768,6 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
         derivative_estimate__first_penetration_t(&v3, &v3_t, tables, work, work_t, pair, force, force_t);
         EACH_LANE each(estimate_t) = each(v3_t);
         estimate = v3;
-        derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         derivative_strip_contact__sink_strips_t(&penetration, &penetration_t, &count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, false);
         if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
         {
@@ -2959,8 +2865,6 @@ static inline void derivative_strip_contact__coarse_contact_t(double* penetratio
     double v2, penetration;
     lanes v2_t, penetration_t;
     bool satisfied;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
     count = n1;
     derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
@@ -2986,16 +2890,12 @@ static inline void derivative_strip_contact__coarse_contact_t(double* penetratio
 /* Derivative of ``open_zones``. */
 static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
-    int64_t n1, count, deepest, index;
+    int64_t n1, count, deepest;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    for (index = 0; index < count; index += 1)
-    {
-        derivative_widths__start_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
-    }
     derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH));
     derivative_strip_surfaces__trace_zones_t(tables, work, work_t, pair, count);
     return count;
@@ -5291,8 +5191,8 @@ static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d ta
 /* Derivative of ``measure_zone``. */
 static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, lanes deepest_t)
 {
-    double v1, v2, level, v3, bend, v4, v5, v6, high, low, v7, v8, grown, v9, v10;
-    lanes v2_t, level_t, v3_t, bend_t, high_t, low_t, grown_t, v9_t, v10_t;
+    double v1, v2, level, v3, bend, v4, v5, v6, estimate, v7, high, v8, low;
+    lanes v2_t, level_t, v3_t, bend_t, estimate_t, v7_t, high_t, v8_t, low_t;
     EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)) = each(RATE_AT(work_t, region + layout__REGION_OFFSET)) + each(RATE_AT(work_t, region + layout__REGION_STATION));
     AT(work, zone + layout__STRIP_ZONE_MIDDLE) = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
     EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE));
@@ -5325,40 +5225,16 @@ static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d 
         v4 = 2.0 * level;
         v5 = v4 / bend;
         v6 = sqrt(v5);
-        EACH_LANE each(high_t) = derivative_rates__root_rate(v6, (2.0 * each(level_t) - v5 * each(bend_t)) / bend);
-        high = v6;
-        low_t = all_lanes(0.0);
-        low = 0.0;
-        if (AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0)
-        {
-            v7 = level / AT(work, region + layout__REGION_WIDTH_PENETRATION);
-            v8 = sqrt(v7);
-            EACH_LANE each(grown_t) = derivative_rates__root_rate(v8, (each(level_t) - v7 * each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION))) / AT(work, region + layout__REGION_WIDTH_PENETRATION));
-            grown = v8;
-            EACH_LANE each(high_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) * grown + AT(work, region + layout__REGION_WIDTH_HIGH) * each(grown_t);
-            high = AT(work, region + layout__REGION_WIDTH_HIGH) * grown;
-            EACH_LANE each(low_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) * grown + AT(work, region + layout__REGION_WIDTH_LOW) * each(grown_t);
-            low = AT(work, region + layout__REGION_WIDTH_LOW) * grown;
-        }
+        EACH_LANE each(estimate_t) = derivative_rates__root_rate(v6, (2.0 * each(level_t) - v5 * each(bend_t)) / bend);
+        estimate = v6;
         RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = all_lanes(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
-        derivative_widths__width_rule_t(&v9, &v9_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), level, level_t, high, high_t);
-        EACH_LANE each(high_t) = each(v9_t);
-        high = v9;
-        if (!(low > 0.0))
-        {
-            EACH_LANE each(low_t) = each(high_t);
-            low = high;
-        }
-        derivative_widths__width_rule_t(&v10, &v10_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), level, level_t, low, low_t);
-        EACH_LANE each(low_t) = each(v10_t);
-        low = v10;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(level_t);
-        AT(work, region + layout__REGION_WIDTH_PENETRATION) = level;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
-        AT(work, region + layout__REGION_WIDTH_HIGH) = high;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
-        AT(work, region + layout__REGION_WIDTH_LOW) = low;
+        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), level, level_t, estimate, estimate_t);
+        EACH_LANE each(high_t) = each(v7_t);
+        high = v7;
+        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), level, level_t, high, high_t);
+        EACH_LANE each(low_t) = each(v8_t);
+        low = v8;
         EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) + each(high_t);
         AT(work, zone + layout__STRIP_ZONE_STOP) = AT(work, zone + layout__STRIP_ZONE_STOP) + high;
         EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) - each(low_t);
@@ -5491,7 +5367,7 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
                 AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - 1) + layout__TRACED_STATION_JOINED) = (double)(apart < strip_surfaces__TOUCHING * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)));
             }
             derivative_frame__enter_plane_t(work, work_t, region, index);
-            derivative_traces__start_at_region_t(work, work_t, region);
+            derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
             derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
             v1 = AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START);
             v2 = (double)(strip_surfaces__ZONE_STATIONS - 1) + 2.0 * strip_surfaces__INSET;

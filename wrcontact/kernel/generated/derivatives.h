@@ -115,9 +115,7 @@ static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, ar
 static inline void derivative_curves__panel_length_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double low, lanes low_t, double high, lanes high_t);
 static inline void derivative_curves__arc_length_t(double* total_out, lanes* total_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double start, lanes start_t, double stop, lanes stop_t);
 static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t);
-static inline void derivative_curves__rail_abscissa_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t);
-static inline void derivative_curves__arc_of_abscissa_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double x, lanes x_t);
-static inline void derivative_curves__abscissa_at_arc_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double arc, lanes arc_t);
+static inline void derivative_curves__rail_abscissa_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t);
 static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double station, lanes station_t);
 static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double length, lanes length_t);
 static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double chord, lanes chord_t);
@@ -308,10 +306,6 @@ static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1,
 static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes);
 static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t);
-static inline int64_t derivative_nodes__note_node_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t meeting, int64_t at);
-static inline int64_t derivative_nodes__fill_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction, int64_t count);
-static inline int64_t derivative_nodes__close_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction);
-static inline int64_t derivative_nodes__average_curvature_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t nodes, int64_t direction, double y, lanes y_t, double slope, lanes slope_t);
 static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, lanes spacing_t, double start_rate, lanes start_rate_t, double stop_rate, lanes stop_rate_t);
 static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t direction, double station, lanes station_t);
@@ -588,7 +582,6 @@ static inline void derivative_tables__height_slope_bend_t(double* out_0, lanes* 
 
 /* derivative_traces.py */
 static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_lanes_1d work_t, double station, lanes station_t, double abscissa, lanes abscissa_t, double y, lanes y_t);
-static inline int64_t derivative_traces__start_at_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
 static inline void derivative_traces__first_abscissa_t(double* u_out, lanes* u_t_out, array_double_1d work, array_lanes_1d work_t, int64_t trace, double away, lanes away_t);
 static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* out_6, lanes* out_7, double* out_8, lanes* out_9, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t);
 static inline void derivative_traces__trace_rail_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);

@@ -78,10 +78,6 @@ static inline double nodes__turn_cosine(array_double_1d tables, array_double_1d 
 static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, int64_t nodes);
 static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at);
 static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate);
-static inline int64_t nodes__note_node(array_double_1d work, int64_t point, int64_t meeting, int64_t at);
-static inline int64_t nodes__fill_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, int64_t count);
-static inline int64_t nodes__close_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction);
-static inline int64_t nodes__average_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, double y, double slope);
 static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values, int64_t start, int64_t stop, int64_t count);
 static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double start_rate, double stop_rate);
 static inline int64_t nodes__end_region(array_double_1d work, int64_t region, int64_t direction, double station);
@@ -1685,7 +1681,7 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
 {
     double gap, rate, bend, curvature;
     int64_t before, after;
-    traces__start_at_region(work, region);
+    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
     curves__open_origin(tables, work, pair, region, AT(work, region + layout__REGION_SPACING));
     separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, AT(work, region + layout__REGION_STATION), nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
     AT(work, nodes + layout__NODES_GAP + 128 + 0) = 0.0;
@@ -1695,7 +1691,6 @@ static inline int64_t nodes__lay_nodes(array_double_1d tables, array_double_1d w
     {
         AT(work, nodes + layout__NODES_B + 128 + 0) = curvature__relative_curvature(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     }
-    nodes__note_node(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING, 0);
     before = nodes__lay_side_nodes(tables, work, pair, region, nodes, -1, low_reach, rate);
     AT(work, region + layout__REGION_FIRST) = (double)(-before);
     after = nodes__lay_side_nodes(tables, work, pair, region, nodes, 1, high_reach, rate);
@@ -1737,21 +1732,18 @@ static inline int64_t nodes__bring_nearer(array_double_1d work, int64_t region, 
     return 0;
 }
 
-/* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate [-].
- * A is left out where that is averaged.
+/* Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
+ * [-].
  */
 static inline void nodes__trace_node(double* gap_out, double* rate_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
-    double station, gap, rate, bend;
+    double station, gap, rate, bend, curvature;
     station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (double)at;
-    separation__separation_jet(&gap, &rate, &bend, tables, work, pair, station, nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
+    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, station, nodes__trace_tolerance(AT(work, region + layout__REGION_SPACING)));
     if (gap < frame__NO_GAP)
     {
         AT(work, nodes + layout__NODES_GAP + 128 + at) = gap - AT(work, region + layout__REGION_GAP);
-        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) == 0.0)
-        {
-            AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * pressed__met_curvature(tables, work, pair);
-        }
+        AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * curvature;
         AT(work, nodes + layout__NODES_TURN + 128 + at) = nodes__turn_cosine(tables, work, pair);
         if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
@@ -1770,14 +1762,10 @@ static inline void nodes__trace_node(double* gap_out, double* rate_out, array_do
  */
 static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double rate)
 {
-    int64_t i_1, stride, window, k, traced, step, left, passed, start, at;
+    int64_t stride, window, k, traced, step, left, passed, start, at;
     bool ended;
     double gap, next_rate, station;
-    for (i_1 = 0; i_1 < layout__NODE_POINT_SIZE; i_1 += 1)
-    {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2 + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + i_1);
-    }
-    traces__start_at_region(work, region);
+    traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
     k = 0;
@@ -1795,20 +1783,18 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             {
                 /* a profile ends within this stretch: node by node from here */
                 step = 1;
-                traces__start_at_region(work, region);
+                traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
                 nodes__trace_node(&gap, &next_rate, tables, work, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
                 ended = true;
-                nodes__close_curvature(tables, work, pair, nodes, direction);
                 nodes__end_region(work, region, direction, AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * (double)(direction * k));
             }
             else
             {
                 start = direction * traced;
                 nodes__fill_between(work, nodes, start, start + direction * step, step, AT(work, region + layout__REGION_SPACING), rate, next_rate);
-                nodes__fill_curvature(tables, work, pair, nodes, direction, step);
                 rate = next_rate;
                 traced += step;
             }
@@ -1837,85 +1823,11 @@ static inline int64_t nodes__lay_side_nodes(array_double_1d tables, array_double
             passed = k;
         }
     }
-    if (!ended)
-    {
-        nodes__close_curvature(tables, work, pair, nodes, direction);
-    }
     if (passed == 0)
     {
         passed = k - window;
     }
     return passed;
-}
-
-/* Note the wheel's profile at a traced node, ``at`` nodes from the minimum. */
-static inline int64_t nodes__note_node(array_double_1d work, int64_t point, int64_t meeting, int64_t at)
-{
-    AT(work, point + layout__NODE_POINT_AT) = (double)at;
-    AT(work, point + layout__NODE_POINT_Y) = AT(work, meeting + layout__MEETING_WHEEL);
-    AT(work, point + layout__NODE_POINT_Z) = AT(work, meeting + layout__MEETING_Z);
-    AT(work, point + layout__NODE_POINT_SLOPE) = AT(work, meeting + layout__MEETING_SLOPE);
-    return 0;
-}
-
-/* A at nodes before one that has been traced, ``count`` nodes after the last one.
- *
- * With yaw the wheel's second derivative is part of A.  Taken at a point it would jump when a joint of the
- * profile passes a node; so it is averaged from the traced node before to the one after.
- */
-static inline int64_t nodes__fill_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, int64_t count)
-{
-    int64_t last, meeting, start, at, i_1;
-    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
-    meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) == 0.0)
-    {
-        start = direction * (int64_t)AT(work, last + layout__NODE_POINT_AT);
-        nodes__fill_straight(work, nodes + layout__NODES_A, start, start + direction * count, count);
-    }
-    else
-    {
-        nodes__average_curvature(tables, work, pair, nodes, direction, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_SLOPE));
-    }
-    at = (int64_t)AT(work, last + layout__NODE_POINT_AT) + count;
-    for (i_1 = 0; i_1 < layout__NODE_POINT_SIZE; i_1 += 1)
-    {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1 + i_1) = AT(work, last + i_1);
-    }
-    nodes__note_node(work, last, meeting, at);
-    return 0;
-}
-
-/* A at the last traced node, where that is averaged. */
-static inline int64_t nodes__close_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction)
-{
-    int64_t last;
-    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) > 0.0)
-    {
-        nodes__average_curvature(tables, work, pair, nodes, direction, AT(work, last + layout__NODE_POINT_Y), AT(work, last + layout__NODE_POINT_SLOPE));
-    }
-    return 0;
-}
-
-/* A at the last traced node, with the mean second derivative of the wheel's profile from the one before it up
- * to abscissa ``y`` [m] with this ``slope``; and at the nodes between these two.
- */
-static inline int64_t nodes__average_curvature(array_double_1d tables, array_double_1d work, int64_t pair, int64_t nodes, int64_t direction, double y, double slope)
-{
-    int64_t inner, last, start, stop;
-    double bend;
-    inner = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 1;
-    last = layout__WORK_CONTACT + layout__CONTACT_NODE_POINTS + layout__NODE_POINT_SIZE * 2;
-    if ((int64_t)AT(work, last + layout__NODE_POINT_AT) > 0)
-    {
-        bend = (slope - AT(work, inner + layout__NODE_POINT_SLOPE)) / (y - AT(work, inner + layout__NODE_POINT_Y));
-        start = direction * (int64_t)AT(work, inner + layout__NODE_POINT_AT);
-        stop = direction * (int64_t)AT(work, last + layout__NODE_POINT_AT);
-        AT(work, nodes + layout__NODES_A + 128 + stop) = 0.5 * curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, last + layout__NODE_POINT_Z), AT(work, last + layout__NODE_POINT_SLOPE), bend);
-        nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, (int64_t)AT(work, last + layout__NODE_POINT_AT) - (int64_t)AT(work, inner + layout__NODE_POINT_AT));
-    }
-    return 0;
 }
 
 /* Values at the ``count`` - 1 nodes between ``start`` and ``stop``, on a straight line. */
@@ -1936,7 +1848,7 @@ static inline int64_t nodes__fill_straight(array_double_1d work, int64_t values,
     return 0;
 }
 
-/* Gap (cubic of Hermite) and turn (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
+/* Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
  * ``stop``, with their slopes.
  *
  * Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of
@@ -1963,6 +1875,7 @@ static inline int64_t nodes__fill_between(array_double_1d work, int64_t nodes, i
         gap = double_max(low + x * (rise + rest * (rest * forward - x * backward)), 0.0);
         AT(work, nodes + layout__NODES_GAP + 128 + (start + inward * i)) = gap;
     }
+    nodes__fill_straight(work, nodes + layout__NODES_A, start, stop, count);
     nodes__fill_straight(work, nodes + layout__NODES_TURN, start, stop, count);
     return 0;
 }
@@ -2430,7 +2343,6 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
     int64_t count;
     double penetration, estimate;
     by_penetration = isfinite(prescribed);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
         count = strip_contact__open_zones(tables, work, pair);
@@ -2444,7 +2356,6 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
     else
     {
         estimate = estimate__first_penetration(tables, work, pair, force);
-        widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
         strip_contact__sink_strips(&penetration, &count, tables, work, pair, side, force, estimate, false);
         if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
         {
@@ -2573,7 +2484,6 @@ static inline void strip_contact__coarse_contact(double* penetration_out, int64_
     int64_t count;
     double penetration;
     bool satisfied;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     count = strip_contact__open_zones(tables, work, pair);
     strip_contact__start_runs(tables, work, pair);
     penetration = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, force, false);
@@ -2594,14 +2504,10 @@ static inline void strip_contact__coarse_contact(double* penetration_out, int64_
 /* Open the regions where the wheel overlaps its rail, and trace both there; how many regions. */
 static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    int64_t count, deepest, index;
+    int64_t count, deepest;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     count = pressed_regions__gather_overlaps(tables, work, pair);
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    for (index = 0; index < count; index += 1)
-    {
-        widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index);
-    }
     strip_surfaces__find_zones(tables, work, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH));
     strip_surfaces__trace_zones(tables, work, pair, count);
     return count;
@@ -4150,7 +4056,7 @@ static inline int64_t strip_surfaces__find_zones(array_double_1d tables, array_d
 /* The zone of a region whose frame is open; without width where nothing overlaps. */
 static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest)
 {
-    double level, bend, high, low, grown;
+    double level, bend, estimate, high, low;
     AT(work, zone + layout__STRIP_ZONE_MIDDLE) = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
     AT(work, zone + layout__STRIP_ZONE_START) = AT(work, zone + layout__STRIP_ZONE_MIDDLE);
     AT(work, zone + layout__STRIP_ZONE_STOP) = AT(work, zone + layout__STRIP_ZONE_MIDDLE);
@@ -4159,24 +4065,10 @@ static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array
     if (level > 0.0)
     {
         bend = double_max(AT(work, region + layout__REGION_BEND), AT(work, region + layout__REGION_CURVATURE));
-        high = sqrt(2.0 * level / bend);
-        low = 0.0;
-        if (AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0)
-        {
-            grown = sqrt(level / AT(work, region + layout__REGION_WIDTH_PENETRATION));
-            high = AT(work, region + layout__REGION_WIDTH_HIGH) * grown;
-            low = AT(work, region + layout__REGION_WIDTH_LOW) * grown;
-        }
+        estimate = sqrt(2.0 * level / bend);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
-        high = widths__zone_width(tables, work, pair, region, 1.0, level, high);
-        if (!(low > 0.0))
-        {
-            low = high;
-        }
-        low = widths__zone_width(tables, work, pair, region, -1.0, level, low);
-        AT(work, region + layout__REGION_WIDTH_PENETRATION) = level;
-        AT(work, region + layout__REGION_WIDTH_HIGH) = high;
-        AT(work, region + layout__REGION_WIDTH_LOW) = low;
+        high = widths__zone_width(tables, work, pair, region, 1.0, level, estimate);
+        low = widths__zone_width(tables, work, pair, region, -1.0, level, high);
         AT(work, zone + layout__STRIP_ZONE_STOP) += high;
         AT(work, zone + layout__STRIP_ZONE_START) -= low;
     }
@@ -4257,7 +4149,7 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
                 AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - 1) + layout__TRACED_STATION_JOINED) = (double)(apart < strip_surfaces__TOUCHING * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)));
             }
             frame__enter_plane(work, region, index);
-            traces__start_at_region(work, region);
+            traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
             curves__open_origin(tables, work, pair, region, 0.0);
             AT(work, zone + layout__STRIP_ZONE_SPACING) = (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)) / ((double)(strip_surfaces__ZONE_STATIONS - 1) + 2.0 * strip_surfaces__INSET);
             for (i = 0; i < strip_surfaces__ZONE_STATIONS; i += 1)

@@ -29,7 +29,6 @@ from .patch import (
     Forces,
     HertzTable,
     InfluenceTable,
-    NodePoints,
     NodesOfRegions,
     Outline,
     Patch,
@@ -281,7 +280,6 @@ class Contact:
     first_widths: FirstWidths
     regions: Regions
     nodes: NodesOfRegions
-    node_points: NodePoints
     strips: SolvedStrips
     strip_problem: StripProblem
     equations: Equations

@@ -91,8 +91,6 @@ class Meeting:
     z: float  # height, slope and second derivative of the wheel's profile [m, -, 1/m]
     slope: float
     bend: float
-    along: float  # first and second derivative of the wheel's abscissa along the rail's arc [-, 1/m]
-    along_bend: float
     rail_slope: float  # of the rail where the normal begins [-]
 
 
@@ -173,7 +171,6 @@ class Frame:
     bend: float  # second derivative of the gap at the contact point [1/m]
     curvature: float  # and the wheel's 1/R_x there [1/m]
     blur: float  # half the length over which r'' of a pressed wheel is averaged [m]
-    arc: float  # of a pressed wheel: the rail's arc length at station zero [m], by the table of abscissae
 
 
 #: The numbers of a frame that is set aside while another one is open: one for each region, and the contact
@@ -219,8 +216,6 @@ class Region:
     reached: float  # rise of the gap where the last half-width ends [m]
     side_low: float  # lateral curvature on either side, rise / half-width^2 [1/m]
     side_high: float
-    along: float  # first and second derivative of the wheel's abscissa over the stations there [-, 1/m]
-    along_bend: float
     slant: float  # dx/ds of the line of smallest gap [-]; of a yawed wheel only
     own: bool  # Whether it has a plane of its own
     alignment: float  # cosine between its normal and the contact point's [-]

@@ -203,20 +203,6 @@ class Nodes:
 NodesOfRegions = Nodes * REGION_LIMIT
 
 
-@record
-class NodePoint:
-    """The wheel's profile at a traced node."""
-
-    at: int  # of nodes from the minimum
-    y: float  # abscissa and height [m]
-    z: float
-    slope: float
-
-
-#: The node at the minimum, and on the way from it the last but one and the last that was traced.
-NodePoints = NodePoint * 3
-
-
 WAVE_LIMIT: Final[int] = 16  # strips of a run, at most,
 FINE_WAVES: Final[int] = 3  # as many fine ones for each of them,
 FINE_LIMIT: Final[int] = 48  # so many for all

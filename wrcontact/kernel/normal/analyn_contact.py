@@ -100,12 +100,7 @@ def gather_regions(pair: Pair, contact: Contact, penetration: float):
 
 
 def solve_fine(
-    pair: Pair,
-    contact: Contact,
-    count: int,
-    force: float,
-    penetration: float,
-    by_penetration: bool,
+    pair: Pair, contact: Contact, count: int, force: float, penetration: float, by_penetration: bool
 ):
     """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
     the force is satisfied."""

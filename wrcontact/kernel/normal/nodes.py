@@ -11,9 +11,8 @@ from typing import Final
 
 from ..contact.curves import open_origin
 from ..contact.frame import BEYOND, NO_GAP, enter_plane, is_yawed, leave_plane
-from ..contact.pressed import met_curvature
-from ..contact.separation import separation, separation_jet
-from ..contact.traces import start_at_region
+from ..contact.separation import separation
+from ..contact.traces import start_traces
 from ..contact.widths import measure_widths
 from ..layout import (
     LATERAL_ADAPTIVE,
@@ -27,8 +26,6 @@ from ..layout import (
     WHEEL,
     Contact,
     Frame,
-    Meeting,
-    NodePoint,
     NodeRun,
     Nodes,
     NodesOfRegions,
@@ -36,9 +33,8 @@ from ..layout import (
     Region,
     Regions,
     Tables,
-    copy,
 )
-from ..surface.curvature import longitudinal_curvature, relative_curvature
+from ..surface.curvature import relative_curvature
 from ..surface.tables import height_slope
 from .coefficients import FLOOR, table_value, weigh_nodes
 from .patch_places import mean_normal
@@ -103,7 +99,7 @@ def lay_nodes(
     Where the lateral curvature is a prepared one, it is kept in nodes.B for
     :func:`node_coefficients.weigh_nodes`.
     """
-    start_at_region(contact.frame, region)
+    start_traces(contact.frame, region.station, region.rail, region.wheel)
     open_origin(pair, contact.frame, contact.origin, region, region.spacing)
     gap, rate, bend, curvature = separation(
         pair, contact.frame, contact.origin, region.station, trace_tolerance(region.spacing)
@@ -115,7 +111,6 @@ def lay_nodes(
         nodes.B[0] = relative_curvature(
             pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
         )
-    note_node(contact.node_points[0], contact.frame.place.meeting, 0)
     before = lay_side_nodes(pair, contact, region, nodes, -1, low_reach, rate)
     region.first = -before
     after = lay_side_nodes(pair, contact, region, nodes, 1, high_reach, rate)
@@ -144,16 +139,15 @@ def bring_nearer(region: Region, nodes: Nodes):
 
 
 def trace_node(pair: Pair, contact: Contact, region: Region, nodes: Nodes, at: int):
-    """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate [-].
-    A is left out where that is averaged."""
+    """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
+    [-]."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend = separation_jet(
+    gap, rate, bend, curvature = separation(
         pair, contact.frame, contact.origin, station, trace_tolerance(region.spacing)
     )
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
-        if contact.frame.blur == 0.0:
-            nodes.A[at] = 0.5 * met_curvature(pair, contact.frame)
+        nodes.A[at] = 0.5 * curvature
         nodes.turn[at] = turn_cosine(pair, contact.frame)
         if pair.tables.lateral != LATERAL_ADAPTIVE:
             nodes.B[at] = relative_curvature(
@@ -171,8 +165,7 @@ def lay_side_nodes(
     Every so many nodes one is traced (``node_stride``); those between are read off the cubic through gap and
     slope there.
     """
-    copy(contact.node_points[0], contact.node_points[2])
-    start_at_region(contact.frame, region)
+    start_traces(contact.frame, region.station, region.rail, region.wheel)
     stride = node_stride(pair.tables)
     window = window_nodes(pair.tables)
     k = 0
@@ -187,16 +180,14 @@ def lay_side_nodes(
             if gap >= NO_GAP and step > 1:
                 # a profile ends within this stretch: node by node from here
                 step = 1
-                start_at_region(contact.frame, region)
+                start_traces(contact.frame, region.station, region.rail, region.wheel)
                 gap, next_rate = trace_node(pair, contact, region, nodes, direction * (traced + step))
             if gap >= NO_GAP:
                 ended = True
-                close_curvature(pair, contact, nodes, direction)
                 end_region(region, direction, region.station + region.spacing * float(direction * k))
             else:
                 start = direction * traced
                 fill_between(nodes, start, start + direction * step, step, region.spacing, rate, next_rate)
-                fill_curvature(pair, contact, nodes, direction, step)
                 rate = next_rate
                 traced += step
         k += 1
@@ -212,59 +203,9 @@ def lay_side_nodes(
             passed = k
         elif station > region.high or station < region.low:
             passed = k
-    if not ended:
-        close_curvature(pair, contact, nodes, direction)
     if passed == 0:
         passed = k - window
     return passed
-
-
-def note_node(point: NodePoint, meeting: Meeting, at: int):
-    """Note the wheel's profile at a traced node, ``at`` nodes from the minimum."""
-    point.at = at
-    point.y = meeting.wheel
-    point.z = meeting.z
-    point.slope = meeting.slope
-
-
-def fill_curvature(pair: Pair, contact: Contact, nodes: Nodes, direction: int, count: int):
-    """A at nodes before one that has been traced, ``count`` nodes after the last one.
-
-    With yaw the wheel's second derivative is part of A.  Taken at a point it would jump when a joint of the
-    profile passes a node; so it is averaged from the traced node before to the one after.
-    """
-    last = contact.node_points[2]
-    meeting = contact.frame.place.meeting
-    if contact.frame.blur == 0.0:
-        start = direction * last.at
-        fill_straight(nodes.A, start, start + direction * count, count)
-    else:
-        average_curvature(pair, contact, nodes, direction, meeting.wheel, meeting.slope)
-    at = last.at + count
-    copy(last, contact.node_points[1])
-    note_node(last, meeting, at)
-
-
-def close_curvature(pair: Pair, contact: Contact, nodes: Nodes, direction: int):
-    """A at the last traced node, where that is averaged."""
-    last = contact.node_points[2]
-    if contact.frame.blur > 0.0:
-        average_curvature(pair, contact, nodes, direction, last.y, last.slope)
-
-
-def average_curvature(pair: Pair, contact: Contact, nodes: Nodes, direction: int, y: float, slope: float):
-    """A at the last traced node, with the mean second derivative of the wheel's profile from the one before it up
-    to abscissa ``y`` [m] with this ``slope``; and at the nodes between these two."""
-    inner = contact.node_points[1]
-    last = contact.node_points[2]
-    if last.at > 0:
-        bend = (slope - inner.slope) / (y - inner.y)
-        start = direction * inner.at
-        stop = direction * last.at
-        nodes.A[stop] = 0.5 * longitudinal_curvature(
-            pair.tables, contact.frame.place, last.z, last.slope, bend
-        )
-        fill_straight(nodes.A, start, stop, last.at - inner.at)
 
 
 def fill_straight(values: NodeRun, start: int, stop: int, count: int):
@@ -280,7 +221,7 @@ def fill_straight(values: NodeRun, start: int, stop: int, count: int):
 def fill_between(
     nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float, stop_rate: float
 ):
-    """Gap (cubic of Hermite) and turn (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
+    """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
     ``stop``, with their slopes.
 
     Beside a conformal stretch the gap can rise so suddenly that the cubic falls below zero before; no gap of
@@ -299,6 +240,7 @@ def fill_between(
         rest = 1.0 - x
         gap = max(low + x * (rise + rest * (rest * forward - x * backward)), 0.0)
         nodes.gap[start + inward * i] = gap
+    fill_straight(nodes.A, start, stop, count)
     fill_straight(nodes.turn, start, stop, count)
 
 

@@ -7,13 +7,12 @@ between two regions has two normals and two places, one for each.
 
 from math import sqrt
 
-from ..contact.curves import abscissa_at_arc, rail_abscissa
+from ..contact.curves import rail_abscissa
 from ..elementary.circle import atan
 from ..layout import (
     LOAD_VERTICAL,
     REGION_LIMIT,
     ROLLING_STRIP_LIMIT,
-    SEPARATION_VERTICAL,
     Contact,
     Frame,
     Nodes,

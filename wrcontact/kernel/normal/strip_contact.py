@@ -22,7 +22,6 @@ from typing import Final
 from ..contact.deep_points import deepest_entry
 from ..contact.frame import is_yawed, locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
-from ..contact.widths import keep_widths, start_widths
 from ..layout import SEPARATION_VERTICAL, Contact, Pair, SideSearch, StripProblem, Tables
 from .analyn_contact import solve_analyn
 from .estimate import first_penetration
@@ -61,7 +60,6 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     A wheel that just touches is sunk to an estimated penetration first.
     """
     by_penetration = isfinite(prescribed)
-    contact.first_widths.penetration = 0.0
     if contact.frame.pressed:
         count = open_zones(pair, contact)
         start_runs(pair, contact)
@@ -70,7 +68,6 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
         penetration, count = sink_strips(pair, contact, side, force, prescribed, True)
     else:
         estimate = first_penetration(pair, contact, force)
-        keep_widths(contact.first_widths, contact.regions[0])
         penetration, count = sink_strips(pair, contact, side, force, estimate, False)
         if count > 0 and (penetration < SUNK_LESS * contact.frame.depth or contact.strip_problem.count == 0):
             estimate, count, known = solve_analyn(pair, contact, side, force, prescribed)
@@ -146,7 +143,6 @@ def agrees_with_levels(tables: Tables, problem: StripProblem) -> bool:
 def coarse_contact(pair: Pair, contact: Contact, force: float):
     """As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
     and without patches: about a per cent off."""
-    contact.first_widths.penetration = 0.0
     count = open_zones(pair, contact)
     start_runs(pair, contact)
     penetration = sweep_strips(pair, contact, FIRST_SWEEPS, force, False)
@@ -164,8 +160,6 @@ def open_zones(pair: Pair, contact: Contact):
     problem.penetration = contact.frame.depth
     count = gather_overlaps(pair, contact.frame, contact.frames, contact.regions, contact.overlap)
     deepest = contact.overlap.points[deepest_entry(contact.overlap)]
-    for index in range(count):
-        start_widths(contact.first_widths, contact.regions[index])
     find_zones(pair, contact, count, deepest.depth)
     trace_zones(pair, contact, count)
     return count

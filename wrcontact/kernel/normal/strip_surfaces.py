@@ -10,7 +10,7 @@ from typing import Final
 from ..contact.curves import open_origin
 from ..contact.frame import NO_GAP, enter_plane, is_yawed, leave_plane
 from ..contact.separation import separation
-from ..contact.traces import start_at_region
+from ..contact.traces import start_traces
 from ..contact.widths import zone_width
 from ..layout import (
     LOAD_VERTICAL,
@@ -70,20 +70,10 @@ def measure_zone(pair: Pair, contact: Contact, region: Region, zone: StripZone, 
     level = zone.depth - min(SHALLOW * deepest, OWN_SHALLOW * zone.depth)
     if level > 0.0:
         bend = max(region.bend, region.curvature)
-        high = sqrt(2.0 * level / bend)
-        low = 0.0
-        if region.width_penetration > 0.0:
-            grown = sqrt(level / region.width_penetration)
-            high = region.width_high * grown
-            low = region.width_low * grown
+        estimate = sqrt(2.0 * level / bend)
         contact.frame.blur = 0.0
-        high = zone_width(pair, contact.frame, contact.origin, region, 1.0, level, high)
-        if not low > 0.0:
-            low = high
-        low = zone_width(pair, contact.frame, contact.origin, region, -1.0, level, low)
-        region.width_penetration = level
-        region.width_high = high
-        region.width_low = low
+        high = zone_width(pair, contact.frame, contact.origin, region, 1.0, level, estimate)
+        low = zone_width(pair, contact.frame, contact.origin, region, -1.0, level, high)
         zone.stop += high
         zone.start -= low
 
@@ -141,7 +131,7 @@ def trace_zones(pair: Pair, contact: Contact, count: int):
                 apart = zone.start - problem.zones[index - 1].stop
                 problem.traced[first - 1].joined = apart < TOUCHING * (zone.stop - zone.start)
             enter_plane(contact.frame, contact.frames, region, index)
-            start_at_region(contact.frame, region)
+            start_traces(contact.frame, region.station, region.rail, region.wheel)
             open_origin(pair, contact.frame, contact.origin, region, 0.0)
             zone.spacing = (zone.stop - zone.start) / (float(ZONE_STATIONS - 1) + 2.0 * INSET)
             for i in range(ZONE_STATIONS):
