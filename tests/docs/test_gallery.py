@@ -21,9 +21,12 @@ def test_pictures_are_there_small_and_saved_by_the_page(name):
 
 
 def test_every_function_of_one_axis_is_in_the_gallery():
-    wear = (ROOT / "docs" / "guides" / "wear.md").read_text(encoding="utf-8")  # has its own pictures
-    shown = set(re.findall(r"plots\.(\w+)\(", PAGE + wear))
-    shown |= set(re.findall(r"`(?:wrcontact\.)?(?:plots\.)?(\w+)`", PAGE + wear))
+    guides = ROOT / "docs" / "guides"
+    own = "".join(
+        (guides / name).read_text(encoding="utf-8") for name in ("wear.md", "sections.md")
+    )  # have pictures
+    shown = set(re.findall(r"plots\.(\w+)\(", PAGE + own))
+    shown |= set(re.findall(r"`(?:wrcontact\.)?(?:plots\.)?(\w+)`", PAGE + own))
     other = {"PatchTractions", "demo_figure", "find_jumps", "read_run"}  # no pictures, and that of the demo
     assert set(plots.__all__) - other <= shown
 

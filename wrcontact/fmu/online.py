@@ -35,6 +35,7 @@ LEFT_OUT = (
     "results/guiding.py",
     "results/pages.py",
     "results/runs.py",
+    "sections",
     "study",
     "sweeps",
     "track",

@@ -32,10 +32,11 @@ from .files import HERE, LIBRARY_NAME, PLATFORMS, host_platform, library_name
 #: What is compiled of the kernel.  Steps, preparation and derivatives are separate units, so that the
 #: optimisation of the first does not depend on the others.
 KERNEL_UNITS = tuple(f"kernel/native/{file.name}" for file in sorted((HERE / "native").glob("*.c")))
-#: Of these what an FMU has: it is asked for derivatives along one direction at a time.
-FMU_UNITS = tuple(unit for unit in KERNEL_UNITS if "jacobian" not in unit)
-#: Of these what steps need.
-STEP_UNITS = tuple(unit for unit in FMU_UNITS if "derivative" not in unit)
+#: Of these what an FMU has: it is asked for derivatives along one direction at a time, and its rails are the same all
+#: along the track.
+FMU_UNITS = tuple(unit for unit in KERNEL_UNITS if "jacobian" not in unit and "sections" not in unit)
+#: What is needed without derivatives.
+STEP_UNITS = tuple(unit for unit in KERNEL_UNITS if "jacobian" not in unit and "derivative" not in unit)
 
 # No fused a*b + c: the results are those of the Python source, to the last bit, on every machine.  For the
 # same reason CFLAGS is not read.  Without errno a root is an instruction: no mathematical library is needed.

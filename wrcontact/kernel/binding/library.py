@@ -296,8 +296,9 @@ def declare(library):
     library.wrcontact_step_many.restype = ctypes.c_int
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
     library.wrcontact_cut_patch.argtypes = [Span]
-    library.wrcontact_search_sections.argtypes = [Span, Span, ctypes.c_int64, Span]
-    library.wrcontact_search_sections.restype = ctypes.c_int
+    if hasattr(library, "wrcontact_search_sections"):  # not in that of an FMU
+        library.wrcontact_search_sections.argtypes = [Span, Span, ctypes.c_int64, Span]
+        library.wrcontact_search_sections.restype = ctypes.c_int
     library.wrcontact_solve_creep_force.argtypes = [Span] * 2
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
     if hasattr(library, "wrcontact_derivative"):  # not in that of STEP_UNITS

@@ -8,7 +8,7 @@ sqrt(1 - (x/a)^2).  That its neighbours move the surface below strip i, weighted
 
 for longitudinal creepage; e_j are the strips' edges, y_i their middles.  For lateral creepage and for spin
 2/G stands for 2 (1 - nu)/G, and each of the three has its own odd function S, with S(infinity) = 1/2
-(binding/rolling_table.py), so that one infinitely wide strip is Carter's.  With unit creepages
+(tools/tables/rolling_table.py), so that one infinitely wide strip is Carter's.  With unit creepages
 
     K1 = f1 G / (2 (1 - nu)) Phi_x^-1 1,   K2 = f2 (G/2) Phi_y^-1 1,   K3 = f3 (G/2) (Phi_s^-1 a) / a   (K3)
 

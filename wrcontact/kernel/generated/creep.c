@@ -2633,7 +2633,7 @@ static inline double polach__largest_shear(array_double_1d work, int64_t patch)
  *
  * for longitudinal creepage; e_j are the strips' edges, y_i their middles.  For lateral creepage and for spin
  * 2/G stands for 2 (1 - nu)/G, and each of the three has its own odd function S, with S(infinity) = 1/2
- * (binding/rolling_table.py), so that one infinitely wide strip is Carter's.  With unit creepages
+ * (tools/tables/rolling_table.py), so that one infinitely wide strip is Carter's.  With unit creepages
  *
  *     K1 = f1 G / (2 (1 - nu)) Phi_x^-1 1,   K2 = f2 (G/2) Phi_y^-1 1,   K3 = f3 (G/2) (Phi_s^-1 a) / a   (K3)
  *

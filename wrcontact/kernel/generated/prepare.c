@@ -1455,7 +1455,7 @@ static inline int64_t prepare_scan_bends__write_scan_bends(array_double_1d table
  *
  * Tables that do not depend on the profiles come from the array ``fixed`` (binding/fixed_tables.py).  It begins
  * with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's ratios
- * (binding/rolling_table.py).  The tables follow one after the other.
+ * (tools/tables/rolling_table.py).  The tables follow one after the other.
  */
 
 /* Where table ``index`` begins. */
@@ -1544,7 +1544,7 @@ static inline int64_t prepare_tables__write_shapes(array_double_1d tables, int64
     return first + 3 * size;
 }
 
-/* The reaches, eq. (K5) of binding/rolling_table.py, from ``first`` on; the place behind them. */
+/* The reaches, eq. (K5) of tools/tables/rolling_table.py, from ``first`` on; the place behind them. */
 static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio)
 {
     int64_t size, i;

@@ -81,7 +81,7 @@ class Motion:
 
 @record
 class RollingTable:
-    """What the models of creep forces read, for one Poisson's ratio (binding/rolling_table.py)."""
+    """What the models of creep forces read, for one Poisson's ratio (tools/tables/rolling_table.py)."""
 
     cosines: Float * POINT_LIMIT  # points of a strip x/a = cos(q pi / (n + 1)), q = 1 ... n,
     sines: Float * POINT_LIMIT  # and sqrt(1 - (x/a)^2) there

@@ -12,7 +12,7 @@ so that the three combinations ANALYN needs are functions of B/A alone:
 
 and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over 32 even cells in each octave of B/A,
 where an exponent and a difference find the place, exact to 1e-12
-(kernel/binding/exact_tables.py).
+(tools/tables/exact_tables.py).
 
 ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and lateral ones.
 Second differences over a window (the curvature averaged with a triangle) are smooth but blind to what lies

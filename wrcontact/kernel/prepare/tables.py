@@ -8,7 +8,7 @@ equals the right one shares its tables. Then the kernel itself fills the table o
 
 Tables that do not depend on the profiles come from the array ``fixed`` (binding/fixed_tables.py).  It begins
 with the sizes of its tables: Hertz's, that of influences, and that of rolling for all Poisson's ratios
-(binding/rolling_table.py).  The tables follow one after the other.
+(tools/tables/rolling_table.py).  The tables follow one after the other.
 """
 
 from typing import Final
@@ -73,7 +73,7 @@ FIXED_INFLUENCE: Final[int] = 1
 FIXED_ROLLING: Final[int] = 2
 FIXED_COUNT: Final[int] = 3
 
-#: Poisson's ratios of Kalker's table (binding/kalker_table.py).
+#: Poisson's ratios of Kalker's table (wrcontact/creep/kalker_table.py).
 LOW_RATIO: Final[float] = 0.0
 MIDDLE_RATIO: Final[float] = 0.25
 HIGH_RATIO: Final[float] = 0.5
@@ -153,7 +153,7 @@ def write_shapes(table: RollingTable, fixed: "float[:]", first: int, poisson_rat
 
 
 def write_reaches(table: RollingTable, fixed: "float[:]", first: int, poisson_ratio: float):
-    """The reaches, eq. (K5) of binding/rolling_table.py, from ``first`` on; the place behind them."""
+    """The reaches, eq. (K5) of tools/tables/rolling_table.py, from ``first`` on; the place behind them."""
     size = REACH_ROW * (REACH_CELLS + 1)
     for i in range(size):
         weight = poisson_ratio
