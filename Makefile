@@ -3,7 +3,7 @@
 # make kernel     after a change in wrcontact/kernel: translate it to C, and compile that with less optimising
 # make pages     after a change of names, options or measurements: write all that is generated from them
 # make check      before each commit: ruff, structure, doctests, and the tests of the compiled kernel; two minutes
-# make full       before each merge: what .ci/run runs, on a clean copy; 20 … 25 minutes
+# make full       before each merge: what .ci/run runs, on a clean copy; 10 … 15 minutes
 # make complete   each night: every test there is; hours
 #
 # CONTRIBUTING.md says which test belongs where.  PYTHON=... takes another Python than that of .venv.

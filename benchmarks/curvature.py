@@ -28,7 +28,7 @@ import wrcontact
 from data import halfspace_reference
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.kernel.contact import frame, traces
+from wrcontact.kernel.contact import frame, pressed, traces
 from wrcontact.profiles.placement import readable_wheel
 from wrcontact.progress import tracked, working
 
@@ -113,10 +113,10 @@ def normal_gaps(tables, work, s):
     for stations in (range(middle, len(s)), range(middle - 1, -1, -1)):
         traces.start_traces(work.contact.frame, 0.0, work.contact.frame.rail.y, work.contact.frame.wheel.y)
         for j in stations:
-            gap, _, _, curvature = frame.normal_gap(pair, work.contact.frame, float(s[j]), 1e-10)
+            gap, _, _ = frame.normal_gap(pair, work.contact.frame, float(s[j]), 1e-10)
             if gap >= frame.NO_GAP:
                 break
-            g[j], A[j] = gap, curvature / 2
+            g[j], A[j] = gap, pressed.met_curvature(pair, work.contact.frame) / 2
     return g, A
 
 
