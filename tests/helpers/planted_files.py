@@ -330,12 +330,12 @@ FILED = [
         "wrcontact/fleet/run.py",
     ),
     (
-        "next_jump_in_metres",
-        '("next jump\\nmm", lambda curves: curves.jump_distance, 1e3, 2)',
-        '("next jump\\nmm", lambda curves: curves.jump_distance, 1e2, 2)',
-        "the printed check shows the distance to the next jump ten times too small",
+        "next_jump_rounded",
+        'Measure("jump_distance", "m", "next jump", 2,',
+        'Measure("jump_distance", "m", "next jump", 1,',
+        "the printed check rounds the distance to the next jump to 0.1 mm",
         "conditioning/test_check.py",
-        "wrcontact/cli/check.py",
+        "wrcontact/conditioning/measures.py",
     ),
     (
         "file_changes_unseen",

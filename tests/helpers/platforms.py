@@ -22,10 +22,11 @@ KERNEL_EXPORTS = {
         "jacobian_room",
         "prepare",
         "prepare_room",
+        "search_sections",
     )
 }
-#: Those of the kernel in a Python FMU, which has no derivatives along many directions.
-FMU_KERNEL_EXPORTS = {name for name in KERNEL_EXPORTS if "jacobian" not in name}
+#: Those of the kernel in a Python FMU, which has no derivatives along many directions, and no rails that change.
+FMU_KERNEL_EXPORTS = {name for name in KERNEL_EXPORTS if "jacobian" not in name and "sections" not in name}
 
 
 def needs(condition, reason):

@@ -21,6 +21,7 @@ LEFT_OUT = (
     "export",
     "fleet",
     "fmu",
+    "fmu_src",
     "halfspace",
     "interface/one_wheel.py",
     "kernel/binding/compiler.py",
