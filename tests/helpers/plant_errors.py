@@ -7,7 +7,7 @@
     python -m tests.helpers.plant_errors roll_sign --tests tests/search tests/wheelset/test_forces.py
         and only the tests of these files and folders
     python -m tests.helpers.plant_errors --own
-        and only those of the room or the file that the error names
+        and only those of the room or the file that the error names; of a file the full ones too
     python -m tests.helpers.plant_errors --full
         the full tests too
     python -m tests.helpers.plant_errors --list
@@ -176,6 +176,8 @@ def examine(error, plain, tests_of, options):
     begin = time.perf_counter()
     tree = copy_with(error, plain)
     tests = tests_of(error, tree)
+    if tests == [f"tests/{error.first}"] and "-m" not in options:
+        options = [*options, "-m", "not complete"]  # a file may have full tests alone
     left_out = [f"--deselect={name}" for name in NO_WITNESS if "::" in name]
     own = [name for name in tests if name.startswith(f"tests/{error.first}")]
     first = [name for name in own if (tree / name).is_file() and not asks_for_derivatives(tree, name)]

@@ -53,6 +53,8 @@ LEAST_WAY: Final[float] = 1e-5
 #: derivatives; its depth, being second order, asks for less.
 DEEP_SHARP: Final[float] = 1e-13
 DEEP_ITERATIONS: Final[int] = 60
+#: In place of the wheel's 1/R_x where a pressed wheel is not met [1/m].
+NOT_MET: Final[float] = 1.0
 #: Slope of the overlap below which it has changed sign there [-]: standard profiles are joined with slopes
 #: that differ by up to 1e-5.
 LEVEL_RISE: Final[float] = 1e-4

@@ -17,10 +17,10 @@ from ..layout import (
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
 from .curves import rail_length
-from .frame import BEYOND, incline_region, locate_along_track, open_frame
+from .frame import BEYOND, NO_GAP, incline_region, locate_along_track, open_frame
 from .deep_points import deepest_entry
 from .overlaps import find_overlaps
-from .pressed import met_curvature, pressed_gap
+from .pressed import NOT_MET, met_curvature, pressed_gap
 from .traces import start_traces
 
 
@@ -131,7 +131,9 @@ def gather_overlaps(pair: Pair, frame: Frame, frames: KeptFrames, regions: Regio
         start_traces(frame, 0.0, point.rail, point.wheel)
         gap, rate, bend = pressed_gap(pair, frame, 0.0)
         region.bend = bend
-        region.curvature = met_curvature(pair, frame)
+        region.curvature = NOT_MET
+        if gap < NO_GAP:
+            region.curvature = met_curvature(pair, frame)
         region.low = -BEYOND
         region.high = BEYOND
         if index > 0:

@@ -19,7 +19,7 @@ from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame,
 from ..surface.tables import height_slope_bend
 from .frame import NO_GAP, normal_gap
 from .curves import curve_jet, move_across, move_to_station, within
-from .pressed import met_curvature, pressed_gap
+from .pressed import NOT_MET, met_curvature, pressed_gap
 from .traces import note_point
 
 
@@ -128,9 +128,9 @@ def separation_jet(pair: Pair, frame: Frame, origin: Origin, station: float, tol
 
 
 def separation(pair: Pair, frame: Frame, origin: Origin, station: float, tolerance: float):
-    """:func:`separation_jet`, and the wheel's 1/R_x [1/m]; 1 where a pressed wheel is not met."""
+    """:func:`separation_jet`, and the wheel's 1/R_x [1/m], NOT_MET where a pressed wheel is not met."""
     gap, rate, bend = separation_jet(pair, frame, origin, station, tolerance)
-    curvature = 1.0
+    curvature = NOT_MET
     if gap < NO_GAP or not frame.pressed or pair.tables.separation != SEPARATION_NORMAL:
         curvature = met_curvature(pair, frame)
     return gap, rate, bend, curvature

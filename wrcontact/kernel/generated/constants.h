@@ -1579,6 +1579,7 @@ static const double pressed__FARTHEST = 0.005;
 static const double pressed__LEAST_WAY = 1e-05;
 static const double pressed__DEEP_SHARP = 1e-13;
 static const int64_t pressed__DEEP_ITERATIONS = INT64_C(60);
+static const double pressed__NOT_MET = 1.0;
 static const double pressed__LEVEL_RISE = 0.0001;
 static const double pressed__ZERO_RISE = 1e-09;
 

@@ -1955,7 +1955,11 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
         traces__start_traces(work, 0.0, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL));
         pressed__pressed_gap(&gap, &rate, &bend, tables, work, pair, 0.0);
         AT(work, region + layout__REGION_BEND) = bend;
-        AT(work, region + layout__REGION_CURVATURE) = pressed__met_curvature(tables, work, pair);
+        AT(work, region + layout__REGION_CURVATURE) = pressed__NOT_MET;
+        if (gap < frame__NO_GAP)
+        {
+            AT(work, region + layout__REGION_CURVATURE) = pressed__met_curvature(tables, work, pair);
+        }
         AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
         AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
         if (index > 0)
@@ -2140,12 +2144,12 @@ static inline void separation__separation_jet(double* gap_out, double* rate_out,
     *bend_out = bend;
 }
 
-/* :func:`separation_jet`, and the wheel's 1/R_x [1/m]; 1 where a pressed wheel is not met. */
+/* :func:`separation_jet`, and the wheel's 1/R_x [1/m], NOT_MET where a pressed wheel is not met. */
 static inline void separation__separation(double* gap_out, double* rate_out, double* bend_out, double* curvature_out, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance)
 {
     double gap, rate, bend, curvature;
     separation__separation_jet(&gap, &rate, &bend, tables, work, pair, station, tolerance);
-    curvature = 1.0;
+    curvature = pressed__NOT_MET;
     if (gap < frame__NO_GAP || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
         curvature = pressed__met_curvature(tables, work, pair);

@@ -1381,9 +1381,14 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
         derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(bend_t);
         AT(work, region + layout__REGION_BEND) = bend;
-        derivative_pressed__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(v1_t);
-        AT(work, region + layout__REGION_CURVATURE) = v1;
+        RATE_AT(work_t, region + layout__REGION_CURVATURE) = all_lanes(0.0);
+        AT(work, region + layout__REGION_CURVATURE) = pressed__NOT_MET;
+        if (gap < frame__NO_GAP)
+        {
+            derivative_pressed__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
+            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(v1_t);
+            AT(work, region + layout__REGION_CURVATURE) = v1;
+        }
         RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
         AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
         RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
@@ -1639,7 +1644,7 @@ static inline void derivative_separation__separation_t(double* gap_out, lanes* g
     lanes gap_t, rate_t, bend_t, curvature_t, v1_t;
     derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     curvature_t = all_lanes(0.0);
-    curvature = 1.0;
+    curvature = pressed__NOT_MET;
     if (gap < frame__NO_GAP || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
         derivative_pressed__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
