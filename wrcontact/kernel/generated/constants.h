@@ -293,9 +293,9 @@ static const int64_t layout__ROLLING_SHIFT = INT64_C(62);
 static const int64_t layout__ROLLING_EQUATIONS_X = INT64_C(63);
 static const int64_t layout__ROLLING_EQUATIONS_Y = INT64_C(143);
 static const int64_t layout__ROLLING_EQUATIONS_SPIN = INT64_C(223);
-static const int64_t layout__ROLLING_MARCH = INT64_C(303);
+static const int64_t layout__ROLLING_INTEGRATION = INT64_C(303);
 static const int64_t layout__ROLLING_BEGUN = INT64_C(331);
-static const int64_t layout__ROLLING_MARCHES = INT64_C(779);
+static const int64_t layout__ROLLING_INTEGRATIONS = INT64_C(779);
 static const int64_t layout__ROLLING_FALLING = INT64_C(1196);
 static const int64_t layout__ROLLING_STIFFNESSES = INT64_C(1309);
 static const int64_t layout__ROLLING_TABLE_COSINES = INT64_C(0);
@@ -708,37 +708,37 @@ static const int64_t layout__SPRING_LATERAL_STIFFNESS = INT64_C(0);
 static const int64_t layout__SPRING_VERTICAL_STIFFNESS = INT64_C(1);
 static const int64_t layout__SPRING_LATERAL_DAMPING = INT64_C(2);
 static const int64_t layout__SPRING_VERTICAL_DAMPING = INT64_C(3);
-static const int64_t layout__SETTLED_SIZE = INT64_C(4);
-static const int64_t layout__SETTLED_LATERAL = INT64_C(0);
-static const int64_t layout__SETTLED_VERTICAL = INT64_C(1);
-static const int64_t layout__SETTLED_RESIDUAL_LATERAL = INT64_C(2);
-static const int64_t layout__SETTLED_RESIDUAL_VERTICAL = INT64_C(3);
-static const int64_t layout__SETTLING_SIZE = INT64_C(24);
-static const int64_t layout__SETTLING_LATERAL_STIFFNESS = INT64_C(0);
-static const int64_t layout__SETTLING_VERTICAL_STIFFNESS = INT64_C(1);
-static const int64_t layout__SETTLING_LATERAL_REST = INT64_C(2);
-static const int64_t layout__SETTLING_VERTICAL_REST = INT64_C(3);
-static const int64_t layout__SETTLING_LATERAL_BEFORE = INT64_C(4);
-static const int64_t layout__SETTLING_VERTICAL_BEFORE = INT64_C(5);
-static const int64_t layout__SETTLING_LATERAL = INT64_C(6);
-static const int64_t layout__SETTLING_VERTICAL = INT64_C(7);
-static const int64_t layout__SETTLING_LATERAL_LATERAL = INT64_C(8);
-static const int64_t layout__SETTLING_LATERAL_VERTICAL = INT64_C(9);
-static const int64_t layout__SETTLING_VERTICAL_LATERAL = INT64_C(10);
-static const int64_t layout__SETTLING_VERTICAL_VERTICAL = INT64_C(11);
-static const int64_t layout__SETTLING_MOVE_LATERAL = INT64_C(12);
-static const int64_t layout__SETTLING_MOVE_VERTICAL = INT64_C(13);
-static const int64_t layout__SETTLING_ONE = INT64_C(14);
-static const int64_t layout__SETTLING_OTHER = INT64_C(18);
-static const int64_t layout__SETTLING_AWAY_LATERAL = INT64_C(22);
-static const int64_t layout__SETTLING_AWAY_VERTICAL = INT64_C(23);
-static const int64_t layout__SETTLED_RAIL_SIZE = INT64_C(6);
-static const int64_t layout__SETTLED_RAIL_STANDING = INT64_C(0);
-static const int64_t layout__SETTLED_RAIL_LIFTED = INT64_C(1);
-static const int64_t layout__SETTLED_RAIL_LATERAL_LATERAL = INT64_C(2);
-static const int64_t layout__SETTLED_RAIL_LATERAL_VERTICAL = INT64_C(3);
-static const int64_t layout__SETTLED_RAIL_VERTICAL_LATERAL = INT64_C(4);
-static const int64_t layout__SETTLED_RAIL_VERTICAL_VERTICAL = INT64_C(5);
+static const int64_t layout__TRIED_DEFLECTION_SIZE = INT64_C(4);
+static const int64_t layout__TRIED_DEFLECTION_LATERAL = INT64_C(0);
+static const int64_t layout__TRIED_DEFLECTION_VERTICAL = INT64_C(1);
+static const int64_t layout__TRIED_DEFLECTION_RESIDUAL_LATERAL = INT64_C(2);
+static const int64_t layout__TRIED_DEFLECTION_RESIDUAL_VERTICAL = INT64_C(3);
+static const int64_t layout__RAIL_EQUILIBRIUM_SIZE = INT64_C(24);
+static const int64_t layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS = INT64_C(0);
+static const int64_t layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS = INT64_C(1);
+static const int64_t layout__RAIL_EQUILIBRIUM_LATERAL_REST = INT64_C(2);
+static const int64_t layout__RAIL_EQUILIBRIUM_VERTICAL_REST = INT64_C(3);
+static const int64_t layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE = INT64_C(4);
+static const int64_t layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE = INT64_C(5);
+static const int64_t layout__RAIL_EQUILIBRIUM_LATERAL = INT64_C(6);
+static const int64_t layout__RAIL_EQUILIBRIUM_VERTICAL = INT64_C(7);
+static const int64_t layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL = INT64_C(8);
+static const int64_t layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL = INT64_C(9);
+static const int64_t layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL = INT64_C(10);
+static const int64_t layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL = INT64_C(11);
+static const int64_t layout__RAIL_EQUILIBRIUM_MOVE_LATERAL = INT64_C(12);
+static const int64_t layout__RAIL_EQUILIBRIUM_MOVE_VERTICAL = INT64_C(13);
+static const int64_t layout__RAIL_EQUILIBRIUM_ONE = INT64_C(14);
+static const int64_t layout__RAIL_EQUILIBRIUM_OTHER = INT64_C(18);
+static const int64_t layout__RAIL_EQUILIBRIUM_AWAY_LATERAL = INT64_C(22);
+static const int64_t layout__RAIL_EQUILIBRIUM_AWAY_VERTICAL = INT64_C(23);
+static const int64_t layout__BALANCED_RAIL_SIZE = INT64_C(6);
+static const int64_t layout__BALANCED_RAIL_STANDING = INT64_C(0);
+static const int64_t layout__BALANCED_RAIL_LIFTED = INT64_C(1);
+static const int64_t layout__BALANCED_RAIL_LATERAL_LATERAL = INT64_C(2);
+static const int64_t layout__BALANCED_RAIL_LATERAL_VERTICAL = INT64_C(3);
+static const int64_t layout__BALANCED_RAIL_VERTICAL_LATERAL = INT64_C(4);
+static const int64_t layout__BALANCED_RAIL_VERTICAL_VERTICAL = INT64_C(5);
 static const int64_t layout__REFERENCE_SIZE = INT64_C(10);
 static const int64_t layout__REFERENCE_HEIGHT = INT64_C(0);
 static const int64_t layout__REFERENCE_LOW_LOAD = INT64_C(1);
@@ -842,7 +842,7 @@ static const int64_t layout__WORK_HEIGHT_BRACKET = INT64_C(79269);
 static const int64_t layout__WORK_ROLL_BRACKET = INT64_C(79273);
 static const int64_t layout__WORK_TRIALS = INT64_C(79277);
 static const int64_t layout__WORK_REFERENCE = INT64_C(79521);
-static const int64_t layout__WORK_SETTLING = INT64_C(79531);
+static const int64_t layout__WORK_EQUILIBRIUM = INT64_C(79531);
 static const int64_t layout__WORK_SETTLED = INT64_C(79555);
 static const int64_t layout__WORK_WHEELSET = INT64_C(79567);
 static const int64_t layout__WORK_TURNING = INT64_C(79588);
@@ -1031,63 +1031,63 @@ static const int64_t layout__ROLLING_BLOCK_TURNING = INT64_C(6);
 static const int64_t layout__KEPT_STIFFNESSES_SIZE = INT64_C(136);
 static const int64_t layout__KEPT_STIFFNESSES_BLOCKS = INT64_C(0);
 static const int64_t layout__KEPT_STIFFNESSES_EQUATIONS_X = INT64_C(56);
-static const int64_t layout__ROLLING_MARCH_SIZE = INT64_C(28);
-static const int64_t layout__ROLLING_MARCH_HALF_LENGTH = INT64_C(0);
-static const int64_t layout__ROLLING_MARCH_RATE = INT64_C(1);
-static const int64_t layout__ROLLING_MARCH_SLIP = INT64_C(2);
-static const int64_t layout__ROLLING_MARCH_LATERAL = INT64_C(3);
-static const int64_t layout__ROLLING_MARCH_SPIN = INT64_C(4);
-static const int64_t layout__ROLLING_MARCH_ALONG = INT64_C(5);
-static const int64_t layout__ROLLING_MARCH_ACROSS = INT64_C(6);
-static const int64_t layout__ROLLING_MARCH_TURNING = INT64_C(7);
-static const int64_t layout__ROLLING_MARCH_SPREAD = INT64_C(8);
-static const int64_t layout__ROLLING_MARCH_CARRIED = INT64_C(9);
-static const int64_t layout__ROLLING_MARCH_WEIGHT = INT64_C(10);
-static const int64_t layout__ROLLING_MARCH_DEPTH = INT64_C(11);
-static const int64_t layout__ROLLING_MARCH_LEAD_X = INT64_C(12);
-static const int64_t layout__ROLLING_MARCH_LEAD_Y = INT64_C(13);
-static const int64_t layout__ROLLING_MARCH_STICK_X = INT64_C(14);
-static const int64_t layout__ROLLING_MARCH_STICK_Y = INT64_C(15);
-static const int64_t layout__ROLLING_MARCH_TWIST = INT64_C(16);
-static const int64_t layout__ROLLING_MARCH_EDGE = INT64_C(17);
-static const int64_t layout__ROLLING_MARCH_PUSH_X = INT64_C(18);
-static const int64_t layout__ROLLING_MARCH_PUSH_Y = INT64_C(19);
-static const int64_t layout__ROLLING_MARCH_PUSH_TURN = INT64_C(20);
-static const int64_t layout__ROLLING_MARCH_X = INT64_C(21);
-static const int64_t layout__ROLLING_MARCH_FIRST_X = INT64_C(22);
-static const int64_t layout__ROLLING_MARCH_FIRST_Y = INT64_C(23);
-static const int64_t layout__ROLLING_MARCH_SUM_X = INT64_C(24);
-static const int64_t layout__ROLLING_MARCH_SUM_Y = INT64_C(25);
-static const int64_t layout__ROLLING_MARCH_SUM_MOMENT = INT64_C(26);
-static const int64_t layout__ROLLING_MARCH_LARGEST = INT64_C(27);
-static const int64_t layout__ROLLING_MARCHES_SIZE = INT64_C(417);
-static const int64_t layout__ROLLING_MARCHES_PUSH_X = INT64_C(0);
-static const int64_t layout__ROLLING_MARCHES_PUSH_Y = INT64_C(16);
-static const int64_t layout__ROLLING_MARCHES_PUSH_TURN = INT64_C(32);
-static const int64_t layout__ROLLING_MARCHES_CENTRE_X = INT64_C(48);
-static const int64_t layout__ROLLING_MARCHES_CENTRE_Y = INT64_C(64);
-static const int64_t layout__ROLLING_MARCHES_CENTRE_TURN = INT64_C(80);
-static const int64_t layout__ROLLING_MARCHES_LAG = INT64_C(96);
-static const int64_t layout__ROLLING_MARCHES_SLIPS = INT64_C(112);
-static const int64_t layout__ROLLING_MARCHES_NOTED = INT64_C(128);
-static const int64_t layout__ROLLING_MARCHES_FIRST_X = INT64_C(144);
-static const int64_t layout__ROLLING_MARCHES_FIRST_Y = INT64_C(160);
-static const int64_t layout__ROLLING_MARCHES_SECOND_X = INT64_C(176);
-static const int64_t layout__ROLLING_MARCHES_SECOND_Y = INT64_C(192);
-static const int64_t layout__ROLLING_MARCHES_SUM_X = INT64_C(208);
-static const int64_t layout__ROLLING_MARCHES_SUM_Y = INT64_C(224);
-static const int64_t layout__ROLLING_MARCHES_SUM_MOMENT = INT64_C(240);
-static const int64_t layout__ROLLING_MARCHES_LARGEST = INT64_C(256);
-static const int64_t layout__ROLLING_MARCHES_STICKS = INT64_C(272);
-static const int64_t layout__ROLLING_MARCHES_STICK_X = INT64_C(288);
-static const int64_t layout__ROLLING_MARCHES_STICK_Y = INT64_C(304);
-static const int64_t layout__ROLLING_MARCHES_EDGE = INT64_C(320);
-static const int64_t layout__ROLLING_MARCHES_EDGE_X = INT64_C(336);
-static const int64_t layout__ROLLING_MARCHES_EDGE_Y = INT64_C(352);
-static const int64_t layout__ROLLING_MARCHES_EDGE_SHARE = INT64_C(368);
-static const int64_t layout__ROLLING_MARCHES_NEXT = INT64_C(384);
-static const int64_t layout__ROLLING_MARCHES_AT_POINT = INT64_C(400);
-static const int64_t layout__ROLLING_MARCHES_SHARE = INT64_C(416);
+static const int64_t layout__STRIP_INTEGRATION_SIZE = INT64_C(28);
+static const int64_t layout__STRIP_INTEGRATION_HALF_LENGTH = INT64_C(0);
+static const int64_t layout__STRIP_INTEGRATION_RATE = INT64_C(1);
+static const int64_t layout__STRIP_INTEGRATION_SLIP = INT64_C(2);
+static const int64_t layout__STRIP_INTEGRATION_LATERAL = INT64_C(3);
+static const int64_t layout__STRIP_INTEGRATION_SPIN = INT64_C(4);
+static const int64_t layout__STRIP_INTEGRATION_ALONG = INT64_C(5);
+static const int64_t layout__STRIP_INTEGRATION_ACROSS = INT64_C(6);
+static const int64_t layout__STRIP_INTEGRATION_TURNING = INT64_C(7);
+static const int64_t layout__STRIP_INTEGRATION_SPREAD = INT64_C(8);
+static const int64_t layout__STRIP_INTEGRATION_CARRIED = INT64_C(9);
+static const int64_t layout__STRIP_INTEGRATION_WEIGHT = INT64_C(10);
+static const int64_t layout__STRIP_INTEGRATION_DEPTH = INT64_C(11);
+static const int64_t layout__STRIP_INTEGRATION_LEAD_X = INT64_C(12);
+static const int64_t layout__STRIP_INTEGRATION_LEAD_Y = INT64_C(13);
+static const int64_t layout__STRIP_INTEGRATION_STICK_X = INT64_C(14);
+static const int64_t layout__STRIP_INTEGRATION_STICK_Y = INT64_C(15);
+static const int64_t layout__STRIP_INTEGRATION_TWIST = INT64_C(16);
+static const int64_t layout__STRIP_INTEGRATION_EDGE = INT64_C(17);
+static const int64_t layout__STRIP_INTEGRATION_PUSH_X = INT64_C(18);
+static const int64_t layout__STRIP_INTEGRATION_PUSH_Y = INT64_C(19);
+static const int64_t layout__STRIP_INTEGRATION_PUSH_TURN = INT64_C(20);
+static const int64_t layout__STRIP_INTEGRATION_X = INT64_C(21);
+static const int64_t layout__STRIP_INTEGRATION_FIRST_X = INT64_C(22);
+static const int64_t layout__STRIP_INTEGRATION_FIRST_Y = INT64_C(23);
+static const int64_t layout__STRIP_INTEGRATION_SUM_X = INT64_C(24);
+static const int64_t layout__STRIP_INTEGRATION_SUM_Y = INT64_C(25);
+static const int64_t layout__STRIP_INTEGRATION_SUM_MOMENT = INT64_C(26);
+static const int64_t layout__STRIP_INTEGRATION_LARGEST = INT64_C(27);
+static const int64_t layout__STRIP_INTEGRATIONS_SIZE = INT64_C(417);
+static const int64_t layout__STRIP_INTEGRATIONS_PUSH_X = INT64_C(0);
+static const int64_t layout__STRIP_INTEGRATIONS_PUSH_Y = INT64_C(16);
+static const int64_t layout__STRIP_INTEGRATIONS_PUSH_TURN = INT64_C(32);
+static const int64_t layout__STRIP_INTEGRATIONS_CENTRE_X = INT64_C(48);
+static const int64_t layout__STRIP_INTEGRATIONS_CENTRE_Y = INT64_C(64);
+static const int64_t layout__STRIP_INTEGRATIONS_CENTRE_TURN = INT64_C(80);
+static const int64_t layout__STRIP_INTEGRATIONS_LAG = INT64_C(96);
+static const int64_t layout__STRIP_INTEGRATIONS_SLIPS = INT64_C(112);
+static const int64_t layout__STRIP_INTEGRATIONS_NOTED = INT64_C(128);
+static const int64_t layout__STRIP_INTEGRATIONS_FIRST_X = INT64_C(144);
+static const int64_t layout__STRIP_INTEGRATIONS_FIRST_Y = INT64_C(160);
+static const int64_t layout__STRIP_INTEGRATIONS_SECOND_X = INT64_C(176);
+static const int64_t layout__STRIP_INTEGRATIONS_SECOND_Y = INT64_C(192);
+static const int64_t layout__STRIP_INTEGRATIONS_SUM_X = INT64_C(208);
+static const int64_t layout__STRIP_INTEGRATIONS_SUM_Y = INT64_C(224);
+static const int64_t layout__STRIP_INTEGRATIONS_SUM_MOMENT = INT64_C(240);
+static const int64_t layout__STRIP_INTEGRATIONS_LARGEST = INT64_C(256);
+static const int64_t layout__STRIP_INTEGRATIONS_STICKS = INT64_C(272);
+static const int64_t layout__STRIP_INTEGRATIONS_STICK_X = INT64_C(288);
+static const int64_t layout__STRIP_INTEGRATIONS_STICK_Y = INT64_C(304);
+static const int64_t layout__STRIP_INTEGRATIONS_EDGE = INT64_C(320);
+static const int64_t layout__STRIP_INTEGRATIONS_EDGE_X = INT64_C(336);
+static const int64_t layout__STRIP_INTEGRATIONS_EDGE_Y = INT64_C(352);
+static const int64_t layout__STRIP_INTEGRATIONS_EDGE_SHARE = INT64_C(368);
+static const int64_t layout__STRIP_INTEGRATIONS_NEXT = INT64_C(384);
+static const int64_t layout__STRIP_INTEGRATIONS_AT_POINT = INT64_C(400);
+static const int64_t layout__STRIP_INTEGRATIONS_SHARE = INT64_C(416);
 static const int64_t layout__FALLING_FRICTION_SIZE = INT64_C(113);
 static const int64_t layout__FALLING_FRICTION_FLOOR = INT64_C(0);
 static const int64_t layout__FALLING_FRICTION_SLIDE_X = INT64_C(1);
@@ -1482,18 +1482,12 @@ static const double first_root__SETTLED_ROLL = 1e-12;
 static const double first_root__SETTLED_PLACE = 1e-09;
 static const double first_root__LEVER_TURNED_SHARE = 1.1;
 static const double first_root__LEVER_YAWED_SHARE = 1.2;
-static const double first_root__LEANING_SHARE = 1.1;
+static const double first_root__ROLLED_RAIL_SHARE = 1.1;
 static const double first_root__FASTER = 1.5;
 
 /* search/own_bounds.py */
 static const int64_t own_bounds__MOST_PIECES = INT64_C(6);
 static const double own_bounds__TOO_MANY = 1000000000.0;
-
-/* search/rising_cell.py */
-static const double rising_cell__WIDEST_CELL = 0.00125;
-static const double rising_cell__CELL_SHARE = 0.02;
-static const double rising_cell__WHEEL_SHARE = 0.01;
-static const double rising_cell__LEAST_DEPARTURE = 0.02;
 
 /* search/roll.py */
 static const double roll__ROLL_SHARP = 1e-14;
@@ -1504,6 +1498,12 @@ static const double roll__LONGEST_TURN = 0.005;
 static const double roll__LONGEST_MOVE = 0.005;
 static const int64_t roll__FOLLOW_STEPS = INT64_C(8);
 static const double roll__FOLLOW_REACH = 0.002;
+
+/* search/single_minimum.py */
+static const double single_minimum__WIDEST_CELL = 0.00125;
+static const double single_minimum__CELL_SHARE = 0.02;
+static const double single_minimum__WHEEL_SHARE = 0.01;
+static const double single_minimum__LEAST_DEPARTURE = 0.02;
 
 /* search/smallest_gap.py */
 static const double smallest_gap__HIDDEN = 1e-11;
@@ -1546,12 +1546,6 @@ static const double curves__WEIGHT_3 = 0.1713244923791704;
 static const double curves__MOVE_SHARP = 1e-13;
 static const int64_t curves__MOVE_ITERATIONS = INT64_C(40);
 
-/* contact/deep_points.py */
-static const double deep_points__MERGE = 0.3;
-static const double deep_points__LEAST_HUMP = 1e-09;
-static const double deep_points__SAME_POINT = 1e-06;
-static const double deep_points__FOLLOWED = 0.0005;
-
 /* contact/frame.py */
 static const double frame__NO_GAP = 1.0;
 static const double frame__BEYOND = 1.0;
@@ -1569,19 +1563,25 @@ static const double overlaps__FIRST_STEP = 1e-07;
 static const double overlaps__FAR_STEP = 0.001;
 static const int64_t overlaps__WIDENINGS = INT64_C(6);
 
-/* contact/pressed.py */
-static const double pressed__LINE_SHARP = 1e-08;
-static const double pressed__NODE_SHARP = 1e-06;
-static const double pressed__LINE_JOINT = 1e-07;
-static const int64_t pressed__LINE_ITERATIONS = INT64_C(20);
-static const double pressed__LINE_STEP = 0.004;
-static const double pressed__FARTHEST = 0.005;
-static const double pressed__LEAST_WAY = 1e-05;
-static const double pressed__DEEP_SHARP = 1e-13;
-static const int64_t pressed__DEEP_ITERATIONS = INT64_C(60);
-static const double pressed__NOT_MET = 1.0;
-static const double pressed__LEVEL_RISE = 0.0001;
-static const double pressed__ZERO_RISE = 1e-09;
+/* contact/penetrated.py */
+static const double penetrated__LINE_SHARP = 1e-08;
+static const double penetrated__NODE_SHARP = 1e-06;
+static const double penetrated__LINE_JOINT = 1e-07;
+static const int64_t penetrated__LINE_ITERATIONS = INT64_C(20);
+static const double penetrated__LINE_STEP = 0.004;
+static const double penetrated__FARTHEST = 0.005;
+static const double penetrated__LEAST_WAY = 1e-05;
+static const double penetrated__DEEP_SHARP = 1e-13;
+static const int64_t penetrated__DEEP_ITERATIONS = INT64_C(60);
+static const double penetrated__NOT_MET = 1.0;
+static const double penetrated__LEVEL_RISE = 0.0001;
+static const double penetrated__ZERO_RISE = 1e-09;
+
+/* contact/penetration_maxima.py */
+static const double penetration_maxima__MERGE = 0.3;
+static const double penetration_maxima__LEAST_HUMP = 1e-09;
+static const double penetration_maxima__SAME_POINT = 1e-06;
+static const double penetration_maxima__FOLLOWED = 0.0005;
 
 /* contact/traces.py */
 static const double traces__EXTRAPOLATED = 0.004;
@@ -1760,11 +1760,6 @@ static const double coupled_strips__FLOOR_TWIST = 1.5;
 /* creep/creepage.py */
 static const double creepage__REST = 1e-12;
 
-/* creep/cut.py */
-static const double cut__COSINE = 0.9807852804032304;
-static const double cut__SHORTEST_PATCH = 0.05;
-static const double cut__LONGEST_PATCH = 40.0;
-
 /* creep/falling.py */
 static const double falling__POWER = 64.0;
 static const double falling__LARGEST = 40.0;
@@ -1776,22 +1771,14 @@ static const double fastsim__NEAR_STICK = 0.1;
 static const double friction__PI = 3.141592653589793;
 static const double friction__FLANGE_RANGE = 0.2;
 
-/* creep/march.py */
-static const double march__LAG = 0.4;
-static const double march__LONG_LAG = 0.1;
-static const double march__LAG_RATIO = 3.0;
-static const double march__LAG_FILLS = 20.0;
-static const double march__FILLS = 6.0;
-static const double march__SHARE = 0.65;
-static const double march__SHARE_RATIO = 1.2;
-static const double march__SOFT = 0.05;
-static const double march__FAINT = 0.001;
-static const double march__WHOLE = 8.5;
-static const double march__NOTHING = 1e-300;
-
 /* creep/polach.py */
 static const double polach__SMALLEST = 1e-150;
 static const double polach__AIMLESS = 1e-09;
+
+/* creep/rolling_strips.py */
+static const double rolling_strips__COSINE = 0.9807852804032304;
+static const double rolling_strips__SHORTEST_PATCH = 0.05;
+static const double rolling_strips__LONGEST_PATCH = 40.0;
 
 /* creep/stiffness.py */
 static const double stiffness__SHORT = 0.001;
@@ -1799,6 +1786,19 @@ static const double stiffness__SOFTEST = 0.02;
 static const double stiffness__NEAREST = 1e-12;
 static const double stiffness__OWN_UNTIL = 0.4054651081081644;
 static const double stiffness__MEAN_FROM = 1.0986122886681098;
+
+/* creep/traction_integration.py */
+static const double traction_integration__LAG = 0.4;
+static const double traction_integration__LONG_LAG = 0.1;
+static const double traction_integration__LAG_RATIO = 3.0;
+static const double traction_integration__LAG_FILLS = 20.0;
+static const double traction_integration__FILLS = 6.0;
+static const double traction_integration__SHARE = 0.65;
+static const double traction_integration__SHARE_RATIO = 1.2;
+static const double traction_integration__SOFT = 0.05;
+static const double traction_integration__FAINT = 0.001;
+static const double traction_integration__WHOLE = 8.5;
+static const double traction_integration__NOTHING = 1e-300;
 
 /* creep/tractions.py */
 static const double tractions__WEIGHT = 0.18479956785822313;
@@ -1815,9 +1815,6 @@ static const double turning__SPINNING = 6.0;
 static const double turning__REACH = 4.0;
 static const int64_t turning__STEPS = INT64_C(60);
 static const double turning__STEP_SHARP = 1e-14;
-
-/* wheelset/at_height.py */
-static const double at_height__GRAZING = 1e-13;
 
 /* wheelset/brackets.py */
 static const int64_t brackets__BRACKETINGS = INT64_C(90);
@@ -1863,75 +1860,82 @@ static const double free_rolling__GROWTH = 1.5;
 static const double free_rolling__PEAK_SHARP = 1e-07;
 static const double free_rolling__UNCARRIED = 1e-07;
 
-/* wheelset/leaning.py */
-static const int64_t leaning__MEETINGS = INT64_C(80);
-static const double leaning__SECANTS = 10.0;
-static const double leaning__NEARER = 0.5;
-static const double leaning__ROOT_WITHIN = 0.004;
-static const double leaning__BESIDE = 1e-09;
-static const double leaning__UNKNOWN = 1.0;
-static const double leaning__RIGID_MET = 1e-14;
-static const double leaning__ELASTIC_MET = 2e-13;
-static const double leaning__STEEPEST_FALL = -2.0;
-static const double leaning__FLATTEST_FALL = -0.5;
+/* wheelset/input_checks.py */
+static const double input_checks__NO_FORCE = 1e-10;
+
+/* wheelset/prescribed_height.py */
+static const double prescribed_height__GRAZING = 1e-13;
+
+/* wheelset/rail_deflection.py */
+static const int64_t rail_deflection__ESTIMATES = INT64_C(5);
+static const double rail_deflection__SAME_PLACE = 1e-05;
+static const int64_t rail_deflection__FORCE_STEPS = INT64_C(12);
+static const int64_t rail_deflection__DEFLECTION_TRIALS = INT64_C(14);
+static const int64_t rail_deflection__AGAIN_TRIALS = INT64_C(8);
+static const double rail_deflection__AGAIN_SHARP = 1e-15;
+
+/* wheelset/rail_deflection_brackets.py */
+static const double rail_deflection_brackets__NOT_DEEPEST = 0.999;
+static const double rail_deflection_brackets__BALANCED = 1e-12;
+static const double rail_deflection_brackets__STEEPEST_FORCE = 100000000000.0;
+static const double rail_deflection_brackets__JUMP_WIDTH = 1e-08;
+static const double rail_deflection_brackets__CONTACT_STIFFNESS = 1000000000.0;
+static const double rail_deflection_brackets__STEEPEST_CONTACT = 10000000000.0;
+static const double rail_deflection_brackets__STEEPEST_WAY = 6.0;
+static const double rail_deflection_brackets__SLOPE_FACTOR = 0.5;
+static const double rail_deflection_brackets__REDUCED = 0.5;
+static const double rail_deflection_brackets__LONGER = 3.0;
+static const double rail_deflection_brackets__LEVEL_SHARP = 2e-14;
+static const double rail_deflection_brackets__SMALL_SHARE = 0.001;
+static const double rail_deflection_brackets__NEAR_END = 0.0002;
+static const int64_t rail_deflection_brackets__DOUBLINGS = INT64_C(10);
+
+/* wheelset/rail_deflection_enclosing.py */
+static const double rail_deflection_enclosing__SETTLED = 2e-14;
+static const double rail_deflection_enclosing__LONGEST_MOVE = 0.0005;
+static const int64_t rail_deflection_enclosing__ENCLOSINGS = INT64_C(28);
+static const int64_t rail_deflection_enclosing__RETREATS = INT64_C(12);
+static const int64_t rail_deflection_enclosing__CLOSING = INT64_C(6);
+static const double rail_deflection_enclosing__CLOSER = 0.25;
+static const double rail_deflection_enclosing__JUMP_SHARP = 1e-10;
+static const double rail_deflection_enclosing__STEEPEST = 10000.0;
+static const double rail_deflection_enclosing__REDUCED = 0.5;
+
+/* wheelset/rail_deflection_newton.py */
+static const int64_t rail_deflection_newton__MOVES = INT64_C(16);
+static const int64_t rail_deflection_newton__PARTS = INT64_C(5);
+static const double rail_deflection_newton__PART = 0.3;
+static const double rail_deflection_newton__LEFT = 0.95;
+static const double rail_deflection_newton__DIFFERENCE = 1e-08;
+static const double rail_deflection_newton__GOOD = 0.05;
+
+/* wheelset/rail_deflection_slopes.py */
+static const double rail_deflection_slopes__GROWTH = 1.5;
+static const double rail_deflection_slopes__SINGULAR_SPRINGS = 0.01;
+static const double rail_deflection_slopes__RATE_SHARE = 1e-06;
+static const double rail_deflection_slopes__LEAST_RATE = 1e-06;
 
 /* wheelset/report.py */
 static const int64_t report__OUTLINE_RUNS = INT64_C(3);
 
-/* wheelset/requested.py */
-static const double requested__NO_FORCE = 1e-10;
+/* wheelset/residuals.py */
+static const double residuals__SHALLOWEST = 0.1;
+static const double residuals__DEEPEST = 0.002;
 
 /* wheelset/rigid.py */
 static const double rigid__NEAR_SHIFT = 0.0002;
 
-/* wheelset/settling.py */
-static const int64_t settling__ESTIMATES = INT64_C(5);
-static const double settling__SAME_PLACE = 1e-05;
-static const int64_t settling__FORCE_STEPS = INT64_C(12);
-static const int64_t settling__SETTLING_TRIALS = INT64_C(14);
-static const int64_t settling__AGAIN_TRIALS = INT64_C(8);
-static const double settling__AGAIN_SHARP = 1e-15;
-
-/* wheelset/settling_brackets.py */
-static const double settling_brackets__NOT_DEEPEST = 0.999;
-static const double settling_brackets__BALANCED = 1e-12;
-static const double settling_brackets__STEEPEST_FORCE = 100000000000.0;
-static const double settling_brackets__JUMP_WIDTH = 1e-08;
-static const double settling_brackets__CONTACT_STIFFNESS = 1000000000.0;
-static const double settling_brackets__STEEPEST_CONTACT = 10000000000.0;
-static const double settling_brackets__STEEPEST_WAY = 6.0;
-static const double settling_brackets__SLOPE_FACTOR = 0.5;
-static const double settling_brackets__REDUCED = 0.5;
-static const double settling_brackets__LONGER = 3.0;
-static const double settling_brackets__LEVEL_SHARP = 2e-14;
-static const double settling_brackets__SMALL_SHARE = 0.001;
-static const double settling_brackets__NEAR_END = 0.0002;
-static const int64_t settling_brackets__DOUBLINGS = INT64_C(10);
-
-/* wheelset/settling_enclosing.py */
-static const double settling_enclosing__SETTLED = 2e-14;
-static const double settling_enclosing__LONGEST_SETTLING = 0.0005;
-static const int64_t settling_enclosing__ENCLOSINGS = INT64_C(28);
-static const int64_t settling_enclosing__RETREATS = INT64_C(12);
-static const int64_t settling_enclosing__CLOSING = INT64_C(6);
-static const double settling_enclosing__CLOSER = 0.25;
-static const double settling_enclosing__JUMP_SHARP = 1e-10;
-static const double settling_enclosing__STEEPEST = 10000.0;
-static const double settling_enclosing__REDUCED = 0.5;
-
-/* wheelset/settling_newton.py */
-static const int64_t settling_newton__MOVES = INT64_C(16);
-static const int64_t settling_newton__PARTS = INT64_C(5);
-static const double settling_newton__PART = 0.3;
-static const double settling_newton__LEFT = 0.95;
-static const double settling_newton__DIFFERENCE = 1e-08;
-static const double settling_newton__GOOD = 0.05;
-
-/* wheelset/settling_slopes.py */
-static const double settling_slopes__GROWTH = 1.5;
-static const double settling_slopes__SINGULAR_SPRINGS = 0.01;
-static const double settling_slopes__RATE_SHARE = 1e-06;
-static const double settling_slopes__LEAST_RATE = 1e-06;
+/* wheelset/rolled_rails.py */
+static const int64_t rolled_rails__MEETINGS = INT64_C(80);
+static const double rolled_rails__SECANTS = 10.0;
+static const double rolled_rails__NEARER = 0.5;
+static const double rolled_rails__ROOT_WITHIN = 0.004;
+static const double rolled_rails__BESIDE = 1e-09;
+static const double rolled_rails__UNKNOWN = 1.0;
+static const double rolled_rails__RIGID_MET = 1e-14;
+static const double rolled_rails__ELASTIC_MET = 2e-13;
+static const double rolled_rails__STEEPEST_FALL = -2.0;
+static const double rolled_rails__FLATTEST_FALL = -0.5;
 
 /* wheelset/side.py */
 static const double side__PARALLEL = 1e-06;
@@ -1940,10 +1944,6 @@ static const double side__AT_END = 1e-08;
 
 /* wheelset/springs.py */
 static const double springs__UNSETTLED = 1e-08;
-
-/* wheelset/trial.py */
-static const double trial__SHALLOWEST = 0.1;
-static const double trial__DEEPEST = 0.002;
 
 /* wheelset/vertical_load.py */
 static const double vertical_load__LOAD_MET = 1e-09;

@@ -17,21 +17,6 @@ static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_
 static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double station);
 static OUT_OF_LINE bool curves__move_across(array_double_1d tables, array_double_1d work, int64_t pair, double lateral);
 
-/* contact/deep_points.py */
-static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, int64_t meeting);
-static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work);
-static OUT_OF_LINE bool deep_points__is_listed(array_double_1d work, double x);
-static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work);
-static OUT_OF_LINE double deep_points__fallen(array_double_1d tables, array_double_1d work, int64_t pair, int64_t point);
-static OUT_OF_LINE int64_t deep_points__last_touched(array_double_1d tables, array_double_1d work, int64_t pair);
-static OUT_OF_LINE int64_t deep_points__keep_deepest(array_double_1d work);
-static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64_t entry);
-static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t entry);
-static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d tables, array_double_1d work, int64_t pair);
-static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kept);
-static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height);
-static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height);
-
 /* contact/frame.py */
 static inline void frame__open_frame(double* z_out, double* slope_out, double* y_track_out, double* rail_slope_out, double* mismatch_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double aside, double shift);
 static inline void frame__normal_gap(double* gap_out, double* out_1, double* out_2, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
@@ -66,23 +51,38 @@ static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, a
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 
-/* contact/pressed.py */
-static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance);
-static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend);
-static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
-static inline double pressed__met_curvature(array_double_1d tables, array_double_1d work, int64_t pair);
-static OUT_OF_LINE double pressed__limited(double step, double limit);
-static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign);
+/* contact/penetrated.py */
+static ALWAYS_INLINE bool penetrated__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance);
+static OUT_OF_LINE double penetrated__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend);
+static OUT_OF_LINE void penetrated__penetrated_gap(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
+static inline double penetrated__met_curvature(array_double_1d tables, array_double_1d work, int64_t pair);
+static OUT_OF_LINE double penetrated__limited(double step, double limit);
+static OUT_OF_LINE void penetrated__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign);
 
-/* contact/pressed_regions.py */
-static OUT_OF_LINE void pressed_regions__touching_shift(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point);
-static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap);
-static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration);
-static OUT_OF_LINE int64_t pressed_regions__raise_wheel(array_double_1d work, bool sunk);
-static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration);
-static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
-static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
-static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair);
+/* contact/penetrated_regions.py */
+static OUT_OF_LINE void penetrated_regions__touching_shift(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point);
+static OUT_OF_LINE int64_t penetrated_regions__lower_frame(array_double_1d work, double height, double depth, double gap);
+static OUT_OF_LINE int64_t penetrated_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration);
+static OUT_OF_LINE int64_t penetrated_regions__raise_wheel(array_double_1d work, bool sunk);
+static OUT_OF_LINE int64_t penetrated_regions__sink_deeper(array_double_1d work, int64_t count, double penetration);
+static OUT_OF_LINE int64_t penetrated_regions__open_penetrated_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
+static OUT_OF_LINE int64_t penetrated_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
+static OUT_OF_LINE int64_t penetrated_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair);
+
+/* contact/penetration_maxima.py */
+static OUT_OF_LINE int64_t penetration_maxima__append_point(array_double_1d work, double rail, int64_t meeting);
+static OUT_OF_LINE int64_t penetration_maxima__sort_last(array_double_1d work);
+static OUT_OF_LINE bool penetration_maxima__is_listed(array_double_1d work, double x);
+static OUT_OF_LINE int64_t penetration_maxima__deepest_entry(array_double_1d work);
+static OUT_OF_LINE double penetration_maxima__fallen(array_double_1d tables, array_double_1d work, int64_t pair, int64_t point);
+static OUT_OF_LINE int64_t penetration_maxima__last_touched(array_double_1d tables, array_double_1d work, int64_t pair);
+static OUT_OF_LINE int64_t penetration_maxima__keep_deepest(array_double_1d work);
+static OUT_OF_LINE int64_t penetration_maxima__remove_point(array_double_1d work, int64_t entry);
+static OUT_OF_LINE int64_t penetration_maxima__drop_point(array_double_1d work, int64_t entry);
+static OUT_OF_LINE int64_t penetration_maxima__merge_points(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline int64_t penetration_maxima__keep_points(array_double_1d work, int64_t kept);
+static inline int64_t penetration_maxima__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height);
+static inline int64_t penetration_maxima__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height);
 
 /* contact/separation.py */
 static OUT_OF_LINE void separation__vertical_rise(double* out_0, double* out_1, double* out_2, bool* exists_out, array_double_1d tables, array_double_1d work, int64_t pair, double station);
@@ -482,270 +482,6 @@ static OUT_OF_LINE bool curves__move_across(array_double_1d tables, array_double
 }
 
 
-/* ---- From contact/deep_points.py; change that one.
- *
- * The list of deepest points of the overlap, in the order of the rail, with the saddles between them.
- *
- * They are followed from one trial of an elastic wheelset to the next, which stands a few micrometres away: a
- * search for them costs as much as the rest of a trial.
- */
-
-/* List a deepest point at the end. */
-static OUT_OF_LINE int64_t deep_points__append_point(array_double_1d work, double rail, int64_t meeting)
-{
-    int64_t count, point;
-    count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    if (count < layout__DEEP_LIMIT)
-    {
-        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * count;
-        AT(work, point + layout__DEEP_POINT_RAIL) = rail;
-        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, meeting + layout__MEETING_WHEEL);
-        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, meeting + layout__MEETING_OVERLAP);
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)(count + 1);
-    }
-    return 0;
-}
-
-/* Bring the last point listed to its place along the rail. */
-static OUT_OF_LINE int64_t deep_points__sort_last(array_double_1d work)
-{
-    int64_t entry, i_1, point;
-    double rail, wheel, depth;
-    entry = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1;
-    rail = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL);
-    wheel = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_WHEEL);
-    depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH);
-    while (entry > 0 && rail < AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1) + layout__DEEP_POINT_RAIL))
-    {
-        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
-        {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1) + i_1);
-        }
-        entry -= 1;
-    }
-    point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-    AT(work, point + layout__DEEP_POINT_RAIL) = rail;
-    AT(work, point + layout__DEEP_POINT_WHEEL) = wheel;
-    AT(work, point + layout__DEEP_POINT_DEPTH) = depth;
-    return 0;
-}
-
-/* Whether the last point listed is at ``x`` [m] or beyond. */
-static OUT_OF_LINE bool deep_points__is_listed(array_double_1d work, double x)
-{
-    bool listed;
-    int64_t entry;
-    listed = false;
-    entry = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1;
-    if (entry >= 0)
-    {
-        if (x < AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL) + deep_points__SAME_POINT)
-        {
-            listed = true;
-        }
-    }
-    return listed;
-}
-
-/* The deepest of the list. */
-static OUT_OF_LINE int64_t deep_points__deepest_entry(array_double_1d work)
-{
-    int64_t best, entry, entry_end;
-    best = 0;
-    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    for (entry = 0; entry < entry_end; entry += 1)
-    {
-        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH) > AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * best + layout__DEEP_POINT_DEPTH))
-        {
-            best = entry;
-        }
-    }
-    return best;
-}
-
-/* How far the wheel has come down since it touched at a deepest point [m]. */
-static OUT_OF_LINE double deep_points__fallen(array_double_1d tables, array_double_1d work, int64_t pair, int64_t point)
-{
-    double z, slope;
-    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL));
-    return AT(work, point + layout__DEEP_POINT_DEPTH) * sqrt(1.0 + slope * slope);
-}
-
-/* The one of the list that was touched last.
- *
- * Not the least deep one: along its normal, a flange is less deep than a tread that was touched later.
- */
-static OUT_OF_LINE int64_t deep_points__last_touched(array_double_1d tables, array_double_1d work, int64_t pair)
-{
-    int64_t last, entry, entry_end;
-    double least, height;
-    last = 0;
-    least = deep_points__fallen(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
-    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    for (entry = 1; entry < entry_end; entry += 1)
-    {
-        height = deep_points__fallen(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry);
-        if (height < least)
-        {
-            last = entry;
-            least = height;
-        }
-    }
-    return last;
-}
-
-/* Leave only the deepest of the list, which then has no bounds. */
-static OUT_OF_LINE int64_t deep_points__keep_deepest(array_double_1d work)
-{
-    int64_t i_1;
-    for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
-    {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + i_1);
-    }
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)1;
-    return 0;
-}
-
-/* Take a point off the list with its own saddle. */
-static OUT_OF_LINE int64_t deep_points__remove_point(array_double_1d work, int64_t entry)
-{
-    int64_t count, i, i_1;
-    count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    for (i = entry; i < count - 1; i += 1)
-    {
-        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
-        {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * i + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (i + 1) + i_1);
-        }
-    }
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)(count - 1);
-    return 0;
-}
-
-/* Leave out a deepest point; of the saddles beside it the less deep one stays. */
-static OUT_OF_LINE int64_t deep_points__drop_point(array_double_1d work, int64_t entry)
-{
-    int64_t point, before;
-    if (entry > 0 && entry < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1)
-    {
-        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        before = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1);
-        if (AT(work, point + layout__DEEP_POINT_BETWEEN) < AT(work, before + layout__DEEP_POINT_BETWEEN))
-        {
-            AT(work, before + layout__DEEP_POINT_BETWEEN) = AT(work, point + layout__DEEP_POINT_BETWEEN);
-            AT(work, before + layout__DEEP_POINT_SADDLE) = AT(work, point + layout__DEEP_POINT_SADDLE);
-        }
-    }
-    deep_points__remove_point(work, entry);
-    return 0;
-}
-
-/* Join points with a low saddle between them, or hardly one, and keep REGION_LIMIT of them. */
-static OUT_OF_LINE int64_t deep_points__merge_points(array_double_1d tables, array_double_1d work, int64_t pair)
-{
-    double depth, lower;
-    int64_t entry, point, following, less;
-    depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH);
-    entry = 0;
-    while (entry < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1)
-    {
-        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1);
-        lower = double_min(AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, following + layout__DEEP_POINT_DEPTH));
-        if (depth - AT(work, point + layout__DEEP_POINT_BETWEEN) < deep_points__MERGE * depth || lower - AT(work, point + layout__DEEP_POINT_BETWEEN) < deep_points__LEAST_HUMP)
-        {
-            less = entry;
-            if (AT(work, point + layout__DEEP_POINT_DEPTH) > AT(work, following + layout__DEEP_POINT_DEPTH))
-            {
-                less = entry + 1;
-                /* the saddle between the two goes, the one on the far side stays */
-                AT(work, point + layout__DEEP_POINT_SADDLE) = AT(work, following + layout__DEEP_POINT_SADDLE);
-                AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, following + layout__DEEP_POINT_BETWEEN);
-            }
-            deep_points__remove_point(work, less);
-        }
-        else
-        {
-            entry += 1;
-        }
-    }
-    while ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > layout__REGION_LIMIT)
-    {
-        deep_points__drop_point(work, deep_points__last_touched(tables, work, pair));
-    }
-    return 0;
-}
-
-/* Note the deepest points on the list for the next trial. */
-static inline int64_t deep_points__keep_points(array_double_1d work, int64_t kept)
-{
-    int64_t entry, i_1, entry_end;
-    AT(work, kept + layout__DEEP_POINTS_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT));
-    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    for (entry = 0; entry < entry_end; entry += 1)
-    {
-        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
-        {
-            AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
-        }
-    }
-    return 0;
-}
-
-/* List the deepest points that ``kept`` ones have become under the wheel at ``place``, moved down by
- * ``height`` [m], with the saddles between them; their number, or 0 if one was lost or moved too far.
- */
-static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height)
-{
-    int64_t entry, point, i_1, entry_end, entry_end_2;
-    double x;
-    bool turned;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) = height;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)((int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT));
-    entry_end = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT);
-    for (entry = 0; entry < entry_end; entry += 1)
-    {
-        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
-        {
-            AT(work, point + i_1) = AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
-        }
-        x = AT(work, point + layout__DEEP_POINT_RAIL);
-        pressed__turning_point(&x, &turned, tables, work, pair, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, x, AT(work, point + layout__DEEP_POINT_WHEEL), height, 1.0);
-        if (!turned || !(AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0))
-        {
-            return 0;
-        }
-        AT(work, point + layout__DEEP_POINT_RAIL) = x;
-        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
-        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
-    }
-    entry_end_2 = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) - 1;
-    for (entry = 0; entry < entry_end_2; entry += 1)
-    {
-        deep_points__follow_saddle(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1), height);
-    }
-    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-}
-
-/* Find the saddle between two neighbouring points from where it was. */
-static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height)
-{
-    double y, reach, x;
-    bool turned;
-    y = 0.5 * (AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL));
-    reach = double_min(double_min(deep_points__FOLLOWED, AT(work, point + layout__DEEP_POINT_SADDLE) - AT(work, point + layout__DEEP_POINT_RAIL)), AT(work, following + layout__DEEP_POINT_RAIL) - AT(work, point + layout__DEEP_POINT_SADDLE));
-    pressed__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_SADDLE) - reach, AT(work, point + layout__DEEP_POINT_SADDLE) + reach, AT(work, point + layout__DEEP_POINT_SADDLE), y, height, -1.0);
-    if (!turned)
-    {
-        pressed__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), 0.5 * (AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL)), y, height, -1.0);
-    }
-    AT(work, point + layout__DEEP_POINT_SADDLE) = x;
-    AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
-    return 0;
-}
-
-
 /* ---- From contact/frame.py; change that one.
  *
  * The frame of a contact: its plane, the gap of wheel and rail along the plane's normal, and the region
@@ -1076,7 +812,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > 0)
     {
         overlaps__find_saddles(tables, work, pair, place);
-        deep_points__merge_points(tables, work, pair);
+        penetration_maxima__merge_points(tables, work, pair);
     }
     return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
 }
@@ -1195,7 +931,7 @@ static OUT_OF_LINE int64_t overlaps__measure_rise(array_double_1d tables, array_
     double z_rail, slope;
     AT(work, point + layout__RISE_POINT_RISE) = 0.0;
     AT(work, point + layout__RISE_POINT_RATE) = 0.0;
-    if (pressed__meet_wheel(tables, work, pair, place, AT(work, point + layout__RISE_POINT_X), y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), pressed__NODE_SHARP))
+    if (penetrated__meet_wheel(tables, work, pair, place, AT(work, point + layout__RISE_POINT_X), y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), penetrated__NODE_SHARP))
     {
         tables__height_slope(&z_rail, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__RISE_POINT_X));
         AT(work, point + layout__RISE_POINT_RISE) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_RISE);
@@ -1240,10 +976,10 @@ static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, arr
 {
     double rail;
     bool turned;
-    pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
-    if (turned && AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0 && !deep_points__is_listed(work, rail))
+    penetrated__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
+    if (turned && AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0 && !penetration_maxima__is_listed(work, rail))
     {
-        deep_points__append_point(work, rail, place + layout__PLACE_MEETING);
+        penetration_maxima__append_point(work, rail, place + layout__PLACE_MEETING);
     }
     return turned;
 }
@@ -1310,7 +1046,7 @@ static OUT_OF_LINE double overlaps__bracket_end(array_double_1d tables, array_do
         {
             return AT(tables, rail + layout__PROFILE_STOP);
         }
-        if (!pressed__meet_wheel(tables, work, pair, place, x, y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), pressed__LINE_SHARP))
+        if (!penetrated__meet_wheel(tables, work, pair, place, x, y, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), penetrated__LINE_SHARP))
         {
             break;
         }
@@ -1499,11 +1235,11 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d ta
     locus__outline_point(&y_track, &z_track, &outline_slope, work, place, AT(work, side + layout__SIDE_SEARCH_BEST_Y), z, slope);
     x = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
     meeting = place + layout__PLACE_MEETING;
-    found = pressed__meet_wheel(tables, work, pair, place, x, AT(work, side + layout__SIDE_SEARCH_BEST_Y), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), pressed__LINE_SHARP);
+    found = penetrated__meet_wheel(tables, work, pair, place, x, AT(work, side + layout__SIDE_SEARCH_BEST_Y), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), penetrated__LINE_SHARP);
     deepest = 0.0;
     if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > 0)
     {
-        deepest = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + layout__DEEP_POINT_DEPTH);
+        deepest = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work) + layout__DEEP_POINT_DEPTH);
     }
     if (found && AT(work, meeting + layout__MEETING_OVERLAP) > deepest)
     {
@@ -1516,7 +1252,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d ta
         while (AT(work, meeting + layout__MEETING_RISE) * step > 0.0 && fabs(far - x) < overlaps__FAR_STEP && found)
         {
             far += step;
-            found = pressed__meet_wheel(tables, work, pair, place, far, AT(work, meeting + layout__MEETING_WHEEL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), pressed__LINE_SHARP);
+            found = penetrated__meet_wheel(tables, work, pair, place, far, AT(work, meeting + layout__MEETING_WHEEL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), penetrated__LINE_SHARP);
             step *= 2.0;
         }
         low = x;
@@ -1526,11 +1262,11 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d ta
             low = far;
             high = x;
         }
-        pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), AT(work, side + layout__SIDE_SEARCH_BEST_Y), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
+        penetrated__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), AT(work, side + layout__SIDE_SEARCH_BEST_Y), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
         if (turned && AT(work, meeting + layout__MEETING_OVERLAP) > deepest)
         {
-            deep_points__append_point(work, rail, meeting);
-            deep_points__sort_last(work);
+            penetration_maxima__append_point(work, rail, meeting);
+            penetration_maxima__sort_last(work);
         }
     }
     return 0;
@@ -1547,7 +1283,7 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1);
-        pressed__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), 0.5 * (AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL)), 0.5 * (AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL)), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), -1.0);
+        penetrated__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), 0.5 * (AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL)), 0.5 * (AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL)), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), -1.0);
         AT(work, point + layout__DEEP_POINT_SADDLE) = x;
         AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
     }
@@ -1555,7 +1291,7 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_
 }
 
 
-/* ---- From contact/pressed.py; change that one.
+/* ---- From contact/penetrated.py; change that one.
  *
  * The overlap of a wheel that is pressed into its rail, along the rail's own normals.
  *
@@ -1586,7 +1322,7 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_
 /* Whether the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and moved down by
  * ``height``, sought from ``y`` to ``tolerance`` [m]; where is the place's ``meeting``.
  */
-static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance)
+static ALWAYS_INLINE bool penetrated__meet_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double abscissa, double y, double height, double tolerance)
 {
     int64_t meeting, wheel, i;
     double z_rail, m, rail_bend, cosine, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, along, move, sharp, overlap, rise, wheel_cos, wheel_kappa, steep, rest, turn;
@@ -1596,7 +1332,7 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
     tables__height_slope_bend(&z_rail, &m, &rail_bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
     cosine = 1.0 / sqrt(1.0 + m * m);
     kappa = rail_bend * cosine * cosine * cosine;
-    for (i = 0; i < pressed__LINE_ITERATIONS; i += 1)
+    for (i = 0; i < penetrated__LINE_ITERATIONS; i += 1)
     {
         tables__height_slope_bend(&z, &slope, &bend, tables, wheel, y);
         locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, y, z, slope, bend);
@@ -1610,14 +1346,14 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
         }
         move = -residual / along;
         sharp = tolerance;
-        if (i == pressed__LINE_ITERATIONS - 1 && sharp < pressed__LINE_JOINT)
+        if (i == penetrated__LINE_ITERATIONS - 1 && sharp < penetrated__LINE_JOINT)
         {
-            sharp = pressed__LINE_JOINT;
+            sharp = penetrated__LINE_JOINT;
         }
         if (fabs(move) < sharp)
         {
             overlap = (down - m * across) * cosine;
-            if (!(fabs(overlap) < pressed__FARTHEST && y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
+            if (!(fabs(overlap) < penetrated__FARTHEST && y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
             {
                 return false;
             }
@@ -1639,7 +1375,7 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
             AT(work, meeting + layout__MEETING_RAIL_SLOPE) = m;
             return true;
         }
-        move = double_max(double_min(move, pressed__LINE_STEP), -pressed__LINE_STEP);
+        move = double_max(double_min(move, penetrated__LINE_STEP), -penetrated__LINE_STEP);
         y += move;
         if (!(y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
         {
@@ -1655,7 +1391,7 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
  * With yaw it is part of the longitudinal curvature; taken at a point, it would jump when a profile's joint
  * passes a node.
  */
-static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend)
+static OUT_OF_LINE double penetrated__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend)
 {
     double blur, low, high, z, low_slope, high_slope;
     int64_t wheel;
@@ -1677,7 +1413,7 @@ static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_doubl
 /* How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
  * [m], with its derivatives [-, 1/m]: as ``normal_gap``, for the open frame of a pressed wheel.
  */
-static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station)
+static OUT_OF_LINE void penetrated__penetrated_gap(double* gap_out, double* rate_out, double* bend_out, array_double_1d tables, array_double_1d work, int64_t pair, double station)
 {
     int64_t rail, trace, meeting;
     double way, abscissa, gap, rate, bend, estimate;
@@ -1692,13 +1428,13 @@ static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, 
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
-        if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, estimate, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP))
+        if (penetrated__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, estimate, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), penetrated__NODE_SHARP))
         {
             meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
             gap = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) - AT(work, meeting + layout__MEETING_OVERLAP);
             rate = -AT(work, meeting + layout__MEETING_RISE);
             bend = -AT(work, meeting + layout__MEETING_RATE);
-            if (fabs(way) > pressed__LEAST_WAY)
+            if (fabs(way) > penetrated__LEAST_WAY)
             {
                 AT(work, trace + layout__TRACE_RATE) = (AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA)) / way;
             }
@@ -1713,15 +1449,15 @@ static OUT_OF_LINE void pressed__pressed_gap(double* gap_out, double* rate_out, 
 }
 
 /* The wheel's 1/R_x [1/m] at the point that a separation was last measured to. */
-static inline double pressed__met_curvature(array_double_1d tables, array_double_1d work, int64_t pair)
+static inline double penetrated__met_curvature(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t meeting;
     meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
-    return curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), pressed__mean_bend(tables, work, pair, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND)));
+    return curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), penetrated__mean_bend(tables, work, pair, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND)));
 }
 
 /* ``step``, no longer than ``limit`` either way. */
-static OUT_OF_LINE double pressed__limited(double step, double limit)
+static OUT_OF_LINE double penetrated__limited(double step, double limit)
 {
     step = double_max(double_min(step, limit), -limit);
     return step;
@@ -1735,7 +1471,7 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
  * slope, the bracket is halved.  After a step of some millimetres the wheel may not be met from where it was
  * before; half of the step is tried then.
  */
-static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
+static OUT_OF_LINE void penetrated__turning_point(double* x_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
 {
     int64_t meeting, i;
     double before, met, following, z_rail, slope, rail_bend, stretch, kappa, rate, move, rise;
@@ -1745,10 +1481,10 @@ static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array
     moved_low = false;
     moved_high = false;
     met = x;
-    for (i = 0; i < pressed__DEEP_ITERATIONS; i += 1)
+    for (i = 0; i < penetrated__DEEP_ITERATIONS; i += 1)
     {
         following = 0.5 * (x + met);
-        if (pressed__meet_wheel(tables, work, pair, place, x, y, height, pressed__LINE_SHARP))
+        if (penetrated__meet_wheel(tables, work, pair, place, x, y, height, penetrated__LINE_SHARP))
         {
             y = AT(work, meeting + layout__MEETING_WHEEL);
             met = x;
@@ -1771,7 +1507,7 @@ static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array
             if (sign * rate < 0.0)
             {
                 move = -AT(work, meeting + layout__MEETING_RISE) / (rate * stretch);
-                if (fabs(move) < pressed__DEEP_SHARP)
+                if (fabs(move) < penetrated__DEEP_SHARP)
                 {
                     break;
                 }
@@ -1780,13 +1516,13 @@ static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array
                     following = x + move;
                 }
             }
-            if (fabs(following - x) < pressed__DEEP_SHARP)
+            if (fabs(following - x) < penetrated__DEEP_SHARP)
             {
                 break;
             }
             before = fabs(AT(work, meeting + layout__MEETING_RISE));
         }
-        else if (fabs(x - met) < pressed__DEEP_SHARP)
+        else if (fabs(x - met) < penetrated__DEEP_SHARP)
         {
             *x_out = x;
             *out_1 = false;
@@ -1796,17 +1532,17 @@ static OUT_OF_LINE void pressed__turning_point(double* x_out, bool* out_1, array
     }
     rise = fabs(AT(work, meeting + layout__MEETING_RISE));
     *x_out = x;
-    *out_1 = rise < pressed__ZERO_RISE || (rise < pressed__LEVEL_RISE && moved_low && moved_high);
+    *out_1 = rise < penetrated__ZERO_RISE || (rise < penetrated__LEVEL_RISE && moved_low && moved_high);
 }
 
 
-/* ---- From contact/pressed_regions.py; change that one.
+/* ---- From contact/penetrated_regions.py; change that one.
  *
  * The regions of a pressed wheel, from its overlaps: each has a frame of its own at its deepest point.
  */
 
 /* Lateral and vertical shift [m] that let the wheel just touch at a deepest point. */
-static OUT_OF_LINE void pressed_regions__touching_shift(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point)
+static OUT_OF_LINE void penetrated_regions__touching_shift(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point)
 {
     double z, slope, y_track, z_track, outline_slope, z_rail, m;
     tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, point + layout__DEEP_POINT_WHEEL));
@@ -1819,7 +1555,7 @@ static OUT_OF_LINE void pressed_regions__touching_shift(double* out_0, double* o
 /* Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own
  * gap is ``gap`` [m].
  */
-static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, double height, double depth, double gap)
+static OUT_OF_LINE int64_t penetrated_regions__lower_frame(array_double_1d work, double height, double depth, double gap)
 {
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = height;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = depth;
@@ -1831,13 +1567,13 @@ static OUT_OF_LINE int64_t pressed_regions__press_frame(array_double_1d work, do
 /* Press the wheel of the open frame, which just touches, straight down until its contact point is
  * ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail.
  */
-static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration)
+static OUT_OF_LINE int64_t penetrated_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration)
 {
     double height;
     int64_t count;
     height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) + penetration / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     count = overlaps__find_overlaps(tables, work, pair, side, height);
-    pressed_regions__press_frame(work, height, penetration, 0.0);
+    penetrated_regions__lower_frame(work, height, penetration, 0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)true;
     return count;
 }
@@ -1845,7 +1581,7 @@ static OUT_OF_LINE int64_t pressed_regions__sink_wheel(array_double_1d tables, a
 /* Let the open frame be as it was opened, or pressed, before regions were laid for it: of a wheel that
  * was ``sunk`` that of a wheel that just touches.
  */
-static OUT_OF_LINE int64_t pressed_regions__raise_wheel(array_double_1d work, bool sunk)
+static OUT_OF_LINE int64_t penetrated_regions__raise_wheel(array_double_1d work, bool sunk)
 {
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
     if (sunk)
@@ -1863,12 +1599,12 @@ static OUT_OF_LINE int64_t pressed_regions__raise_wheel(array_double_1d work, bo
  *
  * The regions stay: their deepest points move by less than what counts.
  */
-static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, int64_t count, double penetration)
+static OUT_OF_LINE int64_t penetrated_regions__sink_deeper(array_double_1d work, int64_t count, double penetration)
 {
     double height;
     int64_t i_1, index, region, i_2, i_3, i_4;
     height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) + penetration / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    pressed_regions__press_frame(work, height, penetration, 0.0);
+    penetrated_regions__lower_frame(work, height, penetration, 0.0);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
@@ -1880,7 +1616,7 @@ static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, in
         {
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2);
         }
-        pressed_regions__press_frame(work, height, AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP), AT(work, region + layout__REGION_GAP));
+        penetrated_regions__lower_frame(work, height, AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP), AT(work, region + layout__REGION_GAP));
         for (i_3 = 0; i_3 < layout__FRAME_SIZE; i_3 += 1)
         {
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
@@ -1894,7 +1630,7 @@ static OUT_OF_LINE int64_t pressed_regions__sink_deeper(array_double_1d work, in
 }
 
 /* Start a region at a deepest point, inclined as the rail there. */
-static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
+static OUT_OF_LINE int64_t penetrated_regions__open_penetrated_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
 {
     double z_rail, m;
     AT(work, region + layout__REGION_STATION) = 0.0;
@@ -1909,7 +1645,7 @@ static OUT_OF_LINE int64_t pressed_regions__open_pressed_region(array_double_1d 
 /* Open the frame of a region beside the contact point's, whose frame is open; what it gets of the
  * approach follows from both inclinations.
  */
-static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
+static OUT_OF_LINE int64_t penetrated_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
 {
     double cosine, abscissa, height, depth, aside, shift, unread, unread_2, unread_3, unread_4, unread_5;
     bool sunk;
@@ -1918,13 +1654,13 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
     height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT);
     depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     sunk = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0;
-    pressed_regions__touching_shift(&aside, &shift, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
+    penetrated_regions__touching_shift(&aside, &shift, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
     frame__open_frame(&unread, &unread_2, &unread_3, &unread_4, &unread_5, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, point + layout__DEEP_POINT_WHEEL), aside, shift);
     AT(work, region + layout__REGION_OWN) = (double)true;
     AT(work, region + layout__REGION_ALIGNMENT) = AT(work, region + layout__REGION_COS) / cosine;
     AT(work, region + layout__REGION_GAP) = AT(work, region + layout__REGION_ALIGNMENT) * depth - AT(work, point + layout__DEEP_POINT_DEPTH);
     AT(work, region + layout__REGION_OFFSET) = curves__rail_length(tables, pair, abscissa, AT(work, point + layout__DEEP_POINT_RAIL));
-    pressed_regions__press_frame(work, height, AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP));
+    penetrated_regions__lower_frame(work, height, AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)sunk;
     return 0;
 }
@@ -1933,12 +1669,12 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
  * frame is that of the deepest, whose share of the approach counts as one, or of a sunk wheel that of the
  * point where it just touched.
  */
-static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair)
+static OUT_OF_LINE int64_t penetrated_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t count, contact, i_1, index, region, point, i_2, i_3;
     double gap, rate, bend;
     count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    contact = deep_points__deepest_entry(work);
+    contact = penetration_maxima__deepest_entry(work);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
@@ -1947,18 +1683,18 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
-        pressed_regions__open_pressed_region(tables, work, pair, region, point);
+        penetrated_regions__open_penetrated_region(tables, work, pair, region, point);
         if (index != contact || AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
         {
-            pressed_regions__give_own_frame(tables, work, pair, region, point);
+            penetrated_regions__give_own_frame(tables, work, pair, region, point);
         }
         traces__start_traces(work, 0.0, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL));
-        pressed__pressed_gap(&gap, &rate, &bend, tables, work, pair, 0.0);
+        penetrated__penetrated_gap(&gap, &rate, &bend, tables, work, pair, 0.0);
         AT(work, region + layout__REGION_BEND) = bend;
-        AT(work, region + layout__REGION_CURVATURE) = pressed__NOT_MET;
+        AT(work, region + layout__REGION_CURVATURE) = penetrated__NOT_MET;
         if (gap < frame__NO_GAP)
         {
-            AT(work, region + layout__REGION_CURVATURE) = pressed__met_curvature(tables, work, pair);
+            AT(work, region + layout__REGION_CURVATURE) = penetrated__met_curvature(tables, work, pair);
         }
         AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
         AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
@@ -1984,6 +1720,270 @@ static OUT_OF_LINE int64_t pressed_regions__gather_overlaps(array_double_1d tabl
         frame__locate_along_track(tables, work, pair, count);
     }
     return count;
+}
+
+
+/* ---- From contact/penetration_maxima.py; change that one.
+ *
+ * The list of deepest points of the overlap, in the order of the rail, with the saddles between them.
+ *
+ * They are followed from one trial of an elastic wheelset to the next, which stands a few micrometres away: a
+ * search for them costs as much as the rest of a trial.
+ */
+
+/* List a deepest point at the end. */
+static OUT_OF_LINE int64_t penetration_maxima__append_point(array_double_1d work, double rail, int64_t meeting)
+{
+    int64_t count, point;
+    count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    if (count < layout__DEEP_LIMIT)
+    {
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * count;
+        AT(work, point + layout__DEEP_POINT_RAIL) = rail;
+        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, meeting + layout__MEETING_WHEEL);
+        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, meeting + layout__MEETING_OVERLAP);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)(count + 1);
+    }
+    return 0;
+}
+
+/* Bring the last point listed to its place along the rail. */
+static OUT_OF_LINE int64_t penetration_maxima__sort_last(array_double_1d work)
+{
+    int64_t entry, i_1, point;
+    double rail, wheel, depth;
+    entry = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1;
+    rail = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL);
+    wheel = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_WHEEL);
+    depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH);
+    while (entry > 0 && rail < AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1) + layout__DEEP_POINT_RAIL))
+    {
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
+        {
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1) + i_1);
+        }
+        entry -= 1;
+    }
+    point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+    AT(work, point + layout__DEEP_POINT_RAIL) = rail;
+    AT(work, point + layout__DEEP_POINT_WHEEL) = wheel;
+    AT(work, point + layout__DEEP_POINT_DEPTH) = depth;
+    return 0;
+}
+
+/* Whether the last point listed is at ``x`` [m] or beyond. */
+static OUT_OF_LINE bool penetration_maxima__is_listed(array_double_1d work, double x)
+{
+    bool listed;
+    int64_t entry;
+    listed = false;
+    entry = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1;
+    if (entry >= 0)
+    {
+        if (x < AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_RAIL) + penetration_maxima__SAME_POINT)
+        {
+            listed = true;
+        }
+    }
+    return listed;
+}
+
+/* The deepest of the list. */
+static OUT_OF_LINE int64_t penetration_maxima__deepest_entry(array_double_1d work)
+{
+    int64_t best, entry, entry_end;
+    best = 0;
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
+    {
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + layout__DEEP_POINT_DEPTH) > AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * best + layout__DEEP_POINT_DEPTH))
+        {
+            best = entry;
+        }
+    }
+    return best;
+}
+
+/* How far the wheel has come down since it touched at a deepest point [m]. */
+static OUT_OF_LINE double penetration_maxima__fallen(array_double_1d tables, array_double_1d work, int64_t pair, int64_t point)
+{
+    double z, slope;
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL));
+    return AT(work, point + layout__DEEP_POINT_DEPTH) * sqrt(1.0 + slope * slope);
+}
+
+/* The one of the list that was touched last.
+ *
+ * Not the least deep one: along its normal, a flange is less deep than a tread that was touched later.
+ */
+static OUT_OF_LINE int64_t penetration_maxima__last_touched(array_double_1d tables, array_double_1d work, int64_t pair)
+{
+    int64_t last, entry, entry_end;
+    double least, height;
+    last = 0;
+    least = penetration_maxima__fallen(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS);
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (entry = 1; entry < entry_end; entry += 1)
+    {
+        height = penetration_maxima__fallen(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry);
+        if (height < least)
+        {
+            last = entry;
+            least = height;
+        }
+    }
+    return last;
+}
+
+/* Leave only the deepest of the list, which then has no bounds. */
+static OUT_OF_LINE int64_t penetration_maxima__keep_deepest(array_double_1d work)
+{
+    int64_t i_1;
+    for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
+    {
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work) + i_1);
+    }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)1;
+    return 0;
+}
+
+/* Take a point off the list with its own saddle. */
+static OUT_OF_LINE int64_t penetration_maxima__remove_point(array_double_1d work, int64_t entry)
+{
+    int64_t count, i, i_1;
+    count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (i = entry; i < count - 1; i += 1)
+    {
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
+        {
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * i + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (i + 1) + i_1);
+        }
+    }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)(count - 1);
+    return 0;
+}
+
+/* Leave out a deepest point; of the saddles beside it the less deep one stays. */
+static OUT_OF_LINE int64_t penetration_maxima__drop_point(array_double_1d work, int64_t entry)
+{
+    int64_t point, before;
+    if (entry > 0 && entry < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1)
+    {
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        before = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry - 1);
+        if (AT(work, point + layout__DEEP_POINT_BETWEEN) < AT(work, before + layout__DEEP_POINT_BETWEEN))
+        {
+            AT(work, before + layout__DEEP_POINT_BETWEEN) = AT(work, point + layout__DEEP_POINT_BETWEEN);
+            AT(work, before + layout__DEEP_POINT_SADDLE) = AT(work, point + layout__DEEP_POINT_SADDLE);
+        }
+    }
+    penetration_maxima__remove_point(work, entry);
+    return 0;
+}
+
+/* Join points with a low saddle between them, or hardly one, and keep REGION_LIMIT of them. */
+static OUT_OF_LINE int64_t penetration_maxima__merge_points(array_double_1d tables, array_double_1d work, int64_t pair)
+{
+    double depth, lower;
+    int64_t entry, point, following, less;
+    depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work) + layout__DEEP_POINT_DEPTH);
+    entry = 0;
+    while (entry < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1)
+    {
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1);
+        lower = double_min(AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, following + layout__DEEP_POINT_DEPTH));
+        if (depth - AT(work, point + layout__DEEP_POINT_BETWEEN) < penetration_maxima__MERGE * depth || lower - AT(work, point + layout__DEEP_POINT_BETWEEN) < penetration_maxima__LEAST_HUMP)
+        {
+            less = entry;
+            if (AT(work, point + layout__DEEP_POINT_DEPTH) > AT(work, following + layout__DEEP_POINT_DEPTH))
+            {
+                less = entry + 1;
+                /* the saddle between the two goes, the one on the far side stays */
+                AT(work, point + layout__DEEP_POINT_SADDLE) = AT(work, following + layout__DEEP_POINT_SADDLE);
+                AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, following + layout__DEEP_POINT_BETWEEN);
+            }
+            penetration_maxima__remove_point(work, less);
+        }
+        else
+        {
+            entry += 1;
+        }
+    }
+    while ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > layout__REGION_LIMIT)
+    {
+        penetration_maxima__drop_point(work, penetration_maxima__last_touched(tables, work, pair));
+    }
+    return 0;
+}
+
+/* Note the deepest points on the list for the next trial. */
+static inline int64_t penetration_maxima__keep_points(array_double_1d work, int64_t kept)
+{
+    int64_t entry, i_1, entry_end;
+    AT(work, kept + layout__DEEP_POINTS_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT));
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
+    {
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
+        {
+            AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
+        }
+    }
+    return 0;
+}
+
+/* List the deepest points that ``kept`` ones have become under the wheel at ``place``, moved down by
+ * ``height`` [m], with the saddles between them; their number, or 0 if one was lost or moved too far.
+ */
+static inline int64_t penetration_maxima__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height)
+{
+    int64_t entry, point, i_1, entry_end, entry_end_2;
+    double x;
+    bool turned;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) = height;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)((int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT));
+    entry_end = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
+    {
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
+        {
+            AT(work, point + i_1) = AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
+        }
+        x = AT(work, point + layout__DEEP_POINT_RAIL);
+        penetrated__turning_point(&x, &turned, tables, work, pair, place, x - penetration_maxima__FOLLOWED, x + penetration_maxima__FOLLOWED, x, AT(work, point + layout__DEEP_POINT_WHEEL), height, 1.0);
+        if (!turned || !(AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0))
+        {
+            return 0;
+        }
+        AT(work, point + layout__DEEP_POINT_RAIL) = x;
+        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
+        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
+    }
+    entry_end_2 = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) - 1;
+    for (entry = 0; entry < entry_end_2; entry += 1)
+    {
+        penetration_maxima__follow_saddle(tables, work, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1), height);
+    }
+    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+}
+
+/* Find the saddle between two neighbouring points from where it was. */
+static inline int64_t penetration_maxima__follow_saddle(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point, int64_t following, double height)
+{
+    double y, reach, x;
+    bool turned;
+    y = 0.5 * (AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL));
+    reach = double_min(double_min(penetration_maxima__FOLLOWED, AT(work, point + layout__DEEP_POINT_SADDLE) - AT(work, point + layout__DEEP_POINT_RAIL)), AT(work, following + layout__DEEP_POINT_RAIL) - AT(work, point + layout__DEEP_POINT_SADDLE));
+    penetrated__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_SADDLE) - reach, AT(work, point + layout__DEEP_POINT_SADDLE) + reach, AT(work, point + layout__DEEP_POINT_SADDLE), y, height, -1.0);
+    if (!turned)
+    {
+        penetrated__turning_point(&x, &turned, tables, work, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), 0.5 * (AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL)), y, height, -1.0);
+    }
+    AT(work, point + layout__DEEP_POINT_SADDLE) = x;
+    AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
+    return 0;
 }
 
 
@@ -2133,7 +2133,7 @@ static inline void separation__separation_jet(double* gap_out, double* rate_out,
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        pressed__pressed_gap(&gap, &rate, &bend, tables, work, pair, station);
+        penetrated__penetrated_gap(&gap, &rate, &bend, tables, work, pair, station);
     }
     else
     {
@@ -2149,10 +2149,10 @@ static inline void separation__separation(double* gap_out, double* rate_out, dou
 {
     double gap, rate, bend, curvature;
     separation__separation_jet(&gap, &rate, &bend, tables, work, pair, station, tolerance);
-    curvature = pressed__NOT_MET;
+    curvature = penetrated__NOT_MET;
     if (gap < frame__NO_GAP || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
-        curvature = pressed__met_curvature(tables, work, pair);
+        curvature = penetrated__met_curvature(tables, work, pair);
     }
     *gap_out = gap;
     *rate_out = rate;
@@ -2567,7 +2567,7 @@ static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables
     change = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + (entry + 1)) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP) - AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry);
     /* a foot may lie beyond the chord's ends */
     rest = AT(tables, node + layout__SCAN_NODE_DEPARTURE) + length * (0.2 * length * AT(tables, rail + layout__RAIL_CELL_WAVE) + 0.4 * AT(tables, rail + layout__RAIL_CELL_KINKS));
-    rising_cell__departure_from_line(&departure, &slid, tables, work, place, node, rest);
+    single_minimum__departure_from_line(&departure, &slid, tables, work, place, node, rest);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE) = departure + (slid + aside / length) * fabs(change) + 2.0 * turning_cells__DEEPEST * fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP) * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
     return 0;
 }
@@ -2598,12 +2598,12 @@ static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables,
     low = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry);
     high = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + 1)) + AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + 1));
     slack = turning_cells__FOOT_SHARE * double_max(fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)), fabs(AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + 1))));
-    pressed__turning_point(&x, &turned, tables, work, pair, place, low - slack, high + slack, low + t * (high - low), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry) + t * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
+    penetrated__turning_point(&x, &turned, tables, work, pair, place, low - slack, high + slack, low + t * (high - low), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry) + t * AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT), 1.0);
     meeting = place + layout__PLACE_MEETING;
     turned = turned && AT(work, meeting + layout__MEETING_RATE) < 0.0;
-    if (turned && AT(work, meeting + layout__MEETING_OVERLAP) > 0.0 && !deep_points__is_listed(work, x))
+    if (turned && AT(work, meeting + layout__MEETING_OVERLAP) > 0.0 && !penetration_maxima__is_listed(work, x))
     {
-        deep_points__append_point(work, x, meeting);
+        penetration_maxima__append_point(work, x, meeting);
     }
     return turned;
 }

@@ -15,19 +15,19 @@ static inline double correction__on_cone(array_double_1d tables, int64_t table, 
 static inline double correction__on_line(array_double_1d tables, int64_t table, int64_t at, double on_radius);
 
 /* creep/coupled_strips.py */
-static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int64_t march, double shift, double width, double ratio);
-static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t march, double mean, double ratio);
-static inline double coupled_strips__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio);
+static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int64_t integration, double shift, double width, double ratio);
+static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t integration, double mean, double ratio);
+static inline double coupled_strips__spread_square(array_double_1d work, int64_t integration, double scale, double k, double ratio);
 static inline void coupled_strips__slip_depth(double* depth_out, double* weight_out, double square, double v, double k, double a);
 static inline double coupled_strips__later_share(double depth, double ratio);
-static inline double coupled_strips__edge_weight(array_double_1d work, int64_t march);
+static inline double coupled_strips__edge_weight(array_double_1d work, int64_t integration);
 static inline double coupled_strips__smooth_step(double z);
 static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline double coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline double coupled_strips__open_stick_zones(array_double_1d work, int64_t patch, double ratio);
 static inline void coupled_strips__flexibilities(double* out_0, double* out_1, array_double_1d work, int64_t patch);
-static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t march, int64_t strip, int64_t index);
-static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch);
+static inline int64_t coupled_strips__begin_integration(array_double_1d work, int64_t integration, int64_t strip, int64_t index);
+static inline int64_t coupled_strips__finish_integrations(array_double_1d work, int64_t patch);
 static inline double coupled_strips__lost_friction(array_double_1d work, int64_t patch);
 
 /* creep/creep_force.py */
@@ -43,17 +43,6 @@ static inline double creepage__velocity_along(array_double_1d work, int64_t moti
 static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x);
 static inline double creepage__approach_rate(array_double_1d work, int64_t motion, int64_t patch);
 
-/* creep/cut.py */
-static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch);
-static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch);
-static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch);
-static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop);
-static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch);
-static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch);
-static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
-static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch);
-static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch);
-
 /* creep/falling.py */
 static inline int64_t falling__open_falling(array_double_1d work, int64_t patch);
 static inline int64_t falling__find_shares(array_double_1d work, double x);
@@ -64,20 +53,20 @@ static inline int64_t falling__restore_slips(array_double_1d work);
 
 /* creep/fastrip.py */
 static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t patch);
-static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t march);
+static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t integration);
 static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t patch, int64_t strip);
-static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, double push, double lateral, double spin);
-static inline double fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip);
-static inline int64_t fastrip__open_stick(array_double_1d work, int64_t march);
-static inline int64_t fastrip__march_on(array_double_1d work, int64_t march, double x, double bound);
-static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t march, double bound);
-static inline void fastrip__stick_traction(double* out_0, double* out_1, array_double_1d work, int64_t march, double x, double bound);
+static inline int64_t fastrip__find_stick(array_double_1d work, int64_t integration, double push, double lateral, double spin);
+static inline double fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t integration, int64_t strip);
+static inline int64_t fastrip__open_stick(array_double_1d work, int64_t integration);
+static inline int64_t fastrip__integrate_on(array_double_1d work, int64_t integration, double x, double bound);
+static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t integration, double bound);
+static inline void fastrip__stick_traction(double* out_0, double* out_1, array_double_1d work, int64_t integration, double x, double bound);
 
 /* creep/fastsim.py */
 static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline void fastsim__stiffnesses(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t patch);
 static inline double fastsim__strip_push(array_double_1d work, int64_t patch, int64_t strip, double along, double turning);
-static inline void fastsim__march_strip(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning);
+static inline void fastsim__integrate_strip(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning);
 static inline double fastsim__sticking(double free_x, double free_y, double push_x, double push_y, double bound);
 
 /* creep/friction.py */
@@ -88,22 +77,6 @@ static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t
 static inline bool friction__is_frictional(double friction, double limit);
 static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t patch);
 static inline double friction__creep_gain(array_double_1d work, int64_t patch);
-
-/* creep/march.py */
-static inline int64_t march__open_marches(array_double_1d work, double ratio);
-static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int64_t number, double plane, double spinning, double ratio);
-static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number);
-static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number, int64_t last);
-static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, bool falls);
-static inline bool march__has_slip(array_double_1d work);
-static inline int64_t march__march_first(array_double_1d work, double x, double bound, double step);
-static inline int64_t march__march_second(array_double_1d work, double x, double bound, double step);
-static inline int64_t march__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound);
-static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound, double friction);
-static inline void march__stepped(double* out_0, double* out_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step);
-static inline void march__slip_traction(double* out_0, double* out_1, array_double_1d work, int64_t i, double bound);
-static inline int64_t march__note_largest(array_double_1d work, int64_t i, double p_x, double p_y);
-static inline double march__sqrt_of(double value);
 
 /* creep/motion.py */
 static inline bool motion__is_moderate(array_double_1d work, int64_t inputs);
@@ -132,6 +105,17 @@ static inline double polach__spin_share(double e);
 static inline int64_t polach__cut_force(array_double_1d work, int64_t patch);
 static inline double polach__largest_shear(array_double_1d work, int64_t patch);
 
+/* creep/rolling_strips.py */
+static inline int64_t rolling_strips__divide_into_strips(array_double_1d work, int64_t patch);
+static inline int64_t rolling_strips__clear_creep(array_double_1d work, int64_t patch);
+static inline int64_t rolling_strips__describe_ellipse(array_double_1d work, int64_t patch);
+static inline int64_t rolling_strips__divide_patch(array_double_1d work, int64_t patch, double start, double stop);
+static inline int64_t rolling_strips__divide_ellipse(array_double_1d work, int64_t patch);
+static inline int64_t rolling_strips__divide_strips(array_double_1d work, int64_t patch);
+static inline int64_t rolling_strips__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load);
+static inline int64_t rolling_strips__finish_strips(array_double_1d work, int64_t patch);
+static inline int64_t rolling_strips__plane_slips(array_double_1d work, int64_t patch);
+
 /* creep/stiffness.py */
 static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline int64_t stiffness__patch_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
@@ -148,6 +132,22 @@ static inline double stiffness__mean_share(double ratio);
 static inline int64_t stiffness__spread_turning(array_double_1d work, int64_t blocks, double share);
 static inline double stiffness__not_below(double value, double least);
 static inline void stiffness__stiffnesses_at(double* along_out, double* across_out, double* turning_out, array_double_1d work, int64_t blocks, int64_t index, double station);
+
+/* creep/traction_integration.py */
+static inline int64_t traction_integration__open_integrations(array_double_1d work, double ratio);
+static inline int64_t traction_integration__set_pushes(array_double_1d work, int64_t integration, int64_t number, double plane, double spinning, double ratio);
+static inline int64_t traction_integration__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t integration, int64_t number);
+static inline int64_t traction_integration__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t integration, int64_t number, int64_t last);
+static inline int64_t traction_integration__integrate_strips(array_double_1d tables, array_double_1d work, int64_t table, bool falls);
+static inline bool traction_integration__has_slip(array_double_1d work);
+static inline int64_t traction_integration__integrate_first(array_double_1d work, double x, double bound, double step);
+static inline int64_t traction_integration__integrate_second(array_double_1d work, double x, double bound, double step);
+static inline int64_t traction_integration__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound);
+static inline int64_t traction_integration__leave_edge(array_double_1d work, int64_t i, double x, double bound, double friction);
+static inline void traction_integration__stepped(double* out_0, double* out_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step);
+static inline void traction_integration__slip_traction(double* out_0, double* out_1, array_double_1d work, int64_t i, double bound);
+static inline int64_t traction_integration__note_largest(array_double_1d work, int64_t i, double p_x, double p_y);
+static inline double traction_integration__sqrt_of(double value);
 
 /* creep/tractions.py */
 static inline double tractions__shape_place(double axis_ratio);
@@ -180,7 +180,7 @@ static inline bool turning__is_at_jump(array_double_1d work);
 
 /* ---- From creep/correction.py; change that one.
  *
- * What the strips' force and stick share of an ellipse lack to those of the complete theory.
+ * Correction of the strip model: its error in force and stick share for an ellipse, against the complete theory.
  *
  * For the ellipse with the patch's area and length over width, r = a/b, the saturation
  *
@@ -402,7 +402,7 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  *
  * Coupled strips: creep force of any patch, strip by strip.
  *
- * Each strip has its stick zone and its slip zone (march.py), with the stiffness that it has beside the others
+ * Each strip has its stick zone and its slip zone (traction_integration.py), with the stiffness that it has beside the others
  * on one half-space (stiffness.py).  What an ellipse with the patch's area and length over width is known to
  * differ by from the complete theory comes to the sum (correction.py).  Sums over a strip:
  *
@@ -446,73 +446,73 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  */
 
 /* Depth and weight of a strip's stick zone as eq. (Z2) first has them, and the strip's share of linear
- * theory, into its march; its longitudinal creepage has a ``shift`` in it, ``width`` [m] is the strip's,
+ * theory, into its integration; its longitudinal creepage has a ``shift`` in it, ``width`` [m] is the strip's,
  * ``ratio`` the patch's a/b.
  */
-static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int64_t march, double shift, double width, double ratio)
+static inline int64_t coupled_strips__open_stick_zone(array_double_1d work, int64_t integration, double shift, double width, double ratio)
 {
     double a, inverse, depth, weight;
-    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    inverse = 1.0 / AT(work, march + layout__ROLLING_MARCH_RATE);
-    AT(work, march + layout__ROLLING_MARCH_STICK_X) = -AT(work, march + layout__ROLLING_MARCH_ALONG) * (AT(work, march + layout__ROLLING_MARCH_SLIP) + shift) * inverse;
-    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = -AT(work, march + layout__ROLLING_MARCH_ACROSS) * AT(work, march + layout__ROLLING_MARCH_LATERAL) * inverse;
-    AT(work, march + layout__ROLLING_MARCH_TWIST) = -AT(work, march + layout__ROLLING_MARCH_TURNING) * AT(work, march + layout__ROLLING_MARCH_SPIN) * inverse;
-    AT(work, march + layout__ROLLING_MARCH_SPREAD) = coupled_strips__spread_square(work, march, width * inverse, AT(work, march + layout__ROLLING_MARCH_TWIST), ratio);
-    coupled_strips__slip_depth(&depth, &weight, AT(work, march + layout__ROLLING_MARCH_STICK_X) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + AT(work, march + layout__ROLLING_MARCH_SPREAD), AT(work, march + layout__ROLLING_MARCH_STICK_Y), AT(work, march + layout__ROLLING_MARCH_TWIST), a);
-    AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
-    AT(work, march + layout__ROLLING_MARCH_WEIGHT) = weight;
+    a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    inverse = 1.0 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = -AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * (AT(work, integration + layout__STRIP_INTEGRATION_SLIP) + shift) * inverse;
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = -AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) * inverse;
+    AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = -AT(work, integration + layout__STRIP_INTEGRATION_TURNING) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) * inverse;
+    AT(work, integration + layout__STRIP_INTEGRATION_SPREAD) = coupled_strips__spread_square(work, integration, width * inverse, AT(work, integration + layout__STRIP_INTEGRATION_TWIST), ratio);
+    coupled_strips__slip_depth(&depth, &weight, AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + AT(work, integration + layout__STRIP_INTEGRATION_SPREAD), AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y), AT(work, integration + layout__STRIP_INTEGRATION_TWIST), a);
+    AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
+    AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = weight;
     if (depth < a)
     {
-        AT(work, march + layout__ROLLING_MARCH_CARRIED) = weight * (1.0 - 0.5 * depth / a);
+        AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) = weight * (1.0 - 0.5 * depth / a);
     }
     else
     {
-        AT(work, march + layout__ROLLING_MARCH_CARRIED) = weight * (0.5 * a / depth);
+        AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) = weight * (0.5 * a / depth);
     }
     return 0;
 }
 
-/* Depth, direction and weight of a strip's stick zone, into its march; ``mean`` is the patch's share of
+/* Depth, direction and weight of a strip's stick zone, into its integration; ``mean`` is the patch's share of
  * linear theory.
  */
-static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t march, double mean, double ratio)
+static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int64_t integration, double mean, double ratio)
 {
     double a, share, yielding, push, u, v, k, depth, weight;
-    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    share = coupled_strips__later_share(AT(work, march + layout__ROLLING_MARCH_DEPTH) / a, ratio);
-    yielding = coupled_strips__YIELD / (1.0 + coupled_strips__YIELD_TWIST * AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST));
-    push = share * (1.0 + yielding * (AT(work, march + layout__ROLLING_MARCH_CARRIED) - mean) / (double_max(AT(work, march + layout__ROLLING_MARCH_CARRIED), mean) + march__NOTHING));
-    u = push * AT(work, march + layout__ROLLING_MARCH_STICK_X);
-    v = push * AT(work, march + layout__ROLLING_MARCH_STICK_Y);
-    k = share * AT(work, march + layout__ROLLING_MARCH_TWIST);
-    coupled_strips__slip_depth(&depth, &weight, u * u + share * share * AT(work, march + layout__ROLLING_MARCH_SPREAD), v, k, a);
-    weight = double_min(weight, AT(work, march + layout__ROLLING_MARCH_WEIGHT));
-    AT(work, march + layout__ROLLING_MARCH_DEPTH) = a;
-    AT(work, march + layout__ROLLING_MARCH_WEIGHT) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
-    AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
-    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
+    a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    share = coupled_strips__later_share(AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / a, ratio);
+    yielding = coupled_strips__YIELD / (1.0 + coupled_strips__YIELD_TWIST * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST));
+    push = share * (1.0 + yielding * (AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) - mean) / (double_max(AT(work, integration + layout__STRIP_INTEGRATION_CARRIED), mean) + traction_integration__NOTHING));
+    u = push * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X);
+    v = push * AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y);
+    k = share * AT(work, integration + layout__STRIP_INTEGRATION_TWIST);
+    coupled_strips__slip_depth(&depth, &weight, u * u + share * share * AT(work, integration + layout__STRIP_INTEGRATION_SPREAD), v, k, a);
+    weight = double_min(weight, AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT));
+    AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = a;
+    AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = 0.0;
+    AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = k;
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = 0.0;
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = 0.0;
+    AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) = u;
+    AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) = v;
     if (weight > 0.0 && depth < a)
     {
-        AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
-        AT(work, march + layout__ROLLING_MARCH_STICK_X) = u / (depth + march__NOTHING);
-        AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v / (depth + march__NOTHING) + k;
-        AT(work, march + layout__ROLLING_MARCH_WEIGHT) = weight * coupled_strips__smooth_step((1.0 - depth / a) / coupled_strips__FADE) * coupled_strips__edge_weight(work, march);
+        AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
+        AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = u / (depth + traction_integration__NOTHING);
+        AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = v / (depth + traction_integration__NOTHING) + k;
+        AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = weight * coupled_strips__smooth_step((1.0 - depth / a) / coupled_strips__FADE) * coupled_strips__edge_weight(work, integration);
     }
-    AT(work, march + layout__ROLLING_MARCH_EDGE) = 2.0 * AT(work, march + layout__ROLLING_MARCH_DEPTH) - a;
+    AT(work, integration + layout__STRIP_INTEGRATION_EDGE) = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) - a;
     return 0;
 }
 
 /* s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m. */
-static inline double coupled_strips__spread_square(array_double_1d work, int64_t march, double scale, double k, double ratio)
+static inline double coupled_strips__spread_square(array_double_1d work, int64_t integration, double scale, double k, double ratio)
 {
     double over_width, twist, long_, floor;
-    over_width = AT(work, march + layout__ROLLING_MARCH_ALONG) * AT(work, march + layout__ROLLING_MARCH_SPIN) * scale;
+    over_width = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) * scale;
     twist = double_min(fabs(k), coupled_strips__FLOOR_TWIST);
     long_ = double_min(ratio / coupled_strips__FLOOR_RATIO, 1.0);
-    floor = coupled_strips__SPREAD_FLOOR * long_ * twist * twist * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    floor = coupled_strips__SPREAD_FLOOR * long_ * twist * twist * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     return over_width * over_width / 6.0 + floor * floor;
 }
 
@@ -532,11 +532,11 @@ static inline void coupled_strips__slip_depth(double* depth_out, double* weight_
         root = sqrt(spread);
         if (cross <= 0.0)
         {
-            depth = (square + v * v) / (root - cross + march__NOTHING);
+            depth = (square + v * v) / (root - cross + traction_integration__NOTHING);
             weight = 1.0;
             if (rest < 0.0)
             {
-                weight = coupled_strips__smooth_step(spread / (v * v + march__NOTHING));
+                weight = coupled_strips__smooth_step(spread / (v * v + traction_integration__NOTHING));
             }
         }
         else if (rest > 0.0)
@@ -567,15 +567,15 @@ static inline double coupled_strips__later_share(double depth, double ratio)
 }
 
 /* The second factor of eq. (Z5). */
-static inline double coupled_strips__edge_weight(array_double_1d work, int64_t march)
+static inline double coupled_strips__edge_weight(array_double_1d work, int64_t integration)
 {
     double weight, t, along, across;
     weight = 1.0;
-    if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
+    if (AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) > 1.0)
     {
-        t = sqrt(1.0 - AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-        along = AT(work, march + layout__ROLLING_MARCH_STICK_X) * (1.0 - t);
-        across = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * (1.0 - t) + AT(work, march + layout__ROLLING_MARCH_TWIST) * t;
+        t = sqrt(1.0 - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+        along = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * (1.0 - t);
+        across = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * (1.0 - t) + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * t;
         weight = 1.0 - coupled_strips__smooth_step(sqrt(along * along + across * across) - 1.0);
     }
     return weight;
@@ -616,10 +616,10 @@ static inline double coupled_strips__add_strips(array_double_1d work, array_doub
 {
     double ratio, plane, spinning, mean, stuck, share;
     bool falls;
-    int64_t i, march;
+    int64_t i, integration;
     ratio = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     coupled_strips__flexibilities(&plane, &spinning, work, patch);
-    march__open_marches(work, ratio);
+    traction_integration__open_integrations(work, ratio);
     mean = coupled_strips__open_stick_zones(work, patch, ratio);
     falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
     if (falls)
@@ -629,17 +629,17 @@ static inline double coupled_strips__add_strips(array_double_1d work, array_doub
     stuck = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
-        if (AT(work, march + layout__ROLLING_MARCH_RATE) > 0.0)
+        integration = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__STRIP_INTEGRATION_SIZE * i;
+        if (AT(work, integration + layout__STRIP_INTEGRATION_RATE) > 0.0)
         {
-            coupled_strips__find_stick_zone(work, march, mean, ratio);
-            march__set_pushes(work, march, i, plane, spinning, ratio);
-            march__set_stick(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), march, i);
-            stuck += 2.0 * (AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH)) * AT(work, march + layout__ROLLING_MARCH_WEIGHT) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
+            coupled_strips__find_stick_zone(work, integration, mean, ratio);
+            traction_integration__set_pushes(work, integration, i, plane, spinning, ratio);
+            traction_integration__set_stick(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), integration, i);
+            stuck += 2.0 * (AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH)) * AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    march__march_strips(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), falls);
-    coupled_strips__finish_marches(work, patch);
+    traction_integration__integrate_strips(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), falls);
+    coupled_strips__finish_integrations(work, patch);
     AT(work, patch + layout__PATCH_STICK_SHARE) = stuck / tractions__patch_area(work, patch);
     share = 1.0;
     if (falls)
@@ -653,24 +653,24 @@ static inline double coupled_strips__add_strips(array_double_1d work, array_doub
 static inline double coupled_strips__open_stick_zones(array_double_1d work, int64_t patch, double ratio)
 {
     double carried, whole, weight;
-    int64_t i, strip, march;
+    int64_t i, strip, integration;
     carried = 0.0;
     whole = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
-        AT(work, march + layout__ROLLING_MARCH_RATE) = tractions__bound_rate(work, patch, strip);
-        if (AT(work, march + layout__ROLLING_MARCH_RATE) > 0.0)
+        integration = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__STRIP_INTEGRATION_SIZE * i;
+        AT(work, integration + layout__STRIP_INTEGRATION_RATE) = tractions__bound_rate(work, patch, strip);
+        if (AT(work, integration + layout__STRIP_INTEGRATION_RATE) > 0.0)
         {
-            coupled_strips__begin_march(work, march, strip, i);
-            coupled_strips__open_stick_zone(work, march, AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT), AT(work, strip + layout__ROLLING_STRIP_WIDTH), ratio);
-            weight = AT(work, march + layout__ROLLING_MARCH_ALONG) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+            coupled_strips__begin_integration(work, integration, strip, i);
+            coupled_strips__open_stick_zone(work, integration, AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT), AT(work, strip + layout__ROLLING_STRIP_WIDTH), ratio);
+            weight = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
             whole += weight;
-            carried += weight * AT(work, march + layout__ROLLING_MARCH_CARRIED);
+            carried += weight * AT(work, integration + layout__STRIP_INTEGRATION_CARRIED);
         }
     }
-    return carried / (whole + march__NOTHING);
+    return carried / (whole + traction_integration__NOTHING);
 }
 
 /* i1/K1 and i3/K3 [1/m] of eq. (M3). */
@@ -693,23 +693,23 @@ static inline void coupled_strips__flexibilities(double* out_0, double* out_1, a
     *out_1 = 0.75 * M_PI * second / third;
 }
 
-/* Creepages and stiffnesses of a strip, into its ``march``. */
-static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t march, int64_t strip, int64_t index)
+/* Creepages and stiffnesses of a strip, into its ``integration``. */
+static inline int64_t coupled_strips__begin_integration(array_double_1d work, int64_t integration, int64_t strip, int64_t index)
 {
     double along, across, turning;
-    AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-    AT(work, march + layout__ROLLING_MARCH_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP);
-    AT(work, march + layout__ROLLING_MARCH_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
-    AT(work, march + layout__ROLLING_MARCH_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
+    AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+    AT(work, integration + layout__STRIP_INTEGRATION_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
+    AT(work, integration + layout__STRIP_INTEGRATION_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
     stiffness__stiffnesses_at(&along, &across, &turning, work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, index, AT(work, strip + layout__ROLLING_STRIP_STATION));
-    AT(work, march + layout__ROLLING_MARCH_ALONG) = along;
-    AT(work, march + layout__ROLLING_MARCH_ACROSS) = across;
-    AT(work, march + layout__ROLLING_MARCH_TURNING) = turning;
+    AT(work, integration + layout__STRIP_INTEGRATION_ALONG) = along;
+    AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) = across;
+    AT(work, integration + layout__STRIP_INTEGRATION_TURNING) = turning;
     return 0;
 }
 
 /* Add the strips' forces, eqs. (T1), (T2), and find the largest traction. */
-static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch)
+static inline int64_t coupled_strips__finish_integrations(array_double_1d work, int64_t patch)
 {
     double largest, unit, square;
     int64_t i, strip;
@@ -718,12 +718,12 @@ static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         unit = tractions__bound_rate(work, patch, strip) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-        square = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) * unit * unit;
+        square = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) * unit * unit;
         largest = double_max(largest, square);
         if (unit > 0.0)
         {
             unit *= tractions__point_weight(work, strip);
-            tractions__add_strip(work, patch, strip, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i), unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i), unit * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i));
+            tractions__add_strip(work, patch, strip, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i), unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i), unit * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i));
         }
     }
     AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(largest);
@@ -758,7 +758,7 @@ static inline double coupled_strips__lost_friction(array_double_1d work, int64_t
  */
 static inline int64_t creep_force__solve_creep_force(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    cut__clear_creep(work, patch);
+    rolling_strips__clear_creep(work, patch);
     if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_FRICTION) > 0.0 && AT(work, patch + layout__PATCH_HALF_LENGTH) > 0.0)
     {
         if (AT(work, patch + layout__PATCH_BACKWARDS) == 1.0)
@@ -949,243 +949,6 @@ static inline double creepage__approach_rate(array_double_1d work, int64_t motio
 }
 
 
-/* ---- From creep/cut.py; change that one.
- *
- * The strips of a patch that roll: the patch cut along the rolling direction.
- *
- * The cuts are closer together near both ends of the patch, like Gauss-Chebyshev points:
- *
- *     e_k = middle - half cos(k pi / n),   k = 0 ... n                                            (C1)
- *
- * A strip has the mean of a^2 over its width as the square of its half-length, and the mean line load.  Both are
- * exact for an ellipse.  Between the strips of the normal model they follow straight lines, to zero at the
- * patch's edges.  The line loads are scaled so that they carry the load of the patch.
- *
- * All places are taken from the patch's centre of load, for which its creepages hold.  The middles of a yawed
- * wheel's strips lie on a slanted line through it.
- */
-
-/* Cut a patch, which lies on ``strips`` of its normal model, along the rolling direction; creepages and
- * friction stay.
- */
-static inline int64_t cut__cut_patch(array_double_1d work, int64_t patch)
-{
-    int64_t totals;
-    totals = patch + layout__PATCH_TOTALS;
-    cut__describe_ellipse(work, patch);
-    cut__divide_patch(work, patch, AT(work, totals + layout__PATCH_TOTALS_START), AT(work, totals + layout__PATCH_TOTALS_STOP));
-    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
-    {
-        if ((int64_t)AT(work, patch + layout__PATCH_RULE) == layout__RULE_ELLIPSE)
-        {
-            cut__cut_ellipse(work, patch);
-        }
-        else
-        {
-            cut__cut_strips(work, patch);
-        }
-    }
-    cut__finish_strips(work, patch);
-    cut__plane_slips(work, patch);
-    return 0;
-}
-
-/* No creep force. */
-static inline int64_t cut__clear_creep(array_double_1d work, int64_t patch)
-{
-    int64_t i, strip;
-    AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
-    AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
-    AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
-    AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
-    AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = 0.0;
-        AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = 0.0;
-        AT(work, strip + layout__ROLLING_STRIP_MOMENT) = 0.0;
-    }
-    return 0;
-}
-
-/* Semi-axes of the ellipse with the patch's area and length over width. */
-static inline int64_t cut__describe_ellipse(array_double_1d work, int64_t patch)
-{
-    int64_t totals;
-    double ratio;
-    totals = patch + layout__PATCH_TOTALS;
-    AT(work, patch + layout__PATCH_HALF_LENGTH) = 0.0;
-    AT(work, patch + layout__PATCH_HALF_WIDTH) = 0.0;
-    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) > 0.0)
-    {
-        ratio = double_min(double_max(2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) / AT(work, totals + layout__PATCH_TOTALS_WIDTH), cut__SHORTEST_PATCH), cut__LONGEST_PATCH);
-        AT(work, patch + layout__PATCH_HALF_LENGTH) = sqrt(AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI * ratio);
-        AT(work, patch + layout__PATCH_HALF_WIDTH) = sqrt(AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI / ratio);
-    }
-    return 0;
-}
-
-/* Edges of the strips between both stations [m]; eq. (C1).  The cosines follow from each other:
- * cos((k + 1) t) = 2 cos t cos(k t) - cos((k - 1) t).
- */
-static inline int64_t cut__divide_patch(array_double_1d work, int64_t patch, double start, double stop)
-{
-    double middle, half, before, here, edge, after;
-    int64_t i, strip;
-    middle = 0.5 * (start + stop);
-    half = 0.5 * (stop - start);
-    before = cut__COSINE;
-    here = 1.0;
-    edge = start;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        after = 2.0 * cut__COSINE * here - before;
-        before = here;
-        here = after;
-        AT(work, strip + layout__ROLLING_STRIP_START) = edge;
-        edge = middle - half * here;
-        if (i == layout__ROLLING_STRIP_LIMIT - 1)
-        {
-            edge = stop;
-        }
-        AT(work, strip + layout__ROLLING_STRIP_STOP) = edge;
-        AT(work, strip + layout__ROLLING_STRIP_STATION) = 0.5 * (AT(work, strip + layout__ROLLING_STRIP_START) + edge);
-        AT(work, strip + layout__ROLLING_STRIP_WIDTH) = edge - AT(work, strip + layout__ROLLING_STRIP_START);
-        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = 0.0;
-        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = 0.0;
-    }
-    return 0;
-}
-
-/* Integrals over each strip of a^2 and of a shape of the line load, 1 - (s/b)^2, into its half-length
- * and its line load; the ellipse is around station zero.
- */
-static inline int64_t cut__cut_ellipse(array_double_1d work, int64_t patch)
-{
-    int64_t totals, i, strip;
-    double square, third, low, high, share;
-    totals = patch + layout__PATCH_TOTALS;
-    square = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-    third = 1.0 / (3.0 * AT(work, totals + layout__PATCH_TOTALS_STOP) * AT(work, totals + layout__PATCH_TOTALS_STOP));
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        low = AT(work, strip + layout__ROLLING_STRIP_START);
-        high = AT(work, strip + layout__ROLLING_STRIP_STOP);
-        share = AT(work, strip + layout__ROLLING_STRIP_WIDTH) * (1.0 - third * (low * low + low * high + high * high));
-        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = square * share;
-        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = share;
-    }
-    return 0;
-}
-
-/* Integrals over each strip of a^2 and of the line load, into its half-length and its line load, from the
- * patch's strips in the normal model.
- */
-static inline int64_t cut__cut_strips(array_double_1d work, int64_t patch)
-{
-    double low, low_square, low_load;
-    int64_t at, k, node, k_end;
-    bool inside, loaded;
-    low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
-    low_square = 0.0;
-    low_load = 0.0;
-    at = 0;
-    k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
-    for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
-    {
-        node = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
-        inside = AT(work, node + layout__SOLVED_STRIP_STATION) > low && AT(work, node + layout__SOLVED_STRIP_STATION) < AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP);
-        loaded = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) > 0.0 && AT(work, node + layout__SOLVED_STRIP_LINE_LOAD) > 0.0;
-        if (inside && loaded && AT(work, node + layout__SOLVED_STRIP_WIDTH) > 0.0)
-        {
-            at = cut__add_piece(work, patch, at, low, low_square, low_load, AT(work, node + layout__SOLVED_STRIP_STATION), AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, node + layout__SOLVED_STRIP_LINE_LOAD));
-            low = AT(work, node + layout__SOLVED_STRIP_STATION);
-            low_square = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
-            low_load = AT(work, node + layout__SOLVED_STRIP_LINE_LOAD);
-        }
-    }
-    cut__add_piece(work, patch, at, low, low_square, low_load, AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), 0.0, 0.0);
-    return 0;
-}
-
-/* Add a piece between two stations [m], over which a^2 and the line load follow straight lines, to the
- * strips from ``at`` on; the strip in which it ends.
- */
-static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load)
-{
-    double width, square_slope, load_slope, start, stop, middle;
-    int64_t strip;
-    width = high - low;
-    square_slope = (high_square - low_square) / width;
-    load_slope = (high_load - low_load) / width;
-    start = low;
-    while (start < high)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * at;
-        stop = high;
-        if (AT(work, strip + layout__ROLLING_STRIP_STOP) < high && at < layout__ROLLING_STRIP_LIMIT - 1)
-        {
-            stop = AT(work, strip + layout__ROLLING_STRIP_STOP);
-        }
-        middle = 0.5 * (start + stop) - low;
-        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) += (stop - start) * (low_square + square_slope * middle);
-        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) += (stop - start) * (low_load + load_slope * middle);
-        if (stop < high)
-        {
-            at += 1;
-        }
-        start = stop;
-    }
-    return at;
-}
-
-/* Half-lengths and line loads from their integrals, and places from the centre of load. */
-static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch)
-{
-    double carried, scale;
-    int64_t i, strip;
-    carried = 0.0;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        carried += AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
-    }
-    scale = 0.0;
-    if (carried > 0.0)
-    {
-        scale = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) / carried;
-    }
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        AT(work, strip + layout__ROLLING_STRIP_Y) = AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID);
-        AT(work, strip + layout__ROLLING_STRIP_X) = AT(work, patch + layout__PATCH_SLANT) * AT(work, strip + layout__ROLLING_STRIP_Y);
-        if (AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
-        {
-            AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = sqrt(AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
-            AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) *= scale / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-        }
-    }
-    return 0;
-}
-
-/* Creepages and spin of each strip where the patch is plane and all of it turns at one rate. */
-static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
-{
-    int64_t i, strip;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
-        AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
-        AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, patch + layout__PATCH_SPIN);
-    }
-    return 0;
-}
-
-
 /* ---- From creep/falling.py; change that one.
  *
  * Friction that falls with the sliding velocity of each point.
@@ -1195,7 +958,7 @@ static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
  *     f = (1 - A) exp(-t) + A,   t = (B V_ref / k) sqrt(w_x^2 + (w_y + phi x)^2)                   (L1)
  *
  * of the friction of rest, with the strip's creepages and spin and the k of a reduced slope, by which they are
- * multiplied.  Stick zones, marches and directions are those of the friction of rest: only tractions of slip
+ * multiplied.  Stick zones, integrations and directions are those of the friction of rest: only tractions of slip
  * count f times.  So the force is continuous, and no equation has several solutions.  The coefficient of
  * friction of the patch is then the mean over its points, weighted with their pressure, in which what sticks
  * counts with the friction of rest.
@@ -1269,13 +1032,13 @@ static inline int64_t falling__weigh_slips(array_double_1d work, double bound)
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         share = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i);
-        slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
-        noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i);
+        slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
+        noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i) = slips;
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i) = noted;
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) += bound * bound * slips * (1.0 - share);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = slips * share;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = noted * share * share;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = slips * share;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = noted * share * share;
     }
     return 0;
 }
@@ -1286,8 +1049,8 @@ static inline int64_t falling__restore_slips(array_double_1d work)
     int64_t i;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
     }
     return 0;
 }
@@ -1318,8 +1081,8 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
     double along, across, turning, stuck, lost, rate, slanted;
     int64_t i, strip;
     fastsim__stiffnesses(&along, &across, &turning, work, tables, patch);
-    fastrip__set_stiffnesses(work, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST) = 0.0;
+    fastrip__set_stiffnesses(work, tables, patch, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST) = 0.0;
     stuck = 0.0;
     lost = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
@@ -1328,33 +1091,33 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
         rate = tractions__bound_rate(work, patch, strip);
         if (rate > 0.0)
         {
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE) = rate;
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_RATE) = rate;
             slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
-            fastrip__find_stick(work, layout__WORK_ROLLING + layout__ROLLING_MARCH, fastrip__longitudinal(work, tables, patch, strip), AT(work, strip + layout__ROLLING_STRIP_LATERAL), AT(work, strip + layout__ROLLING_STRIP_SPIN));
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X) = fastsim__strip_push(work, patch, strip, along, turning);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y) = (AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted) * across + slanted * turning;
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
-            lost += fastrip__add_tractions(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
-            stuck += 2.0 * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+            fastrip__find_stick(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION, fastrip__longitudinal(work, tables, patch, strip), AT(work, strip + layout__ROLLING_STRIP_LATERAL), AT(work, strip + layout__ROLLING_STRIP_SPIN));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_X) = fastsim__strip_push(work, patch, strip, along, turning);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_Y) = (AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted) * across + slanted * turning;
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
+            lost += fastrip__add_tractions(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION, strip);
+            stuck += 2.0 * (AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_DEPTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
     AT(work, patch + layout__PATCH_FRICTION) -= lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-    AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST));
     AT(work, patch + layout__PATCH_STICK_SHARE) = stuck / tractions__patch_area(work, patch);
     return 0;
 }
 
 /* K1, K2, K3 of all strips; eq. (A1). */
-static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t march)
+static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t integration)
 {
     double ratio, first, second, third, modulus;
     ratio = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio);
     modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
-    AT(work, march + layout__ROLLING_MARCH_ALONG) = 2.0 * first * modulus / (M_PI * M_PI);
-    AT(work, march + layout__ROLLING_MARCH_ACROSS) = 2.0 * second * modulus / (M_PI * M_PI);
-    AT(work, march + layout__ROLLING_MARCH_TURNING) = 1.5 * third * modulus / (M_PI * sqrt(ratio));
+    AT(work, integration + layout__STRIP_INTEGRATION_ALONG) = 2.0 * first * modulus / (M_PI * M_PI);
+    AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) = 2.0 * second * modulus / (M_PI * M_PI);
+    AT(work, integration + layout__STRIP_INTEGRATION_TURNING) = 1.5 * third * modulus / (M_PI * sqrt(ratio));
     return 0;
 }
 
@@ -1362,25 +1125,25 @@ static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_doubl
 static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t patch, int64_t strip)
 {
     double push;
-    push = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    push = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
     if (AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) == 1.0)
     {
-        push = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING) * (AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X)) / (1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
+        push = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING) * (AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X)) / (1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
     }
     return push;
 }
 
 /* Depth of the slip zone and direction of the stick zone of a strip; ``push`` = K1 w_x. */
-static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, double push, double lateral, double spin)
+static inline int64_t fastrip__find_stick(array_double_1d work, int64_t integration, double push, double lateral, double spin)
 {
     double u, v, k, rest, cross, spread, depth, root;
-    u = -push / AT(work, march + layout__ROLLING_MARCH_RATE);
-    v = -AT(work, march + layout__ROLLING_MARCH_ACROSS) * lateral / AT(work, march + layout__ROLLING_MARCH_RATE);
-    k = -AT(work, march + layout__ROLLING_MARCH_TURNING) * spin / AT(work, march + layout__ROLLING_MARCH_RATE);
+    u = -push / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    v = -AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) * lateral / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    k = -AT(work, integration + layout__STRIP_INTEGRATION_TURNING) * spin / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     rest = 1.0 - k * k;
     cross = v * k;
     spread = v * v + rest * u * u;
-    depth = 2.0 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    depth = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     if (rest > 0.0)
     {
         root = sqrt(spread);
@@ -1396,19 +1159,19 @@ static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, d
     {
         depth = (u * u + v * v) / (sqrt(spread) - cross);
     }
-    AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
-    AT(work, march + layout__ROLLING_MARCH_DEPTH) = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
-    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
-    AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
-    if (depth < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
+    AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = k;
+    AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) = u;
+    AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) = v;
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = 0.0;
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = 0.0;
+    if (depth < AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))
     {
-        AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
-        AT(work, march + layout__ROLLING_MARCH_STICK_X) = u / (depth + 1e-300);
-        AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v / (depth + 1e-300) + k;
+        AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
+        AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = u / (depth + 1e-300);
+        AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = v / (depth + 1e-300) + k;
     }
-    AT(work, march + layout__ROLLING_MARCH_EDGE) = 2.0 * AT(work, march + layout__ROLLING_MARCH_DEPTH) - AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    AT(work, integration + layout__STRIP_INTEGRATION_EDGE) = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) - AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     return 0;
 }
 
@@ -1417,27 +1180,27 @@ static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, d
  * The stick zone's are those of strip theory without end, integrated exactly as in eqs. (T1), (T2), but for
  * the points behind its edge, and for what the bound cuts.
  */
-static inline double fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip)
+static inline double fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t integration, int64_t strip)
 {
     double a, lost, x, bound, p_x, p_y, without_x, without_y, share, square, weight;
     int64_t q;
-    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    AT(work, march + layout__ROLLING_MARCH_X) = a;
-    AT(work, march + layout__ROLLING_MARCH_FIRST_X) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = 0.0;
+    a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    AT(work, integration + layout__STRIP_INTEGRATION_X) = a;
+    AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) = 0.0;
+    AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) = 0.0;
     lost = 0.0;
-    fastrip__open_stick(work, march);
+    fastrip__open_stick(work, integration);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
         x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-        bound = AT(work, march + layout__ROLLING_MARCH_RATE) * a * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        fastrip__march_on(work, march, x, bound);
-        fastrip__slip_direction(&p_x, &p_y, work, march, bound);
-        without_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * bound;
-        without_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * bound;
-        if (x > AT(work, march + layout__ROLLING_MARCH_EDGE))
+        bound = AT(work, integration + layout__STRIP_INTEGRATION_RATE) * a * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        fastrip__integrate_on(work, integration, x, bound);
+        fastrip__slip_direction(&p_x, &p_y, work, integration, bound);
+        without_x = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * bound;
+        without_y = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * bound;
+        if (x > AT(work, integration + layout__STRIP_INTEGRATION_EDGE))
         {
-            fastrip__stick_traction(&without_x, &without_y, work, march, x, bound);
+            fastrip__stick_traction(&without_x, &without_y, work, integration, x, bound);
             tractions__cut_to(&p_x, &p_y, without_x, without_y, bound);
         }
         else if (AT(work, patch + layout__PATCH_FALL_RATE) > 0.0)
@@ -1448,53 +1211,53 @@ static inline double fastrip__add_tractions(array_double_1d tables, array_double
             lost += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * bound * (1.0 - share);
         }
         square = p_x * p_x + p_y * p_y;
-        AT(work, march + layout__ROLLING_MARCH_LARGEST) = double_max(AT(work, march + layout__ROLLING_MARCH_LARGEST), square);
-        AT(work, march + layout__ROLLING_MARCH_SUM_X) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (p_x - without_x);
-        AT(work, march + layout__ROLLING_MARCH_SUM_Y) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (p_y - without_y);
-        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x * (p_y - without_y);
+        AT(work, integration + layout__STRIP_INTEGRATION_LARGEST) = double_max(AT(work, integration + layout__STRIP_INTEGRATION_LARGEST), square);
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (p_x - without_x);
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (p_y - without_y);
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x * (p_y - without_y);
     }
     weight = tractions__point_weight(work, strip);
-    tractions__add_strip(work, patch, strip, weight * AT(work, march + layout__ROLLING_MARCH_SUM_X), weight * AT(work, march + layout__ROLLING_MARCH_SUM_Y), weight * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT));
+    tractions__add_strip(work, patch, strip, weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_X), weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y), weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT));
     return weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH) * lost;
 }
 
 /* Sums over the points of strip theory's traction without end; nothing where all of a strip slips. */
-static inline int64_t fastrip__open_stick(array_double_1d work, int64_t march)
+static inline int64_t fastrip__open_stick(array_double_1d work, int64_t integration)
 {
     double depth, whole;
-    AT(work, march + layout__ROLLING_MARCH_SUM_X) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_SUM_Y) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = 0.0;
-    if (AT(work, march + layout__ROLLING_MARCH_DEPTH) < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
+    AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) = 0.0;
+    AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) = 0.0;
+    AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = 0.0;
+    if (AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) < AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))
     {
-        depth = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-        whole = 0.5 * (double)(layout__POINT_LIMIT + 1) * AT(work, march + layout__ROLLING_MARCH_RATE);
-        AT(work, march + layout__ROLLING_MARCH_SUM_X) = whole * AT(work, march + layout__ROLLING_MARCH_LEAD_X) * (2.0 - depth);
-        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = whole * (AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * (2.0 - depth) + AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = -whole * AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * (1.0 - depth) * (1.0 - depth);
+        depth = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        whole = 0.5 * (double)(layout__POINT_LIMIT + 1) * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) = whole * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) * (2.0 - depth);
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) = whole * (AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * (2.0 - depth) + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = -whole * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * (1.0 - depth) * (1.0 - depth);
     }
     return 0;
 }
 
 /* FASTSIM's traction at the next point ``x``. */
-static inline int64_t fastrip__march_on(array_double_1d work, int64_t march, double x, double bound)
+static inline int64_t fastrip__integrate_on(array_double_1d work, int64_t integration, double x, double bound)
 {
     double step, across, p_x, p_y;
-    step = AT(work, march + layout__ROLLING_MARCH_X) - x;
-    across = AT(work, march + layout__ROLLING_MARCH_PUSH_Y) + AT(work, march + layout__ROLLING_MARCH_PUSH_TURN) * (x + 0.5 * step);
-    tractions__cut_to(&p_x, &p_y, AT(work, march + layout__ROLLING_MARCH_FIRST_X) - step * AT(work, march + layout__ROLLING_MARCH_PUSH_X), AT(work, march + layout__ROLLING_MARCH_FIRST_Y) - step * across, bound);
-    AT(work, march + layout__ROLLING_MARCH_X) = x;
-    AT(work, march + layout__ROLLING_MARCH_FIRST_X) = p_x;
-    AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = p_y;
+    step = AT(work, integration + layout__STRIP_INTEGRATION_X) - x;
+    across = AT(work, integration + layout__STRIP_INTEGRATION_PUSH_Y) + AT(work, integration + layout__STRIP_INTEGRATION_PUSH_TURN) * (x + 0.5 * step);
+    tractions__cut_to(&p_x, &p_y, AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) - step * AT(work, integration + layout__STRIP_INTEGRATION_PUSH_X), AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) - step * across, bound);
+    AT(work, integration + layout__STRIP_INTEGRATION_X) = x;
+    AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) = p_x;
+    AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) = p_y;
     return 0;
 }
 
 /* The bound in the direction of FASTSIM's traction. */
-static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t march, double bound)
+static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t integration, double bound)
 {
     double p_x, p_y, size;
-    p_x = AT(work, march + layout__ROLLING_MARCH_FIRST_X);
-    p_y = AT(work, march + layout__ROLLING_MARCH_FIRST_Y);
+    p_x = AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X);
+    p_y = AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y);
     size = sqrt(p_x * p_x + p_y * p_y);
     if (size > 0.0)
     {
@@ -1508,14 +1271,14 @@ static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, arr
 /* The traction of strip theory at ``x`` in the stick zone, eq. (Z1), in a form that is regular where no
  * depth slips.
  */
-static inline void fastrip__stick_traction(double* out_0, double* out_1, array_double_1d work, int64_t march, double x, double bound)
+static inline void fastrip__stick_traction(double* out_0, double* out_1, array_double_1d work, int64_t integration, double x, double bound)
 {
     double reach, root, lead;
-    reach = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
-    root = AT(work, march + layout__ROLLING_MARCH_RATE) * sqrt(double_max(reach * reach - (x - AT(work, march + layout__ROLLING_MARCH_DEPTH)) * (x - AT(work, march + layout__ROLLING_MARCH_DEPTH)), 0.0));
-    lead = 2.0 * AT(work, march + layout__ROLLING_MARCH_RATE) * AT(work, march + layout__ROLLING_MARCH_RATE) * (AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - x) / (bound + root);
-    *out_0 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) * lead;
-    *out_1 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * lead + AT(work, march + layout__ROLLING_MARCH_TWIST) * bound;
+    reach = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
+    root = AT(work, integration + layout__STRIP_INTEGRATION_RATE) * sqrt(double_max(reach * reach - (x - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH)) * (x - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH)), 0.0));
+    lead = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_RATE) * AT(work, integration + layout__STRIP_INTEGRATION_RATE) * (AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) - x) / (bound + root);
+    *out_0 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) * lead;
+    *out_1 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * lead + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * bound;
 }
 
 
@@ -1554,7 +1317,7 @@ static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_
         if (rate > 0.0)
         {
             push = fastsim__strip_push(work, patch, strip, along, turning);
-            fastsim__march_strip(&sticks, &loses, tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, push, across, turning);
+            fastsim__integrate_strip(&sticks, &loses, tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, push, across, turning);
             stuck += sticks;
             lost += loses;
         }
@@ -1596,7 +1359,7 @@ static inline double fastsim__strip_push(array_double_1d work, int64_t patch, in
 /* Add a strip's force from its tractions; the area that sticks [m^2], and what its bound loses where
  * friction falls [N].
  */
-static inline void fastsim__march_strip(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning)
+static inline void fastsim__integrate_strip(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning)
 {
     double a, slanted, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, lost, largest, x, weight, step, free_x, free_y, bound, last_x, last_y, along, sideways, share, square;
     bool falls;
@@ -1822,405 +1585,6 @@ static inline double friction__creep_gain(array_double_1d work, int64_t patch)
         gain += ((AT(work, strip + layout__ROLLING_STRIP_SLIP) - plane) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + lateral * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + (AT(work, strip + layout__ROLLING_STRIP_SPIN) - AT(work, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_MOMENT)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     }
     return gain;
-}
-
-
-/* ---- From creep/march.py; change that one.
- *
- * Tractions of a strip from its leading edge to its trailing one.
- *
- * In the slip zone the traction is the bound; two marches tell its direction.  Both lose traction to the slip,
- * over steps D = x_{q-1} - x_q, and are cut to the bound g = m sqrt(a^2 - x^2):
- *
- *     p_A <- p_A - D (w_x i1, w_y i2 + phi x_m i3)   from zero at the leading edge,                (M1)
- *     p_B <- p_B - D i_c (w_x, w_y + phi x_m)        from the edge of the stick zone,              (M2)
- *     i1 = (pi/2) K1 sum(a h)/sum(a^2 h),  i2 the same with K2,
- *     i3 = (3 pi/4) K3 sum(a^2 h)/sum(a^3 h),   s = 3 pi a phi / 32,
- *     i_c = (w_x^2 i1 + w_y^2 i2 + s^2 i3) / (w_x^2 + w_y^2 + s^2)                                  (M3)
- *
- * x_m = x_q + L D.  A describes long patches, B has the direction of the rigid slip where that is large.  With
- * t = 2 sqrt(w_x^2 i1^2 + w_y^2 i2^2 + s^2 i3^2)/m, how often the creepage fills the bound, A becomes B:
- *
- *     i_j <- i_c + (i_j - i_c) / (1 + (t/6)^2),   L = (0.4 + 0.1 r/(r + 3)) / (1 + (t'/20)^2)       (M4)
- *
- * with t' = t for the new i_j.  The direction is that of c = (1 - W) p_A + W p_B, W = 0.65/(1 + (r/1.2)^4),
- *
- *     n = c g / sqrt(|c|^2 + 0.05^2 (g^2 - |c|^2))                                                 (M5)
- *
- * Where the stick zone (coupled_strips.py) has the weight c < 1, the rest of the traction is that of a strip
- * which slips all over.  The first point behind the stick zone takes over in proportion to the way from its
- * edge.
- *
- * All strips march side by side, with places over a and tractions over m a, so that bounds and steps are those
- * of all of them, and compilers do several strips at once.
- */
-
-/* Nothing is pushed and nothing counts yet in any strip; ``ratio`` is the patch's a/b. */
-static inline int64_t march__open_marches(array_double_1d work, double ratio)
-{
-    int64_t i_1, q;
-    double square;
-    for (i_1 = 0; i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += 1)
-    {
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1) = 0.0;
-    }
-    for (q = 0; q < layout__POINT_LIMIT; q += 1)
-    {
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = -1.0;
-    }
-    square = ratio / march__SHARE_RATIO * (ratio / march__SHARE_RATIO);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) = march__SHARE / (1.0 + square * square);
-    return 0;
-}
-
-/* What both marches of strip ``number`` lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and
- * ``spinning`` = i3/K3 [1/m] of the patch, ``ratio`` its a/b.
- */
-static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int64_t number, double plane, double spinning, double ratio)
-{
-    double i1, i2, i3, s, x, y, z, centre, fills, scale, near, lag, along, across, turning;
-    i1 = AT(work, march + layout__ROLLING_MARCH_ALONG) * plane;
-    i2 = AT(work, march + layout__ROLLING_MARCH_ACROSS) * plane;
-    i3 = AT(work, march + layout__ROLLING_MARCH_TURNING) * spinning;
-    s = 3.0 * M_PI / 32.0 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * AT(work, march + layout__ROLLING_MARCH_SPIN);
-    x = AT(work, march + layout__ROLLING_MARCH_SLIP) * AT(work, march + layout__ROLLING_MARCH_SLIP);
-    y = AT(work, march + layout__ROLLING_MARCH_LATERAL) * AT(work, march + layout__ROLLING_MARCH_LATERAL);
-    z = s * s;
-    centre = (x * i1 + y * i2 + z * i3 + march__NOTHING * i1) / (x + y + z + march__NOTHING);
-    fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
-    scale = 4.0 / (AT(work, march + layout__ROLLING_MARCH_RATE) * AT(work, march + layout__ROLLING_MARCH_RATE));
-    near = 1.0 / (1.0 + scale * fills / (march__FILLS * march__FILLS));
-    i1 = centre + (i1 - centre) * near;
-    i2 = centre + (i2 - centre) * near;
-    i3 = centre + (i3 - centre) * near;
-    fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
-    lag = march__LAG + march__LONG_LAG * ratio / (ratio + march__LAG_RATIO);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number) = lag / (1.0 + scale * fills / (march__LAG_FILLS * march__LAG_FILLS));
-    along = AT(work, march + layout__ROLLING_MARCH_SLIP) / AT(work, march + layout__ROLLING_MARCH_RATE);
-    across = AT(work, march + layout__ROLLING_MARCH_LATERAL) / AT(work, march + layout__ROLLING_MARCH_RATE);
-    turning = AT(work, march + layout__ROLLING_MARCH_SPIN) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) / AT(work, march + layout__ROLLING_MARCH_RATE);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number) = along * i1;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number) = across * i2;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number) = turning * i3;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number) = along * centre;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number) = across * centre;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number) = turning * centre;
-    return 0;
-}
-
-/* Begin the sums of strip ``number`` with its stick zone: eqs. (T1), (T2) without what slips, and the
- * points before the edge; the first point behind the edge takes note of the strip.
- */
-static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number)
-{
-    double weight, depth, edge, behind, turning, lead_x, lead_y, inner;
-    int64_t q;
-    weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number) = 1.0 - weight;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number) = (1.0 - weight) * (1.0 - weight);
-    if (weight > 0.0)
-    {
-        depth = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-        edge = 2.0 * depth - 1.0;
-        q = layout__POINT_LIMIT;
-        behind = 0.0;
-        turning = 0.0;
-        while (q > 0 && AT(tables, table + layout__ROLLING_TABLE_COSINES + (q - 1)) < edge)
-        {
-            q -= 1;
-            behind += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-            turning += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-        }
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number) = weight;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number) = AT(work, march + layout__ROLLING_MARCH_STICK_X);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number) = AT(work, march + layout__ROLLING_MARCH_STICK_Y);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number) = edge;
-        lead_x = AT(work, march + layout__ROLLING_MARCH_LEAD_X) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
-        lead_y = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
-        inner = (1.0 - depth) * (1.0 - depth);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = weight * (lead_x * (2.0 - depth) - AT(work, march + layout__ROLLING_MARCH_STICK_X) * behind);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = weight * (lead_y * (2.0 - depth) + AT(work, march + layout__ROLLING_MARCH_TWIST) * march__WHOLE - AT(work, march + layout__ROLLING_MARCH_STICK_Y) * behind);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = -weight * (lead_y * inner + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * turning);
-        if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
-        {
-            march__add_beyond(tables, work, table, march, number, q);
-        }
-        if (q < layout__POINT_LIMIT)
-        {
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = (double)number;
-        }
-    }
-    return 0;
-}
-
-/* Add what eq. (Z1) has to be changed by to stay within the bound, at the points before ``last``. */
-static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number, int64_t last)
-{
-    double depth, bound, away, inner, root, p_x, p_y, cut_x, cut_y, weight;
-    int64_t q;
-    depth = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    for (q = 0; q < last; q += 1)
-    {
-        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        away = AT(tables, table + layout__ROLLING_TABLE_COSINES + q) - depth;
-        inner = (1.0 - depth) * (1.0 - depth) - away * away;
-        if (inner > 0.0)
-        {
-            root = sqrt(inner);
-            p_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * (bound - root);
-            p_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * (bound - root) + AT(work, march + layout__ROLLING_MARCH_TWIST) * root;
-            tractions__cut_to(&cut_x, &cut_y, p_x, p_y, bound);
-            weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT) * bound;
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) += weight * (cut_x - p_x);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) += weight * (cut_y - p_y);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) += weight * AT(tables, table + layout__ROLLING_TABLE_COSINES + q) * (cut_y - p_y);
-        }
-    }
-    return 0;
-}
-
-/* Add the points of all strips, from the leading edge on, to their sums; ``falls``: whether friction
- * does, with the slip of each point (falling.py).
- */
-static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, bool falls)
-{
-    double before, x, bound, friction;
-    bool slipping;
-    int64_t q, first, strip;
-    before = 1.0;
-    slipping = march__has_slip(work);
-    for (q = 0; q < layout__POINT_LIMIT; q += 1)
-    {
-        x = AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        first = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q);
-        strip = first;
-        while (strip >= 0)
-        {
-            march__reach_edge(work, strip, before, x, bound);
-            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
-        }
-        march__march_first(work, x, bound, before - x);
-        if (falls)
-        {
-            falling__find_shares(work, x);
-        }
-        if (slipping)
-        {
-            if (falls)
-            {
-                falling__weigh_slips(work, bound);
-            }
-            march__march_second(work, x, bound, before - x);
-            if (falls)
-            {
-                falling__restore_slips(work);
-            }
-        }
-        strip = first;
-        while (strip >= 0)
-        {
-            friction = 1.0;
-            if (falls)
-            {
-                friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
-                AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) += bound * bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip) * (1.0 - friction);
-            }
-            march__leave_edge(work, strip, x, bound, friction);
-            slipping = true;
-            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
-        }
-        before = x;
-    }
-    return 0;
-}
-
-/* Whether slip counts in some strip at its leading edge. */
-static inline bool march__has_slip(array_double_1d work)
-{
-    bool found;
-    int64_t i;
-    found = false;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) > 0.0)
-        {
-            found = true;
-        }
-    }
-    return found;
-}
-
-/* Let march A of all strips come to ``x``, a ``step`` further, eq. (M1). */
-static inline int64_t march__march_first(array_double_1d work, double x, double bound, double step)
-{
-    double limit, at, along, across, square, cut;
-    int64_t i;
-    limit = bound * bound;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
-        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i);
-        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) - step * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i) * at);
-        square = double_max(along * along + across * across, limit);
-        cut = bound / sqrt(square);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) = cut * along;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) = cut * across;
-    }
-    return 0;
-}
-
-/* The same for march B, and add what slips there: eqs. (M2), (M5), most of all time that the model
- * takes.
- */
-static inline int64_t march__march_second(array_double_1d work, double x, double bound, double step)
-{
-    double share, limit, soft, at, second_x, second_y, square, cut, along, across, scale, largest;
-    int64_t i;
-    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE);
-    limit = bound * bound;
-    soft = march__SOFT * march__SOFT * limit;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
-        second_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i);
-        second_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) - step * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * at);
-        square = double_max(second_x * second_x + second_y * second_y, limit);
-        cut = bound / sqrt(square);
-        second_x *= cut;
-        second_y *= cut;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = second_x;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = second_y;
-        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) + share * (second_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
-        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) + share * (second_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
-        square = along * along + across * across;
-        scale = bound / sqrt((1.0 - march__SOFT * march__SOFT) * square + soft);
-        largest = double_max(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) * (square * scale * scale), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) = largest;
-        scale *= bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) += scale * along;
-        across *= scale;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) += across;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) += x * across;
-    }
-    return 0;
-}
-
-/* The traction of strip ``i`` at the edge of its stick zone, between ``before`` and the point ``x``, and
- * how much slip counts at that point.
- */
-static inline int64_t march__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound)
-{
-    double edge, weight, edge_bound, start_x, start_y, to_x, to_y, near;
-    edge = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i);
-    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
-    edge_bound = march__sqrt_of(1.0 - edge * edge);
-    start_x = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) * edge_bound;
-    start_y = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) * edge_bound;
-    if (weight < 1.0)
-    {
-        march__stepped(&to_x, &to_y, work, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i), edge, before - edge);
-        tractions__cut_to(&to_x, &to_y, to_x, to_y, edge_bound);
-        start_x += (1.0 - weight) * to_x;
-        start_y += (1.0 - weight) * to_y;
-    }
-    march__note_largest(work, i, start_x, start_y);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i) = start_x;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i) = start_y;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i) = (edge - x) / (before - x);
-    near = 1.0 - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = near * (1.0 - weight);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = 0.0;
-    weight *= near * bound * bound;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) += weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) += weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) += weight * x * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
-    return 0;
-}
-
-/* Let the second march of strip ``i`` begin at the edge of its stick zone, and add the rest of its
- * traction at ``x``, the first point behind; ``friction`` is that there over that of rest.
- */
-static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound, double friction)
-{
-    double weight, near, p_x, p_y, slip_x, slip_y, step, to_x, to_y, kept, share;
-    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
-    near = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
-    p_x = 0.0;
-    p_y = 0.0;
-    if (weight < 1.0)
-    {
-        march__slip_traction(&slip_x, &slip_y, work, i, bound);
-        p_x = near * friction * slip_x;
-        p_y = near * friction * slip_y;
-    }
-    step = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i) - x;
-    march__stepped(&to_x, &to_y, work, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i), x, step);
-    tractions__cut_to(&to_x, &to_y, to_x, to_y, bound);
-    if (weight < march__FAINT)
-    {
-        /* as if there was no stick zone, of which nothing is left */
-        kept = weight / march__FAINT;
-        to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) + kept * (to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i));
-        to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) + kept * (to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i));
-    }
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = to_x;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = to_y;
-    march__slip_traction(&slip_x, &slip_y, work, i, bound);
-    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
-    slip_x *= share * friction;
-    slip_y *= share * friction;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) += bound * slip_x;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) += bound * slip_y;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) += bound * x * slip_y;
-    weight *= (1.0 - share) * bound;
-    march__note_largest(work, i, p_x + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + slip_x, p_y + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + slip_y);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = 1.0;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = 1.0;
-    return 0;
-}
-
-/* The traction of the second march of strip ``i`` at ``x``, a ``step`` further, not yet cut; eq. (M2). */
-static inline void march__stepped(double* out_0, double* out_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step)
-{
-    double across;
-    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * (x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step);
-    *out_0 = p_x - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i);
-    *out_1 = p_y - step * across;
-}
-
-/* The traction of strip ``i`` of eq. (M5). */
-static inline void march__slip_traction(double* out_0, double* out_1, array_double_1d work, int64_t i, double bound)
-{
-    double along, across, square, scale;
-    along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
-    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
-    square = along * along + across * across;
-    scale = bound / sqrt(square + march__SOFT * march__SOFT * (bound * bound - square));
-    *out_0 = along * scale;
-    *out_1 = across * scale;
-}
-
-/* Keep the largest traction of strip ``i``. */
-static inline int64_t march__note_largest(array_double_1d work, int64_t i, double p_x, double p_y)
-{
-    double square;
-    square = p_x * p_x + p_y * p_y;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) = double_max(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i), square);
-    return 0;
-}
-
-/* Square root, of nothing below zero. */
-static inline double march__sqrt_of(double value)
-{
-    double root;
-    root = 0.0;
-    if (value > 0.0)
-    {
-        root = sqrt(value);
-    }
-    return root;
 }
 
 
@@ -2621,6 +1985,243 @@ static inline double polach__largest_shear(array_double_1d work, int64_t patch)
 }
 
 
+/* ---- From creep/rolling_strips.py; change that one.
+ *
+ * The strips of a patch that roll: the patch cut along the rolling direction.
+ *
+ * The cuts are closer together near both ends of the patch, like Gauss-Chebyshev points:
+ *
+ *     e_k = middle - half cos(k pi / n),   k = 0 ... n                                            (C1)
+ *
+ * A strip has the mean of a^2 over its width as the square of its half-length, and the mean line load.  Both are
+ * exact for an ellipse.  Between the strips of the normal model they follow straight lines, to zero at the
+ * patch's edges.  The line loads are scaled so that they carry the load of the patch.
+ *
+ * All places are taken from the patch's centre of load, for which its creepages hold.  The middles of a yawed
+ * wheel's strips lie on a slanted line through it.
+ */
+
+/* Cut a patch, which lies on ``strips`` of its normal model, along the rolling direction; creepages and
+ * friction stay.
+ */
+static inline int64_t rolling_strips__divide_into_strips(array_double_1d work, int64_t patch)
+{
+    int64_t totals;
+    totals = patch + layout__PATCH_TOTALS;
+    rolling_strips__describe_ellipse(work, patch);
+    rolling_strips__divide_patch(work, patch, AT(work, totals + layout__PATCH_TOTALS_START), AT(work, totals + layout__PATCH_TOTALS_STOP));
+    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
+    {
+        if ((int64_t)AT(work, patch + layout__PATCH_RULE) == layout__RULE_ELLIPSE)
+        {
+            rolling_strips__divide_ellipse(work, patch);
+        }
+        else
+        {
+            rolling_strips__divide_strips(work, patch);
+        }
+    }
+    rolling_strips__finish_strips(work, patch);
+    rolling_strips__plane_slips(work, patch);
+    return 0;
+}
+
+/* No creep force. */
+static inline int64_t rolling_strips__clear_creep(array_double_1d work, int64_t patch)
+{
+    int64_t i, strip;
+    AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
+    AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
+    AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = 0.0;
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = 0.0;
+        AT(work, strip + layout__ROLLING_STRIP_MOMENT) = 0.0;
+    }
+    return 0;
+}
+
+/* Semi-axes of the ellipse with the patch's area and length over width. */
+static inline int64_t rolling_strips__describe_ellipse(array_double_1d work, int64_t patch)
+{
+    int64_t totals;
+    double ratio;
+    totals = patch + layout__PATCH_TOTALS;
+    AT(work, patch + layout__PATCH_HALF_LENGTH) = 0.0;
+    AT(work, patch + layout__PATCH_HALF_WIDTH) = 0.0;
+    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) > 0.0)
+    {
+        ratio = double_min(double_max(2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) / AT(work, totals + layout__PATCH_TOTALS_WIDTH), rolling_strips__SHORTEST_PATCH), rolling_strips__LONGEST_PATCH);
+        AT(work, patch + layout__PATCH_HALF_LENGTH) = sqrt(AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI * ratio);
+        AT(work, patch + layout__PATCH_HALF_WIDTH) = sqrt(AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI / ratio);
+    }
+    return 0;
+}
+
+/* Edges of the strips between both stations [m]; eq. (C1).  The cosines follow from each other:
+ * cos((k + 1) t) = 2 cos t cos(k t) - cos((k - 1) t).
+ */
+static inline int64_t rolling_strips__divide_patch(array_double_1d work, int64_t patch, double start, double stop)
+{
+    double middle, half, before, here, edge, after;
+    int64_t i, strip;
+    middle = 0.5 * (start + stop);
+    half = 0.5 * (stop - start);
+    before = rolling_strips__COSINE;
+    here = 1.0;
+    edge = start;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        after = 2.0 * rolling_strips__COSINE * here - before;
+        before = here;
+        here = after;
+        AT(work, strip + layout__ROLLING_STRIP_START) = edge;
+        edge = middle - half * here;
+        if (i == layout__ROLLING_STRIP_LIMIT - 1)
+        {
+            edge = stop;
+        }
+        AT(work, strip + layout__ROLLING_STRIP_STOP) = edge;
+        AT(work, strip + layout__ROLLING_STRIP_STATION) = 0.5 * (AT(work, strip + layout__ROLLING_STRIP_START) + edge);
+        AT(work, strip + layout__ROLLING_STRIP_WIDTH) = edge - AT(work, strip + layout__ROLLING_STRIP_START);
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = 0.0;
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = 0.0;
+    }
+    return 0;
+}
+
+/* Integrals over each strip of a^2 and of a shape of the line load, 1 - (s/b)^2, into its half-length
+ * and its line load; the ellipse is around station zero.
+ */
+static inline int64_t rolling_strips__divide_ellipse(array_double_1d work, int64_t patch)
+{
+    int64_t totals, i, strip;
+    double square, third, low, high, share;
+    totals = patch + layout__PATCH_TOTALS;
+    square = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    third = 1.0 / (3.0 * AT(work, totals + layout__PATCH_TOTALS_STOP) * AT(work, totals + layout__PATCH_TOTALS_STOP));
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        low = AT(work, strip + layout__ROLLING_STRIP_START);
+        high = AT(work, strip + layout__ROLLING_STRIP_STOP);
+        share = AT(work, strip + layout__ROLLING_STRIP_WIDTH) * (1.0 - third * (low * low + low * high + high * high));
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = square * share;
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = share;
+    }
+    return 0;
+}
+
+/* Integrals over each strip of a^2 and of the line load, into its half-length and its line load, from the
+ * patch's strips in the normal model.
+ */
+static inline int64_t rolling_strips__divide_strips(array_double_1d work, int64_t patch)
+{
+    double low, low_square, low_load;
+    int64_t at, k, node, k_end;
+    bool inside, loaded;
+    low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
+    low_square = 0.0;
+    low_load = 0.0;
+    at = 0;
+    k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
+    for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
+    {
+        node = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
+        inside = AT(work, node + layout__SOLVED_STRIP_STATION) > low && AT(work, node + layout__SOLVED_STRIP_STATION) < AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP);
+        loaded = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) > 0.0 && AT(work, node + layout__SOLVED_STRIP_LINE_LOAD) > 0.0;
+        if (inside && loaded && AT(work, node + layout__SOLVED_STRIP_WIDTH) > 0.0)
+        {
+            at = rolling_strips__add_piece(work, patch, at, low, low_square, low_load, AT(work, node + layout__SOLVED_STRIP_STATION), AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, node + layout__SOLVED_STRIP_LINE_LOAD));
+            low = AT(work, node + layout__SOLVED_STRIP_STATION);
+            low_square = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
+            low_load = AT(work, node + layout__SOLVED_STRIP_LINE_LOAD);
+        }
+    }
+    rolling_strips__add_piece(work, patch, at, low, low_square, low_load, AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), 0.0, 0.0);
+    return 0;
+}
+
+/* Add a piece between two stations [m], over which a^2 and the line load follow straight lines, to the
+ * strips from ``at`` on; the strip in which it ends.
+ */
+static inline int64_t rolling_strips__add_piece(array_double_1d work, int64_t patch, int64_t at, double low, double low_square, double low_load, double high, double high_square, double high_load)
+{
+    double width, square_slope, load_slope, start, stop, middle;
+    int64_t strip;
+    width = high - low;
+    square_slope = (high_square - low_square) / width;
+    load_slope = (high_load - low_load) / width;
+    start = low;
+    while (start < high)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * at;
+        stop = high;
+        if (AT(work, strip + layout__ROLLING_STRIP_STOP) < high && at < layout__ROLLING_STRIP_LIMIT - 1)
+        {
+            stop = AT(work, strip + layout__ROLLING_STRIP_STOP);
+        }
+        middle = 0.5 * (start + stop) - low;
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) += (stop - start) * (low_square + square_slope * middle);
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) += (stop - start) * (low_load + load_slope * middle);
+        if (stop < high)
+        {
+            at += 1;
+        }
+        start = stop;
+    }
+    return at;
+}
+
+/* Half-lengths and line loads from their integrals, and places from the centre of load. */
+static inline int64_t rolling_strips__finish_strips(array_double_1d work, int64_t patch)
+{
+    double carried, scale;
+    int64_t i, strip;
+    carried = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        carried += AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
+    }
+    scale = 0.0;
+    if (carried > 0.0)
+    {
+        scale = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) / carried;
+    }
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        AT(work, strip + layout__ROLLING_STRIP_Y) = AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID);
+        AT(work, strip + layout__ROLLING_STRIP_X) = AT(work, patch + layout__PATCH_SLANT) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        if (AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
+        {
+            AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = sqrt(AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
+            AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) *= scale / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        }
+    }
+    return 0;
+}
+
+/* Creepages and spin of each strip where the patch is plane and all of it turns at one rate. */
+static inline int64_t rolling_strips__plane_slips(array_double_1d work, int64_t patch)
+{
+    int64_t i, strip;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
+        AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, patch + layout__PATCH_SPIN);
+    }
+    return 0;
+}
+
+
 /* ---- From creep/stiffness.py; change that one.
  *
  * Linear theory of strips that roll side by side on one half-space: how stiff each of them is.
@@ -2975,6 +2576,405 @@ static inline void stiffness__stiffnesses_at(double* along_out, double* across_o
     *along_out = along;
     *across_out = across;
     *turning_out = turning;
+}
+
+
+/* ---- From creep/traction_integration.py; change that one.
+ *
+ * Tractions of a strip from its leading edge to its trailing one.
+ *
+ * In the slip zone the traction is the bound; two integrations tell its direction.  Both lose traction to the slip,
+ * over steps D = x_{q-1} - x_q, and are cut to the bound g = m sqrt(a^2 - x^2):
+ *
+ *     p_A <- p_A - D (w_x i1, w_y i2 + phi x_m i3)   from zero at the leading edge,                (M1)
+ *     p_B <- p_B - D i_c (w_x, w_y + phi x_m)        from the edge of the stick zone,              (M2)
+ *     i1 = (pi/2) K1 sum(a h)/sum(a^2 h),  i2 the same with K2,
+ *     i3 = (3 pi/4) K3 sum(a^2 h)/sum(a^3 h),   s = 3 pi a phi / 32,
+ *     i_c = (w_x^2 i1 + w_y^2 i2 + s^2 i3) / (w_x^2 + w_y^2 + s^2)                                  (M3)
+ *
+ * x_m = x_q + L D.  A describes long patches, B has the direction of the rigid slip where that is large.  With
+ * t = 2 sqrt(w_x^2 i1^2 + w_y^2 i2^2 + s^2 i3^2)/m, how often the creepage fills the bound, A becomes B:
+ *
+ *     i_j <- i_c + (i_j - i_c) / (1 + (t/6)^2),   L = (0.4 + 0.1 r/(r + 3)) / (1 + (t'/20)^2)       (M4)
+ *
+ * with t' = t for the new i_j.  The direction is that of c = (1 - W) p_A + W p_B, W = 0.65/(1 + (r/1.2)^4),
+ *
+ *     n = c g / sqrt(|c|^2 + 0.05^2 (g^2 - |c|^2))                                                 (M5)
+ *
+ * Where the stick zone (coupled_strips.py) has the weight c < 1, the rest of the traction is that of a strip
+ * which slips all over.  The first point behind the stick zone takes over in proportion to the way from its
+ * edge.
+ *
+ * All strips are integrated side by side, with places over a and tractions over m a, so that bounds and steps are those
+ * of all of them, and compilers do several strips at once.
+ */
+
+/* Nothing is pushed and nothing counts yet in any strip; ``ratio`` is the patch's a/b. */
+static inline int64_t traction_integration__open_integrations(array_double_1d work, double ratio)
+{
+    int64_t i_1, q;
+    double square;
+    for (i_1 = 0; i_1 < layout__STRIP_INTEGRATIONS_SIZE; i_1 += 1)
+    {
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + i_1) = 0.0;
+    }
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
+    {
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = -1.0;
+    }
+    square = ratio / traction_integration__SHARE_RATIO * (ratio / traction_integration__SHARE_RATIO);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) = traction_integration__SHARE / (1.0 + square * square);
+    return 0;
+}
+
+/* What both marches of strip ``number`` lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and
+ * ``spinning`` = i3/K3 [1/m] of the patch, ``ratio`` its a/b.
+ */
+static inline int64_t traction_integration__set_pushes(array_double_1d work, int64_t integration, int64_t number, double plane, double spinning, double ratio)
+{
+    double i1, i2, i3, s, x, y, z, centre, fills, scale, near, lag, along, across, turning;
+    i1 = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * plane;
+    i2 = AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) * plane;
+    i3 = AT(work, integration + layout__STRIP_INTEGRATION_TURNING) * spinning;
+    s = 3.0 * M_PI / 32.0 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN);
+    x = AT(work, integration + layout__STRIP_INTEGRATION_SLIP) * AT(work, integration + layout__STRIP_INTEGRATION_SLIP);
+    y = AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL);
+    z = s * s;
+    centre = (x * i1 + y * i2 + z * i3 + traction_integration__NOTHING * i1) / (x + y + z + traction_integration__NOTHING);
+    fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
+    scale = 4.0 / (AT(work, integration + layout__STRIP_INTEGRATION_RATE) * AT(work, integration + layout__STRIP_INTEGRATION_RATE));
+    near = 1.0 / (1.0 + scale * fills / (traction_integration__FILLS * traction_integration__FILLS));
+    i1 = centre + (i1 - centre) * near;
+    i2 = centre + (i2 - centre) * near;
+    i3 = centre + (i3 - centre) * near;
+    fills = x * i1 * i1 + y * i2 * i2 + z * i3 * i3;
+    lag = traction_integration__LAG + traction_integration__LONG_LAG * ratio / (ratio + traction_integration__LAG_RATIO);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + number) = lag / (1.0 + scale * fills / (traction_integration__LAG_FILLS * traction_integration__LAG_FILLS));
+    along = AT(work, integration + layout__STRIP_INTEGRATION_SLIP) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    across = AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    turning = AT(work, integration + layout__STRIP_INTEGRATION_SPIN) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + number) = along * i1;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + number) = across * i2;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + number) = turning * i3;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + number) = along * centre;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + number) = across * centre;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + number) = turning * centre;
+    return 0;
+}
+
+/* Begin the sums of strip ``number`` with its stick zone: eqs. (T1), (T2) without what slips, and the
+ * points before the edge; the first point behind the edge takes note of the strip.
+ */
+static inline int64_t traction_integration__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t integration, int64_t number)
+{
+    double weight, depth, edge, behind, turning, lead_x, lead_y, inner;
+    int64_t q;
+    weight = AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + number) = 1.0 - weight;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + number) = (1.0 - weight) * (1.0 - weight);
+    if (weight > 0.0)
+    {
+        depth = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        edge = 2.0 * depth - 1.0;
+        q = layout__POINT_LIMIT;
+        behind = 0.0;
+        turning = 0.0;
+        while (q > 0 && AT(tables, table + layout__ROLLING_TABLE_COSINES + (q - 1)) < edge)
+        {
+            q -= 1;
+            behind += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+            turning += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        }
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + number) = weight;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + number) = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + number) = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + number) = edge;
+        lead_x = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * traction_integration__WHOLE;
+        lead_y = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * traction_integration__WHOLE;
+        inner = (1.0 - depth) * (1.0 - depth);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number) = weight * (lead_x * (2.0 - depth) - AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number) = weight * (lead_y * (2.0 - depth) + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * traction_integration__WHOLE - AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number) = -weight * (lead_y * inner + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * turning);
+        if (AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) > 1.0)
+        {
+            traction_integration__add_beyond(tables, work, table, integration, number, q);
+        }
+        if (q < layout__POINT_LIMIT)
+        {
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = (double)number;
+        }
+    }
+    return 0;
+}
+
+/* Add what eq. (Z1) has to be changed by to stay within the bound, at the points before ``last``. */
+static inline int64_t traction_integration__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t integration, int64_t number, int64_t last)
+{
+    double depth, bound, away, inner, root, p_x, p_y, cut_x, cut_y, weight;
+    int64_t q;
+    depth = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    for (q = 0; q < last; q += 1)
+    {
+        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        away = AT(tables, table + layout__ROLLING_TABLE_COSINES + q) - depth;
+        inner = (1.0 - depth) * (1.0 - depth) - away * away;
+        if (inner > 0.0)
+        {
+            root = sqrt(inner);
+            p_x = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * (bound - root);
+            p_y = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * (bound - root) + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * root;
+            tractions__cut_to(&cut_x, &cut_y, p_x, p_y, bound);
+            weight = AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) * bound;
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number) += weight * (cut_x - p_x);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number) += weight * (cut_y - p_y);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number) += weight * AT(tables, table + layout__ROLLING_TABLE_COSINES + q) * (cut_y - p_y);
+        }
+    }
+    return 0;
+}
+
+/* Add the points of all strips, from the leading edge on, to their sums; ``falls``: whether friction
+ * does, with the slip of each point (falling.py).
+ */
+static inline int64_t traction_integration__integrate_strips(array_double_1d tables, array_double_1d work, int64_t table, bool falls)
+{
+    double before, x, bound, friction;
+    bool slipping;
+    int64_t q, first, strip;
+    before = 1.0;
+    slipping = traction_integration__has_slip(work);
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
+    {
+        x = AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        first = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q);
+        strip = first;
+        while (strip >= 0)
+        {
+            traction_integration__reach_edge(work, strip, before, x, bound);
+            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + strip);
+        }
+        traction_integration__integrate_first(work, x, bound, before - x);
+        if (falls)
+        {
+            falling__find_shares(work, x);
+        }
+        if (slipping)
+        {
+            if (falls)
+            {
+                falling__weigh_slips(work, bound);
+            }
+            traction_integration__integrate_second(work, x, bound, before - x);
+            if (falls)
+            {
+                falling__restore_slips(work);
+            }
+        }
+        strip = first;
+        while (strip >= 0)
+        {
+            friction = 1.0;
+            if (falls)
+            {
+                friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
+                AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) += bound * bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + strip) * (1.0 - friction);
+            }
+            traction_integration__leave_edge(work, strip, x, bound, friction);
+            slipping = true;
+            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + strip);
+        }
+        before = x;
+    }
+    return 0;
+}
+
+/* Whether slip counts in some strip at its leading edge. */
+static inline bool traction_integration__has_slip(array_double_1d work)
+{
+    bool found;
+    int64_t i;
+    found = false;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) > 0.0)
+        {
+            found = true;
+        }
+    }
+    return found;
+}
+
+/* Let integration A of all strips come to ``x``, a ``step`` further, eq. (M1). */
+static inline int64_t traction_integration__integrate_first(array_double_1d work, double x, double bound, double step)
+{
+    double limit, at, along, across, square, cut;
+    int64_t i;
+    limit = bound * bound;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step;
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i);
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) - step * (AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i) * at);
+        square = double_max(along * along + across * across, limit);
+        cut = bound / sqrt(square);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) = cut * along;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) = cut * across;
+    }
+    return 0;
+}
+
+/* The same for integration B, and add what slips there: eqs. (M2), (M5), most of all time that the model
+ * takes.
+ */
+static inline int64_t traction_integration__integrate_second(array_double_1d work, double x, double bound, double step)
+{
+    double share, limit, soft, at, second_x, second_y, square, cut, along, across, scale, largest;
+    int64_t i;
+    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE);
+    limit = bound * bound;
+    soft = traction_integration__SOFT * traction_integration__SOFT * limit;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step;
+        second_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i);
+        second_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) - step * (AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * at);
+        square = double_max(second_x * second_x + second_y * second_y, limit);
+        cut = bound / sqrt(square);
+        second_x *= cut;
+        second_y *= cut;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) = second_x;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) = second_y;
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) + share * (second_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i));
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) + share * (second_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i));
+        square = along * along + across * across;
+        scale = bound / sqrt((1.0 - traction_integration__SOFT * traction_integration__SOFT) * square + soft);
+        largest = double_max(AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) * (square * scale * scale), AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) = largest;
+        scale *= bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) += scale * along;
+        across *= scale;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) += across;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) += x * across;
+    }
+    return 0;
+}
+
+/* The traction of strip ``i`` at the edge of its stick zone, between ``before`` and the point ``x``, and
+ * how much slip counts at that point.
+ */
+static inline int64_t traction_integration__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound)
+{
+    double edge, weight, edge_bound, start_x, start_y, to_x, to_y, near;
+    edge = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i);
+    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i);
+    edge_bound = traction_integration__sqrt_of(1.0 - edge * edge);
+    start_x = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) * edge_bound;
+    start_y = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) * edge_bound;
+    if (weight < 1.0)
+    {
+        traction_integration__stepped(&to_x, &to_y, work, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i), edge, before - edge);
+        tractions__cut_to(&to_x, &to_y, to_x, to_y, edge_bound);
+        start_x += (1.0 - weight) * to_x;
+        start_y += (1.0 - weight) * to_y;
+    }
+    traction_integration__note_largest(work, i, start_x, start_y);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i) = start_x;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i) = start_y;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i) = (edge - x) / (before - x);
+    near = 1.0 - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = near * (1.0 - weight);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = 0.0;
+    weight *= near * bound * bound;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) += weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) += weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) += weight * x * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i);
+    return 0;
+}
+
+/* Let the second integration of strip ``i`` begin at the edge of its stick zone, and add the rest of its
+ * traction at ``x``, the first point behind; ``friction`` is that there over that of rest.
+ */
+static inline int64_t traction_integration__leave_edge(array_double_1d work, int64_t i, double x, double bound, double friction)
+{
+    double weight, near, p_x, p_y, slip_x, slip_y, step, to_x, to_y, kept, share;
+    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i);
+    near = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
+    p_x = 0.0;
+    p_y = 0.0;
+    if (weight < 1.0)
+    {
+        traction_integration__slip_traction(&slip_x, &slip_y, work, i, bound);
+        p_x = near * friction * slip_x;
+        p_y = near * friction * slip_y;
+    }
+    step = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i) - x;
+    traction_integration__stepped(&to_x, &to_y, work, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i), x, step);
+    tractions__cut_to(&to_x, &to_y, to_x, to_y, bound);
+    if (weight < traction_integration__FAINT)
+    {
+        /* as if there was no stick zone, of which nothing is left */
+        kept = weight / traction_integration__FAINT;
+        to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) + kept * (to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i));
+        to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) + kept * (to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i));
+    }
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) = to_x;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) = to_y;
+    traction_integration__slip_traction(&slip_x, &slip_y, work, i, bound);
+    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i);
+    slip_x *= share * friction;
+    slip_y *= share * friction;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) += bound * slip_x;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) += bound * slip_y;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) += bound * x * slip_y;
+    weight *= (1.0 - share) * bound;
+    traction_integration__note_largest(work, i, p_x + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + slip_x, p_y + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + slip_y);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = 1.0;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = 1.0;
+    return 0;
+}
+
+/* The traction of the second integration of strip ``i`` at ``x``, a ``step`` further, not yet cut; eq. (M2). */
+static inline void traction_integration__stepped(double* out_0, double* out_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step)
+{
+    double across;
+    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * (x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step);
+    *out_0 = p_x - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i);
+    *out_1 = p_y - step * across;
+}
+
+/* The traction of strip ``i`` of eq. (M5). */
+static inline void traction_integration__slip_traction(double* out_0, double* out_1, array_double_1d work, int64_t i, double bound)
+{
+    double along, across, square, scale;
+    along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * (AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i));
+    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * (AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i));
+    square = along * along + across * across;
+    scale = bound / sqrt(square + traction_integration__SOFT * traction_integration__SOFT * (bound * bound - square));
+    *out_0 = along * scale;
+    *out_1 = across * scale;
+}
+
+/* Keep the largest traction of strip ``i``. */
+static inline int64_t traction_integration__note_largest(array_double_1d work, int64_t i, double p_x, double p_y)
+{
+    double square;
+    square = p_x * p_x + p_y * p_y;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) = double_max(AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i), square);
+    return 0;
+}
+
+/* Square root, of nothing below zero. */
+static inline double traction_integration__sqrt_of(double value)
+{
+    double root;
+    root = 0.0;
+    if (value > 0.0)
+    {
+        root = sqrt(value);
+    }
+    return root;
 }
 
 

@@ -33,36 +33,36 @@ static inline int64_t derivative_compliant_rules__follow_deflection_t(array_doub
 {
     derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
+    if (prescribed_height__is_damped(tables) || input_checks__is_moving(work, tables, layout__WORK_INPUTS))
     {
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+        derivative_rolling_contact__open_given_motion_t(tables, work, work_t);
     }
     derivative_compliant_rules__follow_minimum_t(tables, work, work_t, index);
     derivative_springs__weigh_rail_t(tables, work, work_t, index, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     return 0;
 }
 
-/* Derivative of ``follow_settled``. */
-static inline bool derivative_compliant_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+/* Derivative of ``follow_balanced``. */
+static inline bool derivative_compliant_rules__follow_balanced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     double lateral, vertical;
     lanes residual_lateral, residual_vertical, lateral_lateral, vertical_lateral, lateral_vertical, vertical_vertical, determinant, lateral_rate, vertical_rate;
-    derivative_springs__open_settling_t(tables, work, work_t, index);
+    derivative_springs__open_equilibrium_t(tables, work, work_t, index);
     lateral = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
     vertical = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL);
     derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(0.0));
-    if (!springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
+    if (!springs__is_balanced(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
     {
         return true;
     }
-    EACH_LANE each(residual_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL));
-    EACH_LANE each(residual_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL));
+    EACH_LANE each(residual_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL));
+    EACH_LANE each(residual_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL));
     derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(1.0), vertical, all_lanes(0.0));
-    EACH_LANE each(lateral_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - each(residual_lateral);
-    EACH_LANE each(vertical_lateral) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - each(residual_vertical);
+    EACH_LANE each(lateral_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) - each(residual_lateral);
+    EACH_LANE each(vertical_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) - each(residual_vertical);
     derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(1.0));
-    EACH_LANE each(lateral_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) - each(residual_lateral);
-    EACH_LANE each(vertical_vertical) = each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) - each(residual_vertical);
+    EACH_LANE each(lateral_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) - each(residual_lateral);
+    EACH_LANE each(vertical_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) - each(residual_vertical);
     EACH_LANE each(determinant) = each(lateral_lateral) * each(vertical_vertical) - each(lateral_vertical) * each(vertical_lateral);
     if (!derivative_rates__nonzero(determinant))
     {
@@ -86,30 +86,30 @@ static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1
     roll = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL);
     EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    derivative_rolled_rails__set_reference_t(work, work_t, height, height_t);
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_t);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
-    if (at_height__is_damped(tables))
+    if (prescribed_height__is_damped(tables))
     {
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+        derivative_rolling_contact__open_given_motion_t(tables, work, work_t);
     }
     for (index = 0; index < 2; index += 1)
     {
-        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        if (input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             if (rails__is_sprung(tables, index))
             {
-                n1 = derivative_compliant_rules__follow_settled_t(tables, work, work_t, index);
+                n1 = derivative_compliant_rules__follow_balanced_t(tables, work, work_t, index);
                 undefined = n1;
                 outcome = outcome || undefined;
             }
             else
             {
                 derivative_compliant_rules__follow_minimum_t(tables, work, work_t, index);
-                derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
+                derivative_prescribed_height__load_at_height_t(tables, work, work_t, index, height, height_t);
             }
         }
     }
@@ -135,7 +135,7 @@ static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d ta
         derivative_motion_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
         if (derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) || derivative_rates__nonzero(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)))
         {
-            derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
+            derivative_roll__roll_rails_t(work, work_t, tables, inputs, roll, roll_t);
         }
     }
     return 0;
@@ -213,13 +213,13 @@ static inline void derivative_motion_rules__follow_residuals_t(double* left_out,
     v4 = v3 / time;
     EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time - each(vertical_t);
     right = v4 - vertical;
-    if (!(requested__side_force(work, 0) > 0.0))
+    if (!(input_checks__side_force(work, 0) > 0.0))
     {
         derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
         EACH_LANE each(left_t) = each(v5_t);
         left = v5;
     }
-    if (!(requested__side_force(work, 1) > 0.0))
+    if (!(input_checks__side_force(work, 1) > 0.0))
     {
         derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
         EACH_LANE each(right_t) = each(v6_t);
@@ -240,19 +240,19 @@ static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1
     derivative_depth_rates__displace_inputs_t(work, work_t, time, time_t);
     EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + (each(time_t) * vertical + time * each(vertical_t));
     height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    derivative_rolled_rails__set_reference_t(work, work_t, height, height_t);
     EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + (each(time_t) * roll_rate + time * each(roll_rate_t));
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate, rates);
     RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
     for (index = 0; index < 2; index += 1)
     {
-        derivative_requested__side_force_t(&v1, &v1_t, work, work_t, index);
+        derivative_input_checks__side_force_t(&v1, &v1_t, work, work_t, index);
         EACH_LANE each(force_t) = each(v1_t);
         force = v1;
         if (force > 0.0)
         {
-            derivative_trial__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
+            derivative_residuals__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
         }
     }
     RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
@@ -316,7 +316,7 @@ static inline bool derivative_turning_rules__follow_turning_t(array_double_1d ta
     {
         for (index = 0; index < 2; index += 1)
         {
-            if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+            if (input_checks__is_free(work, tables, layout__WORK_INPUTS, index))
             {
                 n1 = derivative_turning_rules__follow_turn_t(tables, work, work_t, index, index);
                 lost = n1;
@@ -324,8 +324,8 @@ static inline bool derivative_turning_rules__follow_turning_t(array_double_1d ta
             }
             else
             {
-                derivative_rubbing__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
-                derivative_rubbing__rub_side_t(tables, work, work_t, index);
+                derivative_rolling_contact__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+                derivative_rolling_contact__solve_side_creep_t(tables, work, work_t, index);
             }
         }
     }
@@ -380,10 +380,10 @@ static inline void derivative_turning_rules__follow_torque_t(double* torque_out,
     if (rails__on_springs(tables))
     {
         derivative_compliant_rules__follow_compliant_t(tables, work, work_t);
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+        derivative_rolling_contact__open_given_motion_t(tables, work, work_t);
     }
     scale = 0.0;
-    derivative_requested__outer_torque_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS, first);
+    derivative_input_checks__outer_torque_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS, first);
     EACH_LANE each(torque_t) = each(v1_t);
     torque = v1;
     for (index = first; index < last + 1; index += 1)
@@ -391,13 +391,13 @@ static inline void derivative_turning_rules__follow_torque_t(double* torque_out,
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(rate_t);
         AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
-        derivative_rubbing__move_side_t(work, work_t, tables, side);
-        derivative_rubbing__rub_side_t(tables, work, work_t, index);
+        derivative_rolling_contact__move_side_t(work, work_t, tables, side);
+        derivative_rolling_contact__solve_side_creep_t(tables, work, work_t, index);
         number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
         for (number = 0; number < number_end; number += 1)
         {
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-            derivative_forces__rub_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+            derivative_forces__add_creep_force_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
             EACH_LANE each(torque_t) = each(torque_t) + each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE));
             torque = torque + AT(work, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
             scale = scale + AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_ROLLING_RADIUS);
@@ -440,7 +440,7 @@ static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes
 {
     double left, mismatch, rate, right;
     lanes left_t, mismatch_t, rate_t, right_t;
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    derivative_rolled_rails__set_reference_t(work, work_t, height, height_t);
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
     derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
@@ -450,8 +450,8 @@ static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes
     EACH_LANE each(*out_3) = each(right_t) - each(height_t);
 }
 
-/* Derivative of ``follow_leaning_roll``. */
-static inline void derivative_wheelset_rules__follow_leaning_roll_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+/* Derivative of ``follow_roll_on_rolled_rails``. */
+static inline void derivative_wheelset_rules__follow_roll_on_rolled_rails_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     double roll, height, left, right;
     lanes left_t, right_t, residual_left, residual_right, left_height, right_height, left_roll, right_roll, determinant, height_rate, roll_rate;
@@ -469,7 +469,7 @@ static inline void derivative_wheelset_rules__follow_leaning_roll_t(double* roll
     EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
     EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
     EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
-    derivative_leaning__set_reference_t(work, work_t, height, height_rate);
+    derivative_rolled_rails__set_reference_t(work, work_t, height, height_rate);
     *roll_out = roll;
     EACH_LANE each(*roll_rate_out) = each(roll_rate);
 }
@@ -479,14 +479,14 @@ static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_
 {
     double v1, v2;
     lanes v1_t, v2_t;
-    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    derivative_rolled_rails__set_reference_t(work, work_t, height, height_t);
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 0);
-    derivative_requested__side_force_t(&v1, &v1_t, work, work_t, 0);
-    derivative_trial__balance_side_t(tables, work, work_t, 0, v1, v1_t, height, height_t);
+    derivative_input_checks__side_force_t(&v1, &v1_t, work, work_t, 0);
+    derivative_residuals__balance_side_t(tables, work, work_t, 0, v1, v1_t, height, height_t);
     derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 1);
-    derivative_requested__side_force_t(&v2, &v2_t, work, work_t, 1);
-    derivative_trial__balance_side_t(tables, work, work_t, 1, v2, v2_t, height, height_t);
+    derivative_input_checks__side_force_t(&v2, &v2_t, work, work_t, 1);
+    derivative_residuals__balance_side_t(tables, work, work_t, 1, v2, v2_t, height, height_t);
     return 0;
 }
 
@@ -569,11 +569,11 @@ static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tabl
     EACH_LANE each(left_right) = each(v5_t) - each(missing_left);
     derivative_vertical_load__carried_share_t(&v6, &v6_t, work, work_t, 1);
     EACH_LANE each(right_right) = each(v6_t) - each(missing_right);
-    if (!(requested__side_force(work, 0) > 0.0))
+    if (!(input_checks__side_force(work, 0) > 0.0))
     {
         left_left = all_lanes(1.0);
     }
-    if (!(requested__side_force(work, 1) > 0.0))
+    if (!(input_checks__side_force(work, 1) > 0.0))
     {
         right_right = all_lanes(1.0);
     }
@@ -600,7 +600,7 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
         roll = v1;
         if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
         {
-            derivative_wheelset_rules__follow_leaning_roll_t(&v2, &v2_t, tables, work, work_t);
+            derivative_wheelset_rules__follow_roll_on_rolled_rails_t(&v2, &v2_t, tables, work, work_t);
             EACH_LANE each(roll_t) = each(v2_t);
             roll = v2;
         }
@@ -619,8 +619,8 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
         n4 = derivative_compliant_rules__follow_compliant_t(tables, work, work_t);
         outcome = n4;
     }
-    derivative_rubbing__move_wheelset_t(tables, work, work_t);
-    if (mode == layout__MODE_ELASTIC && requested__is_moving(work, tables, layout__WORK_INPUTS))
+    derivative_rolling_contact__move_wheelset_t(tables, work, work_t);
+    if (mode == layout__MODE_ELASTIC && input_checks__is_moving(work, tables, layout__WORK_INPUTS))
     {
         if (AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) == 1.0 && !outcome)
         {
@@ -635,8 +635,8 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     }
     else
     {
-        derivative_rubbing__move_patches_t(tables, work, work_t);
-        derivative_rubbing__rub_patches_t(tables, work, work_t);
+        derivative_rolling_contact__move_patches_t(tables, work, work_t);
+        derivative_rolling_contact__solve_creep_forces_t(tables, work, work_t);
     }
     derivative_forces__sum_forces_t(tables, work, work_t);
     return outcome;

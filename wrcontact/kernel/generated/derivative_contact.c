@@ -397,130 +397,6 @@ static inline bool derivative_curves__across_rule_t(array_double_1d tables, arra
 }
 
 
-/* ---- From derivative_deep_points.py; change that one.
- *
- * Derivatives of deep_points.py.
- */
-
-/* Derivative of ``keep_deepest``. */
-static inline int64_t derivative_deep_points__keep_deepest_t(array_double_1d work, array_lanes_1d work_t)
-{
-    int64_t i_1, k1;
-    for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
-    {
-        k1 = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + i_1;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = each(RATE_AT(work_t, k1));
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1) = AT(work, k1);
-    }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)1;
-    return 0;
-}
-
-/* Derivative of ``keep_points``. */
-static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work, array_lanes_1d work_t, int64_t kept)
-{
-    int64_t entry, i_1, entry_end;
-    RATE_AT(work_t, kept + layout__DEEP_POINTS_COUNT) = all_lanes(0.0);
-    AT(work, kept + layout__DEEP_POINTS_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT));
-    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    for (entry = 0; entry < entry_end; entry += 1)
-    {
-        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
-        {
-            EACH_LANE each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
-            AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``follow_overlaps``. */
-static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t)
-{
-    int64_t entry, point, i_1, entry_end, entry_end_2;
-    lanes x_t;
-    double x;
-    bool turned;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = each(height_t);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) = height;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = all_lanes(0.0);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)((int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT));
-    entry_end = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT);
-    for (entry = 0; entry < entry_end; entry += 1)
-    {
-        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
-        {
-            EACH_LANE each(RATE_AT(work_t, point + i_1)) = each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
-            AT(work, point + i_1) = AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
-        }
-        EACH_LANE each(x_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
-        x = AT(work, point + layout__DEEP_POINT_RAIL);
-        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, x, x_t, AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), height, height_t, 1.0, all_lanes(0.0));
-        if (!turned || !(AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0))
-        {
-            return 0;
-        }
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) = each(x_t);
-        AT(work, point + layout__DEEP_POINT_RAIL) = x;
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
-        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
-        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
-    }
-    entry_end_2 = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) - 1;
-    for (entry = 0; entry < entry_end_2; entry += 1)
-    {
-        derivative_deep_points__follow_saddle_t(tables, work, work_t, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1), height, height_t);
-    }
-    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-}
-
-/* Derivative of ``follow_saddle``. */
-static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t)
-{
-    double v1, y, v2, v3, v4, v5, reach, x, v6;
-    lanes y_t, v3_t, v5_t, reach_t, x_t, rates, rates_2, rates_3;
-    bool turned;
-    v1 = AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL);
-    EACH_LANE each(y_t) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_WHEEL)));
-    y = 0.5 * v1;
-    v2 = AT(work, point + layout__DEEP_POINT_SADDLE) - AT(work, point + layout__DEEP_POINT_RAIL);
-    v3 = deep_points__FOLLOWED;
-    v3_t = all_lanes(0.0);
-    if (v2 < v3)
-    {
-        v3 = v2;
-        EACH_LANE each(v3_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
-    }
-    v4 = AT(work, following + layout__DEEP_POINT_RAIL) - AT(work, point + layout__DEEP_POINT_SADDLE);
-    v5 = v3;
-    EACH_LANE each(v5_t) = each(v3_t);
-    if (v4 < v5)
-    {
-        v5 = v4;
-        EACH_LANE each(v5_t) = each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
-    }
-    EACH_LANE each(reach_t) = each(v5_t);
-    reach = v5;
-    EACH_LANE each(rates) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(reach_t);
-    EACH_LANE each(rates_2) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) + each(reach_t);
-    derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_SADDLE) - reach, rates, AT(work, point + layout__DEEP_POINT_SADDLE) + reach, rates_2, AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE), y, y_t, height, height_t, -1.0, all_lanes(0.0));
-    if (!turned)
-    {
-        v6 = AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL);
-        EACH_LANE each(rates_3) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)));
-        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), RATE_AT(work_t, following + layout__DEEP_POINT_RAIL), 0.5 * v6, rates_3, y, y_t, height, height_t, -1.0, all_lanes(0.0));
-    }
-    EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) = each(x_t);
-    AT(work, point + layout__DEEP_POINT_SADDLE) = x;
-    EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_BETWEEN)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
-    AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
-    return 0;
-}
-
-
 /* ---- From derivative_frame.py; change that one.
  *
  * Derivatives of frame.py.
@@ -768,12 +644,12 @@ static inline void derivative_overlaps__turning_rule_t(double* found_x_out, lane
     found_x = x;
     overlap_t = all_lanes(0.0);
     overlap = 0.0;
-    n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+    n1 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, penetrated__LINE_SHARP, all_lanes(0.0));
     if (n1)
     {
         EACH_LANE each(rise_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RISE));
         rise = AT(work, meeting + layout__MEETING_RISE);
-        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, all_lanes(1.0), AT(work, meeting + layout__MEETING_WHEEL), all_lanes(0.0), height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+        derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, all_lanes(1.0), AT(work, meeting + layout__MEETING_WHEEL), all_lanes(0.0), height, height_t, penetrated__LINE_SHARP, all_lanes(0.0));
         EACH_LANE each(change) = each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - each(rise_t);
         if (derivative_rates__nonzero(change))
         {
@@ -781,7 +657,7 @@ static inline void derivative_overlaps__turning_rule_t(double* found_x_out, lane
             EACH_LANE each(found_x_t) = -each(rise_t) / each(change);
             found_x = x;
         }
-        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, found_x, found_x_t, AT(work, meeting + layout__MEETING_WHEEL), all_lanes(0.0), height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+        derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, found_x, found_x_t, AT(work, meeting + layout__MEETING_WHEEL), all_lanes(0.0), height, height_t, penetrated__LINE_SHARP, all_lanes(0.0));
         EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
         y = AT(work, meeting + layout__MEETING_WHEEL);
         EACH_LANE each(overlap_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
@@ -825,13 +701,13 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d table
 }
 
 
-/* ---- From derivative_pressed.py; change that one.
+/* ---- From derivative_penetrated.py; change that one.
  *
- * Derivatives of pressed.py.
+ * Derivatives of penetrated.py.
  */
 
 /* Derivative of ``meet_wheel``. */
-static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
+static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
 {
     int64_t meeting, wheel, i;
     double z_rail, m, rail_bend, v1, v2, v3, cosine, v4, v5, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, v6, along, v7, v8, move, sharp, v9, overlap, v10, v11, v12, rise, v13, v14, v15, wheel_cos, v16, v17, v18, wheel_kappa, steep, v19, rest, v20, v21, v22, turn, v23, v24, v25, v26, v27, v28;
@@ -850,7 +726,7 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
     v5 = v4 * cosine;
     EACH_LANE each(kappa_t) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t);
     kappa = v5 * cosine;
-    for (i = 0; i < pressed__LINE_ITERATIONS; i += 1)
+    for (i = 0; i < penetrated__LINE_ITERATIONS; i += 1)
     {
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
@@ -873,17 +749,17 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
         move = v8;
         EACH_LANE each(sharp_t) = each(tolerance_t);
         sharp = tolerance;
-        if (i == pressed__LINE_ITERATIONS - 1 && sharp < pressed__LINE_JOINT)
+        if (i == penetrated__LINE_ITERATIONS - 1 && sharp < penetrated__LINE_JOINT)
         {
             sharp_t = all_lanes(0.0);
-            sharp = pressed__LINE_JOINT;
+            sharp = penetrated__LINE_JOINT;
         }
         if (fabs(move) < sharp)
         {
             v9 = down - m * across;
             EACH_LANE each(overlap_t) = (each(down_t) - (each(m_t) * across + m * each(across_t))) * cosine + v9 * each(cosine_t);
             overlap = v9 * cosine;
-            if (!(fabs(overlap) < pressed__FARTHEST && y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
+            if (!(fabs(overlap) < penetrated__FARTHEST && y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
             {
                 return false;
             }
@@ -935,12 +811,12 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
         }
         v26 = move;
         EACH_LANE each(v26_t) = each(move_t);
-        if (pressed__LINE_STEP < v26)
+        if (penetrated__LINE_STEP < v26)
         {
-            v26 = pressed__LINE_STEP;
+            v26 = penetrated__LINE_STEP;
             v26_t = all_lanes(0.0);
         }
-        v27 = -pressed__LINE_STEP;
+        v27 = -penetrated__LINE_STEP;
         v28 = v26;
         EACH_LANE each(v28_t) = each(v26_t);
         if (v27 > v28)
@@ -961,7 +837,7 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``mean_bend``. */
-static inline void derivative_pressed__mean_bend_t(double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t)
+static inline void derivative_penetrated__mean_bend_t(double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t)
 {
     lanes blur_t, low_t, high_t, v1_t, v2_t, z_t, low_slope_t, high_slope_t;
     double blur, low, high, v1, v2, z, low_slope, high_slope, v3, v4, v5;
@@ -1005,8 +881,8 @@ static inline void derivative_pressed__mean_bend_t(double* bend_out, lanes* bend
     EACH_LANE each(*bend_t_out) = each(bend_t);
 }
 
-/* Derivative of ``pressed_gap``. */
-static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
+/* Derivative of ``penetrated_gap``. */
+static inline void derivative_penetrated__penetrated_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
     int64_t k1, rail, trace, meeting;
     lanes way_t, v2_t, abscissa_t, gap_t, rate_t, bend_t, estimate_t;
@@ -1031,7 +907,7 @@ static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
         EACH_LANE each(estimate_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(way_t) * AT(work, trace + layout__TRACE_RATE) + way * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
         estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
-        n3 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP, all_lanes(0.0));
+        n3 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), penetrated__NODE_SHARP, all_lanes(0.0));
         if (n3)
         {
             meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
@@ -1041,7 +917,7 @@ static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap
             rate = -AT(work, meeting + layout__MEETING_RISE);
             EACH_LANE each(bend_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RATE));
             bend = -AT(work, meeting + layout__MEETING_RATE);
-            if (fabs(way) > pressed__LEAST_WAY)
+            if (fabs(way) > penetrated__LEAST_WAY)
             {
                 v4 = AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA);
                 v5 = v4 / way;
@@ -1065,20 +941,20 @@ static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap
 }
 
 /* Derivative of ``met_curvature``. */
-static inline void derivative_pressed__met_curvature_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline void derivative_penetrated__met_curvature_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     int64_t meeting;
     double v2, v1;
     lanes v2_t, v1_t;
     meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
-    derivative_pressed__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND), RATE_AT(work_t, meeting + layout__MEETING_BEND));
+    derivative_penetrated__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND), RATE_AT(work_t, meeting + layout__MEETING_BEND));
     derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), RATE_AT(work_t, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE), v2, v2_t);
     *v1_out = v1;
     EACH_LANE each(*v1_t_out) = each(v1_t);
 }
 
 /* Derivative of ``limited``. */
-static inline void derivative_pressed__limited_t(double* step_out, lanes* step_t_out, double step, lanes step_t, double limit, lanes limit_t)
+static inline void derivative_penetrated__limited_t(double* step_out, lanes* step_t_out, double step, lanes step_t, double limit, lanes limit_t)
 {
     double v1, v2, v3;
     lanes v1_t, v3_t;
@@ -1104,7 +980,7 @@ static inline void derivative_pressed__limited_t(double* step_out, lanes* step_t
 }
 
 /* Derivative of ``turning_point``. */
-static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
+static inline void derivative_penetrated__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
 {
     int64_t meeting, i;
     lanes before_t, met_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v11_t, rate_t, move_t, rise_t;
@@ -1117,12 +993,12 @@ static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t
     moved_high = false;
     EACH_LANE each(met_t) = each(x_t);
     met = x;
-    for (i = 0; i < pressed__DEEP_ITERATIONS; i += 1)
+    for (i = 0; i < penetrated__DEEP_ITERATIONS; i += 1)
     {
         v1 = x + met;
         EACH_LANE each(following_t) = 0.5 * (each(x_t) + each(met_t));
         following = 0.5 * v1;
-        n2 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+        n2 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, penetrated__LINE_SHARP, all_lanes(0.0));
         if (n2)
         {
             EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
@@ -1172,7 +1048,7 @@ static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t
                 v14 = v12 / v13;
                 EACH_LANE each(move_t) = (-each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - v14 * (each(rate_t) * stretch + rate * each(stretch_t))) / v13;
                 move = v14;
-                if (fabs(move) < pressed__DEEP_SHARP)
+                if (fabs(move) < penetrated__DEEP_SHARP)
                 {
                     break;
                 }
@@ -1182,14 +1058,14 @@ static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t
                     following = x + move;
                 }
             }
-            if (fabs(following - x) < pressed__DEEP_SHARP)
+            if (fabs(following - x) < penetrated__DEEP_SHARP)
             {
                 break;
             }
             EACH_LANE each(before_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
             before = fabs(AT(work, meeting + layout__MEETING_RISE));
         }
-        else if (fabs(x - met) < pressed__DEEP_SHARP)
+        else if (fabs(x - met) < penetrated__DEEP_SHARP)
         {
             *x_out = x;
             EACH_LANE each(*x_t_out) = each(x_t);
@@ -1203,16 +1079,16 @@ static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t
     rise = fabs(AT(work, meeting + layout__MEETING_RISE));
     *x_out = x;
     EACH_LANE each(*x_t_out) = each(x_t);
-    *out_2 = rise < pressed__ZERO_RISE || (rise < pressed__LEVEL_RISE && moved_low && moved_high);
+    *out_2 = rise < penetrated__ZERO_RISE || (rise < penetrated__LEVEL_RISE && moved_low && moved_high);
 }
 
 /* Derivative of ``meet_rule``. */
-static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
+static inline bool derivative_penetrated__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
 {
     bool n1, found;
     double z_rail, m, rail_bend, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, v2, residual, v3, v4;
     lanes z_rail_t, m_t, rail_bend_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, residual_t;
-    n1 = pressed__meet_wheel(tables, work, pair, place, abscissa, y, height, tolerance);
+    n1 = penetrated__meet_wheel(tables, work, pair, place, abscissa, y, height, tolerance);
     found = n1;
     if (found)
     {
@@ -1227,19 +1103,19 @@ static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array
         v3 = -residual;
         v4 = stretch * (1.0 + m * outline_slope);
         EACH_LANE each(y_t) = -each(residual_t) / v4;
-        derivative_pressed__meet_wheel_t(tables, work, work_t, pair, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
+        derivative_penetrated__meet_wheel_t(tables, work, work_t, pair, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
     }
     return found;
 }
 
 
-/* ---- From derivative_pressed_regions.py; change that one.
+/* ---- From derivative_penetrated_regions.py; change that one.
  *
- * Derivatives of pressed_regions.py.
+ * Derivatives of penetrated_regions.py.
  */
 
 /* Derivative of ``touching_shift``. */
-static inline void derivative_pressed_regions__touching_shift_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point)
+static inline void derivative_penetrated_regions__touching_shift_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point)
 {
     double z, slope, y_track, z_track, outline_slope, z_rail, m;
     lanes z_t, slope_t, y_track_t, z_track_t, outline_slope_t, z_rail_t, m_t;
@@ -1252,8 +1128,8 @@ static inline void derivative_pressed_regions__touching_shift_t(double* out_0, l
     EACH_LANE each(*out_3) = each(z_rail_t) - each(z_track_t);
 }
 
-/* Derivative of ``press_frame``. */
-static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t)
+/* Derivative of ``lower_frame``. */
+static inline int64_t derivative_penetrated_regions__lower_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t)
 {
     EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(height_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = height;
@@ -1267,7 +1143,7 @@ static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d 
 }
 
 /* Derivative of ``sink_wheel``. */
-static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t)
+static inline int64_t derivative_penetrated_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t)
 {
     double v1, height;
     lanes height_t;
@@ -1277,14 +1153,14 @@ static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d t
     height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) + v1;
     n2 = derivative_overlaps__overlaps_rule_t(tables, work, work_t, pair, side, height, height_t);
     count = n2;
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, all_lanes(0.0));
+    derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, all_lanes(0.0));
     RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)true;
     return count;
 }
 
 /* Derivative of ``raise_wheel``. */
-static inline int64_t derivative_pressed_regions__raise_wheel_t(array_double_1d work, array_lanes_1d work_t, bool sunk)
+static inline int64_t derivative_penetrated_regions__raise_wheel_t(array_double_1d work, array_lanes_1d work_t, bool sunk)
 {
     RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = all_lanes(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
@@ -1304,8 +1180,8 @@ static inline int64_t derivative_pressed_regions__raise_wheel_t(array_double_1d 
     return 0;
 }
 
-/* Derivative of ``open_pressed_region``. */
-static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
+/* Derivative of ``open_penetrated_region``. */
+static inline int64_t derivative_penetrated_regions__open_penetrated_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
     double z_rail, m;
     lanes z_rail_t, m_t;
@@ -1323,7 +1199,7 @@ static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_do
 }
 
 /* Derivative of ``give_own_frame``. */
-static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
+static inline int64_t derivative_penetrated_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
     lanes cosine_t, abscissa_t, height_t, depth_t, aside_t, shift_t, n1_t, n2_t, n3_t, n4_t, n5_t, v7_t;
     double cosine, abscissa, height, depth, aside, shift, n1, n2, n3, n4, n5, v6, v7;
@@ -1337,7 +1213,7 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     EACH_LANE each(depth_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     sunk = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0;
-    derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
+    derivative_penetrated_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
     derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), aside, aside_t, shift, shift_t);
     RATE_AT(work_t, region + layout__REGION_OWN) = all_lanes(0.0);
     AT(work, region + layout__REGION_OWN) = (double)true;
@@ -1349,20 +1225,20 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, abscissa, abscissa_t, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
     EACH_LANE each(RATE_AT(work_t, region + layout__REGION_OFFSET)) = each(v7_t);
     AT(work, region + layout__REGION_OFFSET) = v7;
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, AT(work, point + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP), RATE_AT(work_t, region + layout__REGION_GAP));
+    derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, AT(work, point + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP), RATE_AT(work_t, region + layout__REGION_GAP));
     RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)sunk;
     return 0;
 }
 
 /* Derivative of ``gather_overlaps``. */
-static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     int64_t count, contact, i_1, index, region, point, i_2, i_3;
     double gap, rate, bend, v1, v2, v3;
     lanes gap_t, rate_t, bend_t, v1_t, v2_t, v3_t;
     count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
-    contact = deep_points__deepest_entry(work);
+    contact = penetration_maxima__deepest_entry(work);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
         EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
@@ -1372,20 +1248,20 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * index;
-        derivative_pressed_regions__open_pressed_region_t(tables, work, work_t, pair, region, point);
+        derivative_penetrated_regions__open_penetrated_region_t(tables, work, work_t, pair, region, point);
         if (index != contact || AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
         {
-            derivative_pressed_regions__give_own_frame_t(tables, work, work_t, pair, region, point);
+            derivative_penetrated_regions__give_own_frame_t(tables, work, work_t, pair, region, point);
         }
         derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
-        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
+        derivative_penetrated__penetrated_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(bend_t);
         AT(work, region + layout__REGION_BEND) = bend;
         RATE_AT(work_t, region + layout__REGION_CURVATURE) = all_lanes(0.0);
-        AT(work, region + layout__REGION_CURVATURE) = pressed__NOT_MET;
+        AT(work, region + layout__REGION_CURVATURE) = penetrated__NOT_MET;
         if (gap < frame__NO_GAP)
         {
-            derivative_pressed__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
+            derivative_penetrated__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
             EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(v1_t);
             AT(work, region + layout__REGION_CURVATURE) = v1;
         }
@@ -1421,6 +1297,130 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
         derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
     }
     return count;
+}
+
+
+/* ---- From derivative_penetration_maxima.py; change that one.
+ *
+ * Derivatives of penetration_maxima.py.
+ */
+
+/* Derivative of ``keep_deepest``. */
+static inline int64_t derivative_penetration_maxima__keep_deepest_t(array_double_1d work, array_lanes_1d work_t)
+{
+    int64_t i_1, k1;
+    for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
+    {
+        k1 = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work) + i_1;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = each(RATE_AT(work_t, k1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1) = AT(work, k1);
+    }
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)1;
+    return 0;
+}
+
+/* Derivative of ``keep_points``. */
+static inline int64_t derivative_penetration_maxima__keep_points_t(array_double_1d work, array_lanes_1d work_t, int64_t kept)
+{
+    int64_t entry, i_1, entry_end;
+    RATE_AT(work_t, kept + layout__DEEP_POINTS_COUNT) = all_lanes(0.0);
+    AT(work, kept + layout__DEEP_POINTS_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT));
+    entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
+    {
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
+        {
+            EACH_LANE each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``follow_overlaps``. */
+static inline int64_t derivative_penetration_maxima__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t)
+{
+    int64_t entry, point, i_1, entry_end, entry_end_2;
+    lanes x_t;
+    double x;
+    bool turned;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = each(height_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) = height;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)((int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT));
+    entry_end = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT);
+    for (entry = 0; entry < entry_end; entry += 1)
+    {
+        point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
+        for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
+        {
+            EACH_LANE each(RATE_AT(work_t, point + i_1)) = each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            AT(work, point + i_1) = AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
+        }
+        EACH_LANE each(x_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+        x = AT(work, point + layout__DEEP_POINT_RAIL);
+        derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - penetration_maxima__FOLLOWED, x_t, x + penetration_maxima__FOLLOWED, x_t, x, x_t, AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), height, height_t, 1.0, all_lanes(0.0));
+        if (!turned || !(AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0))
+        {
+            return 0;
+        }
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) = each(x_t);
+        AT(work, point + layout__DEEP_POINT_RAIL) = x;
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
+        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+        AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
+    }
+    entry_end_2 = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) - 1;
+    for (entry = 0; entry < entry_end_2; entry += 1)
+    {
+        derivative_penetration_maxima__follow_saddle_t(tables, work, work_t, pair, place, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1), height, height_t);
+    }
+    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+}
+
+/* Derivative of ``follow_saddle``. */
+static inline int64_t derivative_penetration_maxima__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t)
+{
+    double v1, y, v2, v3, v4, v5, reach, x, v6;
+    lanes y_t, v3_t, v5_t, reach_t, x_t, rates, rates_2, rates_3;
+    bool turned;
+    v1 = AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL);
+    EACH_LANE each(y_t) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_WHEEL)));
+    y = 0.5 * v1;
+    v2 = AT(work, point + layout__DEEP_POINT_SADDLE) - AT(work, point + layout__DEEP_POINT_RAIL);
+    v3 = penetration_maxima__FOLLOWED;
+    v3_t = all_lanes(0.0);
+    if (v2 < v3)
+    {
+        v3 = v2;
+        EACH_LANE each(v3_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+    }
+    v4 = AT(work, following + layout__DEEP_POINT_RAIL) - AT(work, point + layout__DEEP_POINT_SADDLE);
+    v5 = v3;
+    EACH_LANE each(v5_t) = each(v3_t);
+    if (v4 < v5)
+    {
+        v5 = v4;
+        EACH_LANE each(v5_t) = each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
+    }
+    EACH_LANE each(reach_t) = each(v5_t);
+    reach = v5;
+    EACH_LANE each(rates) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(reach_t);
+    EACH_LANE each(rates_2) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) + each(reach_t);
+    derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_SADDLE) - reach, rates, AT(work, point + layout__DEEP_POINT_SADDLE) + reach, rates_2, AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE), y, y_t, height, height_t, -1.0, all_lanes(0.0));
+    if (!turned)
+    {
+        v6 = AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL);
+        EACH_LANE each(rates_3) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)));
+        derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), RATE_AT(work_t, following + layout__DEEP_POINT_RAIL), 0.5 * v6, rates_3, y, y_t, height, height_t, -1.0, all_lanes(0.0));
+    }
+    EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) = each(x_t);
+    AT(work, point + layout__DEEP_POINT_SADDLE) = x;
+    EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_BETWEEN)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+    AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
+    return 0;
 }
 
 
@@ -1623,7 +1623,7 @@ static inline void derivative_separation__separation_jet_t(double* gap_out, lane
     }
     else if (kind == layout__SEPARATION_NORMAL)
     {
-        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t);
+        derivative_penetrated__penetrated_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t);
     }
     else
     {
@@ -1644,10 +1644,10 @@ static inline void derivative_separation__separation_t(double* gap_out, lanes* g
     lanes gap_t, rate_t, bend_t, curvature_t, v1_t;
     derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     curvature_t = all_lanes(0.0);
-    curvature = pressed__NOT_MET;
+    curvature = penetrated__NOT_MET;
     if (gap < frame__NO_GAP || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
-        derivative_pressed__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
+        derivative_penetrated__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
         EACH_LANE each(curvature_t) = each(v1_t);
         curvature = v1;
     }

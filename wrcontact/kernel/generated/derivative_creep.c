@@ -373,152 +373,152 @@ static inline void derivative_correction__on_line_t(double* out_0, lanes* out_1,
  */
 
 /* Derivative of ``open_stick_zone``. */
-static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double shift, lanes shift_t, double width, lanes width_t, double ratio, lanes ratio_t)
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double shift, lanes shift_t, double width, lanes width_t, double ratio, lanes ratio_t)
 {
     lanes a_t, inverse_t, v9_t, depth_t, weight_t, rates, rates_2;
     double a, v1, inverse, v2, v3, v4, v5, v6, v7, v8, v9, depth, weight, v10, v11, v12, v13, v14;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    v1 = 1.0 / AT(work, march + layout__ROLLING_MARCH_RATE);
-    EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    v1 = 1.0 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     inverse = v1;
-    v2 = -AT(work, march + layout__ROLLING_MARCH_ALONG);
-    v3 = AT(work, march + layout__ROLLING_MARCH_SLIP) + shift;
+    v2 = -AT(work, integration + layout__STRIP_INTEGRATION_ALONG);
+    v3 = AT(work, integration + layout__STRIP_INTEGRATION_SLIP) + shift;
     v4 = v2 * v3;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) * v3 + v2 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP)) + each(shift_t))) * inverse + v4 * each(inverse_t);
-    AT(work, march + layout__ROLLING_MARCH_STICK_X) = v4 * inverse;
-    v5 = -AT(work, march + layout__ROLLING_MARCH_ACROSS);
-    v6 = v5 * AT(work, march + layout__ROLLING_MARCH_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) * AT(work, march + layout__ROLLING_MARCH_LATERAL) + v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL))) * inverse + v6 * each(inverse_t);
-    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v6 * inverse;
-    v7 = -AT(work, march + layout__ROLLING_MARCH_TURNING);
-    v8 = v7 * AT(work, march + layout__ROLLING_MARCH_SPIN);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) * AT(work, march + layout__ROLLING_MARCH_SPIN) + v7 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN))) * inverse + v8 * each(inverse_t);
-    AT(work, march + layout__ROLLING_MARCH_TWIST) = v8 * inverse;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * v3 + v2 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) + each(shift_t))) * inverse + v4 * each(inverse_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = v4 * inverse;
+    v5 = -AT(work, integration + layout__STRIP_INTEGRATION_ACROSS);
+    v6 = v5 * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) + v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL))) * inverse + v6 * each(inverse_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = v6 * inverse;
+    v7 = -AT(work, integration + layout__STRIP_INTEGRATION_TURNING);
+    v8 = v7 * AT(work, integration + layout__STRIP_INTEGRATION_SPIN);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + v7 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN))) * inverse + v8 * each(inverse_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = v8 * inverse;
     EACH_LANE each(rates) = each(width_t) * inverse + width * each(inverse_t);
-    derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, march, width * inverse, rates, AT(work, march + layout__ROLLING_MARCH_TWIST), RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST), ratio, ratio_t);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPREAD)) = each(v9_t);
-    AT(work, march + layout__ROLLING_MARCH_SPREAD) = v9;
-    EACH_LANE each(rates_2) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + AT(work, march + layout__ROLLING_MARCH_STICK_X) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) + each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPREAD));
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, AT(work, march + layout__ROLLING_MARCH_STICK_X) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + AT(work, march + layout__ROLLING_MARCH_SPREAD), rates_2, AT(work, march + layout__ROLLING_MARCH_STICK_Y), RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y), AT(work, march + layout__ROLLING_MARCH_TWIST), RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST), a, a_t);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(depth_t);
-    AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT)) = each(weight_t);
-    AT(work, march + layout__ROLLING_MARCH_WEIGHT) = weight;
+    derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, integration, width * inverse, rates, AT(work, integration + layout__STRIP_INTEGRATION_TWIST), RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST), ratio, ratio_t);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD)) = each(v9_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_SPREAD) = v9;
+    EACH_LANE each(rates_2) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD));
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + AT(work, integration + layout__STRIP_INTEGRATION_SPREAD), rates_2, AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y), RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y), AT(work, integration + layout__STRIP_INTEGRATION_TWIST), RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST), a, a_t);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) = each(weight_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = weight;
     if (depth < a)
     {
         v10 = 0.5 * depth;
         v11 = v10 / a;
         v12 = 1.0 - v11;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED)) = each(weight_t) * v12 + weight * -((0.5 * each(depth_t) - v11 * each(a_t)) / a);
-        AT(work, march + layout__ROLLING_MARCH_CARRIED) = weight * v12;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) = each(weight_t) * v12 + weight * -((0.5 * each(depth_t) - v11 * each(a_t)) / a);
+        AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) = weight * v12;
     }
     else
     {
         v13 = 0.5 * a;
         v14 = v13 / depth;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED)) = each(weight_t) * v14 + weight * ((0.5 * each(a_t) - v14 * each(depth_t)) / depth);
-        AT(work, march + layout__ROLLING_MARCH_CARRIED) = weight * v14;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) = each(weight_t) * v14 + weight * ((0.5 * each(a_t) - v14 * each(depth_t)) / depth);
+        AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) = weight * v14;
     }
     return 0;
 }
 
 /* Derivative of ``find_stick_zone``. */
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double mean, lanes mean_t, double ratio, lanes ratio_t)
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double mean, lanes mean_t, double ratio, lanes ratio_t)
 {
     lanes a_t, v1_t, share_t, yielding_t, v8_t, push_t, u_t, v_t, k_t, depth_t, weight_t, v13_t, v18_t, v22_t, rates, rates_2, rates_3;
     double a, v2, v1, share, v3, v4, v5, yielding, v6, v7, v8, v9, v10, v11, push, u, v, k, v12, depth, weight, v13, v14, v15, v16, v17, v19, v20, v18, v21, v22;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    v2 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / a;
-    EACH_LANE each(rates) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v2 * each(a_t)) / a;
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    v2 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / a;
+    EACH_LANE each(rates) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v2 * each(a_t)) / a;
     derivative_coupled_strips__later_share_t(&v1, &v1_t, v2, rates, ratio, ratio_t);
     EACH_LANE each(share_t) = each(v1_t);
     share = v1;
-    v3 = coupled_strips__YIELD_TWIST * AT(work, march + layout__ROLLING_MARCH_TWIST);
-    v4 = 1.0 + v3 * AT(work, march + layout__ROLLING_MARCH_TWIST);
+    v3 = coupled_strips__YIELD_TWIST * AT(work, integration + layout__STRIP_INTEGRATION_TWIST);
+    v4 = 1.0 + v3 * AT(work, integration + layout__STRIP_INTEGRATION_TWIST);
     v5 = coupled_strips__YIELD / v4;
-    EACH_LANE each(yielding_t) = -v5 * (coupled_strips__YIELD_TWIST * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * AT(work, march + layout__ROLLING_MARCH_TWIST) + v3 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST))) / v4;
+    EACH_LANE each(yielding_t) = -v5 * (coupled_strips__YIELD_TWIST * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) + v3 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST))) / v4;
     yielding = v5;
-    v6 = AT(work, march + layout__ROLLING_MARCH_CARRIED) - mean;
+    v6 = AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) - mean;
     v7 = yielding * v6;
-    v8 = AT(work, march + layout__ROLLING_MARCH_CARRIED);
-    EACH_LANE each(v8_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED));
+    v8 = AT(work, integration + layout__STRIP_INTEGRATION_CARRIED);
+    EACH_LANE each(v8_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED));
     if (mean > v8)
     {
         v8 = mean;
         EACH_LANE each(v8_t) = each(mean_t);
     }
-    v9 = v8 + march__NOTHING;
+    v9 = v8 + traction_integration__NOTHING;
     v10 = v7 / v9;
     v11 = 1.0 + v10;
-    EACH_LANE each(push_t) = each(share_t) * v11 + share * ((each(yielding_t) * v6 + yielding * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED)) - each(mean_t)) - v10 * each(v8_t)) / v9);
+    EACH_LANE each(push_t) = each(share_t) * v11 + share * ((each(yielding_t) * v6 + yielding * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) - each(mean_t)) - v10 * each(v8_t)) / v9);
     push = share * v11;
-    EACH_LANE each(u_t) = each(push_t) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + push * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X));
-    u = push * AT(work, march + layout__ROLLING_MARCH_STICK_X);
-    EACH_LANE each(v_t) = each(push_t) * AT(work, march + layout__ROLLING_MARCH_STICK_Y) + push * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y));
-    v = push * AT(work, march + layout__ROLLING_MARCH_STICK_Y);
-    EACH_LANE each(k_t) = each(share_t) * AT(work, march + layout__ROLLING_MARCH_TWIST) + share * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST));
-    k = share * AT(work, march + layout__ROLLING_MARCH_TWIST);
+    EACH_LANE each(u_t) = each(push_t) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + push * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X));
+    u = push * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X);
+    EACH_LANE each(v_t) = each(push_t) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) + push * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y));
+    v = push * AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y);
+    EACH_LANE each(k_t) = each(share_t) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) + share * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST));
+    k = share * AT(work, integration + layout__STRIP_INTEGRATION_TWIST);
     v12 = share * share;
-    EACH_LANE each(rates_2) = each(u_t) * u + u * each(u_t) + ((each(share_t) * share + share * each(share_t)) * AT(work, march + layout__ROLLING_MARCH_SPREAD) + v12 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPREAD)));
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v12 * AT(work, march + layout__ROLLING_MARCH_SPREAD), rates_2, v, v_t, k, k_t, a, a_t);
+    EACH_LANE each(rates_2) = each(u_t) * u + u * each(u_t) + ((each(share_t) * share + share * each(share_t)) * AT(work, integration + layout__STRIP_INTEGRATION_SPREAD) + v12 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD)));
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v12 * AT(work, integration + layout__STRIP_INTEGRATION_SPREAD), rates_2, v, v_t, k, k_t, a, a_t);
     v13 = weight;
     EACH_LANE each(v13_t) = each(weight_t);
-    if (AT(work, march + layout__ROLLING_MARCH_WEIGHT) < v13)
+    if (AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) < v13)
     {
-        v13 = AT(work, march + layout__ROLLING_MARCH_WEIGHT);
-        EACH_LANE each(v13_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT));
+        v13 = AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT);
+        EACH_LANE each(v13_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT));
     }
     EACH_LANE each(weight_t) = each(v13_t);
     weight = v13;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(a_t);
-    AT(work, march + layout__ROLLING_MARCH_DEPTH) = a;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_WEIGHT) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) = each(k_t);
-    AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) = each(u_t);
-    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) = each(v_t);
-    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(a_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = a;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = each(k_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = k;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = 0.0;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) = each(u_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) = u;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) = each(v_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) = v;
     if (weight > 0.0 && depth < a)
     {
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(depth_t);
-        AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
-        v14 = depth + march__NOTHING;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
+        v14 = depth + traction_integration__NOTHING;
         v15 = u / v14;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) = (each(u_t) - v15 * each(depth_t)) / v14;
-        AT(work, march + layout__ROLLING_MARCH_STICK_X) = v15;
-        v16 = depth + march__NOTHING;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (each(u_t) - v15 * each(depth_t)) / v14;
+        AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = v15;
+        v16 = depth + traction_integration__NOTHING;
         v17 = v / v16;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (each(v_t) - v17 * each(depth_t)) / v16 + each(k_t);
-        AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v17 + k;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (each(v_t) - v17 * each(depth_t)) / v16 + each(k_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = v17 + k;
         v19 = depth / a;
         v20 = 1.0 - v19;
         EACH_LANE each(rates_3) = -((each(depth_t) - v19 * each(a_t)) / a) / coupled_strips__FADE;
         derivative_coupled_strips__smooth_step_t(&v18, &v18_t, v20 / coupled_strips__FADE, rates_3);
         v21 = weight * v18;
-        derivative_coupled_strips__edge_weight_t(&v22, &v22_t, work, work_t, march);
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT)) = (each(weight_t) * v18 + weight * each(v18_t)) * v22 + v21 * each(v22_t);
-        AT(work, march + layout__ROLLING_MARCH_WEIGHT) = v21 * v22;
+        derivative_coupled_strips__edge_weight_t(&v22, &v22_t, work, work_t, integration);
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) = (each(weight_t) * v18 + weight * each(v18_t)) * v22 + v21 * each(v22_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = v21 * v22;
     }
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - each(a_t);
-    AT(work, march + layout__ROLLING_MARCH_EDGE) = 2.0 * AT(work, march + layout__ROLLING_MARCH_DEPTH) - a;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_EDGE)) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - each(a_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_EDGE) = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) - a;
     return 0;
 }
 
 /* Derivative of ``spread_square``. */
-static inline void derivative_coupled_strips__spread_square_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t march, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t)
+static inline void derivative_coupled_strips__spread_square_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t integration, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t)
 {
     double v1, over_width, v2, twist, v3, long_, v4, v5, v6, floor, v7;
     lanes over_width_t, v2_t, twist_t, v3_t, long_t, floor_t;
-    v1 = AT(work, march + layout__ROLLING_MARCH_ALONG) * AT(work, march + layout__ROLLING_MARCH_SPIN);
-    EACH_LANE each(over_width_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) * AT(work, march + layout__ROLLING_MARCH_SPIN) + AT(work, march + layout__ROLLING_MARCH_ALONG) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN))) * scale + v1 * each(scale_t);
+    v1 = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN);
+    EACH_LANE each(over_width_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN))) * scale + v1 * each(scale_t);
     over_width = v1 * scale;
     v2 = fabs(k);
     EACH_LANE each(v2_t) = derivative_rates__size_rate(k, each(k_t));
@@ -541,8 +541,8 @@ static inline void derivative_coupled_strips__spread_square_t(double* out_0, lan
     v4 = coupled_strips__SPREAD_FLOOR * long_;
     v5 = v4 * twist;
     v6 = v5 * twist;
-    EACH_LANE each(floor_t) = ((coupled_strips__SPREAD_FLOOR * each(long_t) * twist + v4 * each(twist_t)) * twist + v5 * each(twist_t)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + v6 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    floor = v6 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    EACH_LANE each(floor_t) = ((coupled_strips__SPREAD_FLOOR * each(long_t) * twist + v4 * each(twist_t)) * twist + v5 * each(twist_t)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + v6 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    floor = v6 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     v7 = over_width * over_width;
     *out_0 = v7 / 6.0 + floor * floor;
     EACH_LANE each(*out_1) = (each(over_width_t) * over_width + over_width * each(over_width_t)) / 6.0 + (each(floor_t) * floor + floor * each(floor_t));
@@ -571,7 +571,7 @@ static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, la
         if (cross <= 0.0)
         {
             v2 = square + v * v;
-            v3 = root - cross + march__NOTHING;
+            v3 = root - cross + traction_integration__NOTHING;
             v4 = v2 / v3;
             EACH_LANE each(depth_t) = (each(square_t) + (each(v_t) * v + v * each(v_t)) - v4 * (each(root_t) - each(cross_t))) / v3;
             depth = v4;
@@ -579,7 +579,7 @@ static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, la
             weight = 1.0;
             if (rest < 0.0)
             {
-                v6 = v * v + march__NOTHING;
+                v6 = v * v + traction_integration__NOTHING;
                 v7 = spread / v6;
                 EACH_LANE each(rates) = (each(spread_t) - v7 * (each(v_t) * v + v * each(v_t))) / v6;
                 derivative_coupled_strips__smooth_step_t(&v5, &v5_t, v7, rates);
@@ -634,25 +634,25 @@ static inline void derivative_coupled_strips__later_share_t(double* share_out, l
 }
 
 /* Derivative of ``edge_weight``. */
-static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, lanes* weight_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march)
+static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, lanes* weight_t_out, array_double_1d work, array_lanes_1d work_t, int64_t integration)
 {
     lanes weight_t, t_t, along_t, across_t, v6_t, rates;
     double weight, v1, v2, v3, t, v4, along, v5, across, v7, v8, v6;
     weight_t = all_lanes(0.0);
     weight = 1.0;
-    if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
+    if (AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) > 1.0)
     {
-        v1 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        v1 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
         v2 = 1.0 - v1;
         v3 = sqrt(v2);
-        EACH_LANE each(t_t) = derivative_rates__root_rate(v3, -((each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH)));
+        EACH_LANE each(t_t) = derivative_rates__root_rate(v3, -((each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)));
         t = v3;
         v4 = 1.0 - t;
-        EACH_LANE each(along_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * v4 + AT(work, march + layout__ROLLING_MARCH_STICK_X) * -each(t_t);
-        along = AT(work, march + layout__ROLLING_MARCH_STICK_X) * v4;
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * v4 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * -each(t_t);
+        along = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * v4;
         v5 = 1.0 - t;
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * -each(t_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * t + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(t_t));
-        across = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * v5 + AT(work, march + layout__ROLLING_MARCH_TWIST) * t;
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * -each(t_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * t + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(t_t));
+        across = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * t;
         v7 = along * along + across * across;
         v8 = sqrt(v7);
         EACH_LANE each(rates) = derivative_rates__root_rate(v8, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
@@ -711,12 +711,12 @@ static inline void derivative_coupled_strips__add_strips_t(double* share_out, la
     double v1, ratio, plane, spinning, v2, mean, stuck, v3, v4, v5, v6, v7, share, v8, v9, v10;
     lanes ratio_t, plane_t, spinning_t, v2_t, mean_t, stuck_t, v6_t, share_t, v8_t;
     bool falls;
-    int64_t i, march;
+    int64_t i, integration;
     v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
     derivative_coupled_strips__flexibilities_t(&plane, &plane_t, &spinning, &spinning_t, work, work_t, patch);
-    derivative_march__open_marches_t(work, work_t, ratio, ratio_t);
+    derivative_traction_integration__open_integrations_t(work, work_t, ratio, ratio_t);
     derivative_coupled_strips__open_stick_zones_t(&v2, &v2_t, work, work_t, patch, ratio, ratio_t);
     EACH_LANE each(mean_t) = each(v2_t);
     mean = v2;
@@ -729,21 +729,21 @@ static inline void derivative_coupled_strips__add_strips_t(double* share_out, la
     stuck = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
-        if (AT(work, march + layout__ROLLING_MARCH_RATE) > 0.0)
+        integration = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__STRIP_INTEGRATION_SIZE * i;
+        if (AT(work, integration + layout__STRIP_INTEGRATION_RATE) > 0.0)
         {
-            derivative_coupled_strips__find_stick_zone_t(work, work_t, march, mean, mean_t, ratio, ratio_t);
-            derivative_march__set_pushes_t(work, work_t, march, i, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
-            derivative_march__set_stick_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), march, i);
-            v3 = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+            derivative_coupled_strips__find_stick_zone_t(work, work_t, integration, mean, mean_t, ratio, ratio_t);
+            derivative_traction_integration__set_pushes_t(work, work_t, integration, i, plane, plane_t, spinning, spinning_t, ratio, ratio_t);
+            derivative_traction_integration__set_stick_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), integration, i);
+            v3 = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
             v4 = 2.0 * v3;
-            v5 = v4 * AT(work, march + layout__ROLLING_MARCH_WEIGHT);
-            EACH_LANE each(stuck_t) = each(stuck_t) + ((2.0 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))) * AT(work, march + layout__ROLLING_MARCH_WEIGHT) + v4 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT))) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + v5 * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            v5 = v4 * AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT);
+            EACH_LANE each(stuck_t) = each(stuck_t) + ((2.0 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))) * AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) + v4 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT))) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + v5 * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
             stuck = stuck + v5 * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    derivative_march__march_strips_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), falls);
-    derivative_coupled_strips__finish_marches_t(work, work_t, patch);
+    derivative_traction_integration__integrate_strips_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), falls);
+    derivative_coupled_strips__finish_integrations_t(work, work_t, patch);
     derivative_tractions__patch_area_t(&v6, &v6_t, work, work_t, patch);
     v7 = stuck / v6;
     EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v7 * each(v6_t)) / v6;
@@ -767,7 +767,7 @@ static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out,
 {
     lanes carried_t, whole_t, v1_t, weight_t;
     double carried, whole, v1, v2, weight, v3, v4;
-    int64_t i, strip, march;
+    int64_t i, strip, integration;
     carried_t = all_lanes(0.0);
     carried = 0.0;
     whole_t = all_lanes(0.0);
@@ -775,24 +775,24 @@ static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out,
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
+        integration = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__STRIP_INTEGRATION_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) = each(v1_t);
-        AT(work, march + layout__ROLLING_MARCH_RATE) = v1;
-        if (AT(work, march + layout__ROLLING_MARCH_RATE) > 0.0)
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) = each(v1_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_RATE) = v1;
+        if (AT(work, integration + layout__STRIP_INTEGRATION_RATE) > 0.0)
         {
-            derivative_coupled_strips__begin_march_t(work, work_t, march, strip, i);
-            derivative_coupled_strips__open_stick_zone_t(work, work_t, march, AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT), AT(work, strip + layout__ROLLING_STRIP_WIDTH), RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH), ratio, ratio_t);
-            v2 = AT(work, march + layout__ROLLING_MARCH_ALONG) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-            EACH_LANE each(weight_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + AT(work, march + layout__ROLLING_MARCH_ALONG) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+            derivative_coupled_strips__begin_integration_t(work, work_t, integration, strip, i);
+            derivative_coupled_strips__open_stick_zone_t(work, work_t, integration, AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT), AT(work, strip + layout__ROLLING_STRIP_WIDTH), RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH), ratio, ratio_t);
+            v2 = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+            EACH_LANE each(weight_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
             weight = v2 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
             EACH_LANE each(whole_t) = each(whole_t) + each(weight_t);
             whole = whole + weight;
-            EACH_LANE each(carried_t) = each(carried_t) + (each(weight_t) * AT(work, march + layout__ROLLING_MARCH_CARRIED) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_CARRIED)));
-            carried = carried + weight * AT(work, march + layout__ROLLING_MARCH_CARRIED);
+            EACH_LANE each(carried_t) = each(carried_t) + (each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)));
+            carried = carried + weight * AT(work, integration + layout__STRIP_INTEGRATION_CARRIED);
         }
     }
-    v3 = whole + march__NOTHING;
+    v3 = whole + traction_integration__NOTHING;
     v4 = carried / v3;
     *v4_out = v4;
     EACH_LANE each(*out_1) = (each(carried_t) - v4 * each(whole_t)) / v3;
@@ -835,31 +835,31 @@ static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, la
     EACH_LANE each(*out_3) = (v5 * each(second_t) - v7 * each(third_t)) / third;
 }
 
-/* Derivative of ``begin_march``. */
-static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t strip, int64_t index)
+/* Derivative of ``begin_integration``. */
+static inline int64_t derivative_coupled_strips__begin_integration_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, int64_t strip, int64_t index)
 {
     double along, across, turning;
     lanes along_t, across_t, turning_t;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
-    AT(work, march + layout__ROLLING_MARCH_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
-    AT(work, march + layout__ROLLING_MARCH_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
-    AT(work, march + layout__ROLLING_MARCH_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    AT(work, integration + layout__STRIP_INTEGRATION_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
+    AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
+    AT(work, integration + layout__STRIP_INTEGRATION_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
     derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, index, AT(work, strip + layout__ROLLING_STRIP_STATION), RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) = each(along_t);
-    AT(work, march + layout__ROLLING_MARCH_ALONG) = along;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) = each(across_t);
-    AT(work, march + layout__ROLLING_MARCH_ACROSS) = across;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) = each(turning_t);
-    AT(work, march + layout__ROLLING_MARCH_TURNING) = turning;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) = each(along_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_ALONG) = along;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) = each(across_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) = across;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) = each(turning_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_TURNING) = turning;
     return 0;
 }
 
-/* Derivative of ``finish_marches``. */
-static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+/* Derivative of ``finish_integrations``. */
+static inline int64_t derivative_coupled_strips__finish_integrations_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     lanes largest_t, v1_t, unit_t, square_t, v3_t, v4_t, rates, rates_2, rates_3;
     double largest, v1, unit, v2, square, v3, v4, v5, v6;
@@ -872,8 +872,8 @@ static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
         EACH_LANE each(unit_t) = each(v1_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
         unit = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) * unit;
-        EACH_LANE each(square_t) = (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) * each(unit_t)) * unit + v2 * each(unit_t);
+        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) * unit;
+        EACH_LANE each(square_t) = (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) * unit + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) * each(unit_t)) * unit + v2 * each(unit_t);
         square = v2 * unit;
         v3 = largest;
         EACH_LANE each(v3_t) = each(largest_t);
@@ -890,10 +890,10 @@ static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1
             EACH_LANE each(unit_t) = each(unit_t) * v4 + unit * each(v4_t);
             unit = unit * v4;
             v5 = unit * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-            EACH_LANE each(rates) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i));
-            EACH_LANE each(rates_2) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i));
-            EACH_LANE each(rates_3) = (each(unit_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + unit * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + v5 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i));
-            derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i), rates, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i), rates_2, v5 * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i), rates_3);
+            EACH_LANE each(rates) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i));
+            EACH_LANE each(rates_2) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i));
+            EACH_LANE each(rates_3) = (each(unit_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + unit * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + v5 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i));
+            derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i), rates, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i), rates_2, v5 * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i), rates_3);
         }
     }
     v6 = sqrt(largest);
@@ -935,7 +935,7 @@ static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, 
 /* Derivative of ``solve_creep_force``. */
 static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    derivative_cut__clear_creep_t(work, work_t, patch);
+    derivative_rolling_strips__clear_creep_t(work, work_t, patch);
     if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_FRICTION) > 0.0 && AT(work, patch + layout__PATCH_HALF_LENGTH) > 0.0)
     {
         if (AT(work, patch + layout__PATCH_BACKWARDS) == 1.0)
@@ -1189,330 +1189,6 @@ static inline void derivative_creepage__approach_rate_t(double* out_0, lanes* ou
 }
 
 
-/* ---- From derivative_cut.py; change that one.
- *
- * Derivatives of cut.py.
- */
-
-/* Derivative of ``cut_patch``. */
-static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
-{
-    int64_t totals;
-    totals = patch + layout__PATCH_TOTALS;
-    derivative_cut__describe_ellipse_t(work, work_t, patch);
-    derivative_cut__divide_patch_t(work, work_t, patch, AT(work, totals + layout__PATCH_TOTALS_START), RATE_AT(work_t, totals + layout__PATCH_TOTALS_START), AT(work, totals + layout__PATCH_TOTALS_STOP), RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP));
-    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
-    {
-        if ((int64_t)AT(work, patch + layout__PATCH_RULE) == layout__RULE_ELLIPSE)
-        {
-            derivative_cut__cut_ellipse_t(work, work_t, patch);
-        }
-        else
-        {
-            derivative_cut__cut_strips_t(work, work_t, patch);
-        }
-    }
-    derivative_cut__finish_strips_t(work, work_t, patch);
-    derivative_cut__plane_slips_t(work, work_t, patch);
-    return 0;
-}
-
-/* Derivative of ``clear_creep``. */
-static inline int64_t derivative_cut__clear_creep_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
-{
-    int64_t i, strip;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_X) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_Y) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X) = all_lanes(0.0);
-        AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = 0.0;
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y) = all_lanes(0.0);
-        AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = 0.0;
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT) = all_lanes(0.0);
-        AT(work, strip + layout__ROLLING_STRIP_MOMENT) = 0.0;
-    }
-    return 0;
-}
-
-/* Derivative of ``describe_ellipse``. */
-static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
-{
-    int64_t totals;
-    double v1, v2, v3, v4, ratio, v5, v6, v7, v8, v9, v10;
-    lanes v3_t, v4_t, ratio_t;
-    totals = patch + layout__PATCH_TOTALS;
-    RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_HALF_LENGTH) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_HALF_WIDTH) = 0.0;
-    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) > 0.0)
-    {
-        v1 = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-        v2 = v1 / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
-        v3 = v2;
-        EACH_LANE each(v3_t) = (2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH))) / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
-        if (cut__SHORTEST_PATCH > v3)
-        {
-            v3 = cut__SHORTEST_PATCH;
-            v3_t = all_lanes(0.0);
-        }
-        v4 = v3;
-        EACH_LANE each(v4_t) = each(v3_t);
-        if (cut__LONGEST_PATCH < v4)
-        {
-            v4 = cut__LONGEST_PATCH;
-            v4_t = all_lanes(0.0);
-        }
-        EACH_LANE each(ratio_t) = each(v4_t);
-        ratio = v4;
-        v5 = AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI;
-        v6 = v5 * ratio;
-        v7 = sqrt(v6);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) = derivative_rates__root_rate(v7, each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio + v5 * each(ratio_t));
-        AT(work, patch + layout__PATCH_HALF_LENGTH) = v7;
-        v8 = AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI;
-        v9 = v8 / ratio;
-        v10 = sqrt(v9);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)) = derivative_rates__root_rate(v10, (each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI - v9 * each(ratio_t)) / ratio);
-        AT(work, patch + layout__PATCH_HALF_WIDTH) = v10;
-    }
-    return 0;
-}
-
-/* Derivative of ``divide_patch``. */
-static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double start, lanes start_t, double stop, lanes stop_t)
-{
-    double v1, middle, v2, half, before, here, edge, after, v3;
-    lanes middle_t, half_t, edge_t;
-    int64_t i, strip;
-    v1 = start + stop;
-    EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t));
-    middle = 0.5 * v1;
-    v2 = stop - start;
-    EACH_LANE each(half_t) = 0.5 * (each(stop_t) - each(start_t));
-    half = 0.5 * v2;
-    before = cut__COSINE;
-    here = 1.0;
-    EACH_LANE each(edge_t) = each(start_t);
-    edge = start;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        after = 2.0 * cut__COSINE * here - before;
-        before = here;
-        here = after;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) = each(edge_t);
-        AT(work, strip + layout__ROLLING_STRIP_START) = edge;
-        EACH_LANE each(edge_t) = each(middle_t) - each(half_t) * here;
-        edge = middle - half * here;
-        if (i == layout__ROLLING_STRIP_LIMIT - 1)
-        {
-            EACH_LANE each(edge_t) = each(stop_t);
-            edge = stop;
-        }
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) = each(edge_t);
-        AT(work, strip + layout__ROLLING_STRIP_STOP) = edge;
-        v3 = AT(work, strip + layout__ROLLING_STRIP_START) + edge;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) + each(edge_t));
-        AT(work, strip + layout__ROLLING_STRIP_STATION) = 0.5 * v3;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) = each(edge_t) - each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
-        AT(work, strip + layout__ROLLING_STRIP_WIDTH) = edge - AT(work, strip + layout__ROLLING_STRIP_START);
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH) = all_lanes(0.0);
-        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = 0.0;
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD) = all_lanes(0.0);
-        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = 0.0;
-    }
-    return 0;
-}
-
-/* Derivative of ``cut_ellipse``. */
-static inline int64_t derivative_cut__cut_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
-{
-    int64_t totals, i, strip;
-    lanes square_t, third_t, low_t, high_t, share_t;
-    double square, v1, v2, v3, third, low, high, v4, v5, share;
-    totals = patch + layout__PATCH_TOTALS;
-    EACH_LANE each(square_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) + AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    square = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-    v1 = 3.0 * AT(work, totals + layout__PATCH_TOTALS_STOP);
-    v2 = v1 * AT(work, totals + layout__PATCH_TOTALS_STOP);
-    v3 = 1.0 / v2;
-    EACH_LANE each(third_t) = -v3 * (3.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) * AT(work, totals + layout__PATCH_TOTALS_STOP) + v1 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP))) / v2;
-    third = v3;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(low_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
-        low = AT(work, strip + layout__ROLLING_STRIP_START);
-        EACH_LANE each(high_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
-        high = AT(work, strip + layout__ROLLING_STRIP_STOP);
-        v4 = low * low + low * high + high * high;
-        v5 = 1.0 - third * v4;
-        EACH_LANE each(share_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) * v5 + AT(work, strip + layout__ROLLING_STRIP_WIDTH) * -(each(third_t) * v4 + third * (each(low_t) * low + low * each(low_t) + (each(low_t) * high + low * each(high_t)) + (each(high_t) * high + high * each(high_t))));
-        share = AT(work, strip + layout__ROLLING_STRIP_WIDTH) * v5;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(square_t) * share + square * each(share_t);
-        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = square * share;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(share_t);
-        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = share;
-    }
-    return 0;
-}
-
-/* Derivative of ``cut_strips``. */
-static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
-{
-    lanes low_t, low_square_t, low_load_t;
-    double low, low_square, low_load;
-    int64_t at, k, node, n1, k_end;
-    bool inside, loaded;
-    EACH_LANE each(low_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
-    low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
-    low_square_t = all_lanes(0.0);
-    low_square = 0.0;
-    low_load_t = all_lanes(0.0);
-    low_load = 0.0;
-    at = 0;
-    k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
-    for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
-    {
-        node = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
-        inside = AT(work, node + layout__SOLVED_STRIP_STATION) > low && AT(work, node + layout__SOLVED_STRIP_STATION) < AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP);
-        loaded = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) > 0.0 && AT(work, node + layout__SOLVED_STRIP_LINE_LOAD) > 0.0;
-        if (inside && loaded && AT(work, node + layout__SOLVED_STRIP_WIDTH) > 0.0)
-        {
-            n1 = derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, node + layout__SOLVED_STRIP_STATION), RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION), AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, node + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
-            at = n1;
-            EACH_LANE each(low_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION));
-            low = AT(work, node + layout__SOLVED_STRIP_STATION);
-            EACH_LANE each(low_square_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-            low_square = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
-            EACH_LANE each(low_load_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
-            low_load = AT(work, node + layout__SOLVED_STRIP_LINE_LOAD);
-        }
-    }
-    derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), 0.0, all_lanes(0.0), 0.0, all_lanes(0.0));
-    return 0;
-}
-
-/* Derivative of ``add_piece``. */
-static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t at, double low, lanes low_t, double low_square, lanes low_square_t, double low_load, lanes low_load_t, double high, lanes high_t, double high_square, lanes high_square_t, double high_load, lanes high_load_t)
-{
-    lanes width_t, square_slope_t, load_slope_t, start_t, stop_t, middle_t;
-    double width, v1, v2, square_slope, v3, v4, load_slope, start, stop, v5, middle, v6, v7, v8, v9;
-    int64_t strip;
-    EACH_LANE each(width_t) = each(high_t) - each(low_t);
-    width = high - low;
-    v1 = high_square - low_square;
-    v2 = v1 / width;
-    EACH_LANE each(square_slope_t) = (each(high_square_t) - each(low_square_t) - v2 * each(width_t)) / width;
-    square_slope = v2;
-    v3 = high_load - low_load;
-    v4 = v3 / width;
-    EACH_LANE each(load_slope_t) = (each(high_load_t) - each(low_load_t) - v4 * each(width_t)) / width;
-    load_slope = v4;
-    EACH_LANE each(start_t) = each(low_t);
-    start = low;
-    while (start < high)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * at;
-        EACH_LANE each(stop_t) = each(high_t);
-        stop = high;
-        if (AT(work, strip + layout__ROLLING_STRIP_STOP) < high && at < layout__ROLLING_STRIP_LIMIT - 1)
-        {
-            EACH_LANE each(stop_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
-            stop = AT(work, strip + layout__ROLLING_STRIP_STOP);
-        }
-        v5 = start + stop;
-        EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t)) - each(low_t);
-        middle = 0.5 * v5 - low;
-        v6 = stop - start;
-        v7 = low_square + square_slope * middle;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + ((each(stop_t) - each(start_t)) * v7 + v6 * (each(low_square_t) + (each(square_slope_t) * middle + square_slope * each(middle_t))));
-        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v6 * v7;
-        v8 = stop - start;
-        v9 = low_load + load_slope * middle;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) + ((each(stop_t) - each(start_t)) * v9 + v8 * (each(low_load_t) + (each(load_slope_t) * middle + load_slope * each(middle_t))));
-        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) + v8 * v9;
-        if (stop < high)
-        {
-            at = at + 1;
-        }
-        EACH_LANE each(start_t) = each(stop_t);
-        start = stop;
-    }
-    return at;
-}
-
-/* Derivative of ``finish_strips``. */
-static inline int64_t derivative_cut__finish_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
-{
-    lanes carried_t, scale_t;
-    double carried, scale, v1, v2, v3, v4;
-    int64_t i, strip;
-    carried_t = all_lanes(0.0);
-    carried = 0.0;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        EACH_LANE each(carried_t) = each(carried_t) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
-        carried = carried + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
-    }
-    scale_t = all_lanes(0.0);
-    scale = 0.0;
-    if (carried > 0.0)
-    {
-        v1 = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) / carried;
-        EACH_LANE each(scale_t) = (each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v1 * each(carried_t)) / carried;
-        scale = v1;
-    }
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) - each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
-        AT(work, strip + layout__ROLLING_STRIP_Y) = AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_SLANT)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SLANT) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y));
-        AT(work, strip + layout__ROLLING_STRIP_X) = AT(work, patch + layout__PATCH_SLANT) * AT(work, strip + layout__ROLLING_STRIP_Y);
-        if (AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
-        {
-            v2 = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-            v3 = sqrt(v2);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v3, (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
-            AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = v3;
-            v4 = scale / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * v4 + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * ((each(scale_t) - v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
-            AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * v4;
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``plane_slips``. */
-static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
-{
-    int64_t i, strip;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)));
-        AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)));
-        AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = each(RATE_AT(work_t, patch + layout__PATCH_SPIN));
-        AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, patch + layout__PATCH_SPIN);
-    }
-    return 0;
-}
-
-
 /* ---- From derivative_falling.py; change that one.
  *
  * Derivatives of falling.py.
@@ -1639,10 +1315,10 @@ static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, ar
     {
         EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i));
         share = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i);
-        EACH_LANE each(slips_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
-        slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
-        EACH_LANE each(noted_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i));
-        noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i);
+        EACH_LANE each(slips_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i));
+        slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
+        EACH_LANE each(noted_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i));
+        noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i);
         EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i)) = each(slips_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i) = slips;
         EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i)) = each(noted_t);
@@ -1652,11 +1328,11 @@ static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, ar
         v3 = 1.0 - share;
         EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) + (((each(bound_t) * bound + bound * each(bound_t)) * slips + v1 * each(slips_t)) * v3 + v2 * -each(share_t));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) + v2 * v3;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = each(slips_t) * share + slips * each(share_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = slips * share;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(slips_t) * share + slips * each(share_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = slips * share;
         v4 = noted * share;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = (each(noted_t) * share + noted * each(share_t)) * share + v4 * each(share_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = v4 * share;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) = (each(noted_t) * share + noted * each(share_t)) * share + v4 * each(share_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = v4 * share;
     }
     return 0;
 }
@@ -1667,10 +1343,10 @@ static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, 
     int64_t i;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i));
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i));
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
     }
     return 0;
 }
@@ -1688,9 +1364,9 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
     lanes along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, slanted_t, v2_t, v3_t, v5_t, v10_t;
     int64_t i, strip;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
-    derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST) = all_lanes(0.0);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST) = 0.0;
+    derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION);
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST) = 0.0;
     stuck_t = all_lanes(0.0);
     stuck = 0.0;
     lost_t = all_lanes(0.0);
@@ -1703,36 +1379,36 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
         rate = v1;
         if (rate > 0.0)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = each(rate_t);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE) = rate;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_RATE)) = each(rate_t);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_RATE) = rate;
             EACH_LANE each(slanted_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
             slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
             derivative_fastrip__longitudinal_t(&v2, &v2_t, work, work_t, tables, patch, strip);
-            derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH, v2, v2_t, AT(work, strip + layout__ROLLING_STRIP_LATERAL), RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL), AT(work, strip + layout__ROLLING_STRIP_SPIN), RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
+            derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION, v2, v2_t, AT(work, strip + layout__ROLLING_STRIP_LATERAL), RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL), AT(work, strip + layout__ROLLING_STRIP_SPIN), RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
             derivative_fastsim__strip_push_t(&v3, &v3_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = each(v3_t);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X) = v3;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_X)) = each(v3_t);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_X) = v3;
             v4 = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - each(slanted_t)) * across + v4 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y) = v4 * across + slanted * turning;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
-            derivative_fastrip__add_tractions_t(&v5, &v5_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_Y)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - each(slanted_t)) * across + v4 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_Y) = v4 * across + slanted * turning;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_TURN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
+            derivative_fastrip__add_tractions_t(&v5, &v5_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION, strip);
             EACH_LANE each(lost_t) = each(lost_t) + each(v5_t);
             lost = lost + v5;
-            v6 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH);
+            v6 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_DEPTH);
             v7 = 2.0 * v6;
-            EACH_LANE each(stuck_t) = each(stuck_t) + (2.0 * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v7 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+            EACH_LANE each(stuck_t) = each(stuck_t) + (2.0 * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_DEPTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v7 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
             stuck = stuck + v7 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
     v8 = lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v8 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) - v8;
-    v9 = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v9, each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)));
+    v9 = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST));
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v9, each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST)));
     AT(work, patch + layout__PATCH_MAX_SHEAR) = v9;
     derivative_tractions__patch_area_t(&v10, &v10_t, work, work_t, patch);
     v11 = stuck / v10;
@@ -1742,7 +1418,7 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
 }
 
 /* Derivative of ``set_stiffnesses``. */
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t march)
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t integration)
 {
     double v1, ratio, first, second, third, modulus, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12;
     lanes ratio_t, first_t, second_t, third_t;
@@ -1754,20 +1430,20 @@ static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work
     v2 = 2.0 * first;
     v3 = v2 * modulus;
     v4 = M_PI * M_PI;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) = 2.0 * each(first_t) * modulus / v4;
-    AT(work, march + layout__ROLLING_MARCH_ALONG) = v3 / v4;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) = 2.0 * each(first_t) * modulus / v4;
+    AT(work, integration + layout__STRIP_INTEGRATION_ALONG) = v3 / v4;
     v5 = 2.0 * second;
     v6 = v5 * modulus;
     v7 = M_PI * M_PI;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) = 2.0 * each(second_t) * modulus / v7;
-    AT(work, march + layout__ROLLING_MARCH_ACROSS) = v6 / v7;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) = 2.0 * each(second_t) * modulus / v7;
+    AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) = v6 / v7;
     v8 = 1.5 * third;
     v9 = v8 * modulus;
     v10 = sqrt(ratio);
     v11 = M_PI * v10;
     v12 = v9 / v11;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) = (1.5 * each(third_t) * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, each(ratio_t)))) / v11;
-    AT(work, march + layout__ROLLING_MARCH_TURNING) = v12;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) = (1.5 * each(third_t) * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, each(ratio_t)))) / v11;
+    AT(work, integration + layout__STRIP_INTEGRATION_TURNING) = v12;
     return 0;
 }
 
@@ -1776,38 +1452,38 @@ static inline void derivative_fastrip__longitudinal_t(double* push_out, lanes* p
 {
     lanes push_t;
     double push, v1, v2, v3;
-    EACH_LANE each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
-    push = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    EACH_LANE each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    push = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
     if (AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) == 1.0)
     {
         v1 = AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X);
-        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING) * v1;
+        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING) * v1;
         v3 = 1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO);
-        EACH_LANE each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING) * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)))) / v3;
-        push = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v2 / v3;
+        EACH_LANE each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING) * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)))) / v3;
+        push = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v2 / v3;
     }
     *push_out = push;
     EACH_LANE each(*push_t_out) = each(push_t);
 }
 
 /* Derivative of ``find_stick``. */
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t)
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t)
 {
     double v1, v2, u, v3, v4, v5, v, v6, v7, v8, k, rest, cross, v9, spread, depth, v10, root, v11, v12, v13, v14, v15, v16, v17, v18, v19, v20, v21, v22;
     lanes u_t, v_t, k_t, rest_t, cross_t, spread_t, depth_t, root_t;
     v1 = -push;
-    v2 = v1 / AT(work, march + layout__ROLLING_MARCH_RATE);
-    EACH_LANE each(u_t) = (-each(push_t) - v2 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    v2 = v1 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_LANE each(u_t) = (-each(push_t) - v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     u = v2;
-    v3 = -AT(work, march + layout__ROLLING_MARCH_ACROSS);
+    v3 = -AT(work, integration + layout__STRIP_INTEGRATION_ACROSS);
     v4 = v3 * lateral;
-    v5 = v4 / AT(work, march + layout__ROLLING_MARCH_RATE);
-    EACH_LANE each(v_t) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) * lateral + v3 * each(lateral_t) - v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    v5 = v4 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_LANE each(v_t) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * lateral + v3 * each(lateral_t) - v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     v = v5;
-    v6 = -AT(work, march + layout__ROLLING_MARCH_TURNING);
+    v6 = -AT(work, integration + layout__STRIP_INTEGRATION_TURNING);
     v7 = v6 * spin;
-    v8 = v7 / AT(work, march + layout__ROLLING_MARCH_RATE);
-    EACH_LANE each(k_t) = (-each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) * spin + v6 * each(spin_t) - v8 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
+    v8 = v7 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_LANE each(k_t) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * spin + v6 * each(spin_t) - v8 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     k = v8;
     EACH_LANE each(rest_t) = -(each(k_t) * k + k * each(k_t));
     rest = 1.0 - k * k;
@@ -1816,8 +1492,8 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
     v9 = rest * u;
     EACH_LANE each(spread_t) = each(v_t) * v + v * each(v_t) + ((each(rest_t) * u + rest * each(u_t)) * u + v9 * each(u_t));
     spread = v * v + v9 * u;
-    EACH_LANE each(depth_t) = 2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    depth = 2.0 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    EACH_LANE each(depth_t) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    depth = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     if (rest > 0.0)
     {
         v10 = sqrt(spread);
@@ -1846,69 +1522,69 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
         EACH_LANE each(depth_t) = (each(u_t) * u + u * each(u_t) + (each(v_t) * v + v * each(v_t)) - v18 * (derivative_rates__root_rate(v16, each(spread_t)) - each(cross_t))) / v17;
         depth = v18;
     }
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) = each(k_t);
-    AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    AT(work, march + layout__ROLLING_MARCH_DEPTH) = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) = each(u_t);
-    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) = each(v_t);
-    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
-    if (depth < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = each(k_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = k;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) = each(u_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) = u;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) = each(v_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) = v;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = 0.0;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = 0.0;
+    if (depth < AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))
     {
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(depth_t);
-        AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
         v19 = depth + 1e-300;
         v20 = u / v19;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) = (each(u_t) - v20 * each(depth_t)) / v19;
-        AT(work, march + layout__ROLLING_MARCH_STICK_X) = v20;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (each(u_t) - v20 * each(depth_t)) / v19;
+        AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = v20;
         v21 = depth + 1e-300;
         v22 = v / v21;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (each(v_t) - v22 * each(depth_t)) / v21 + each(k_t);
-        AT(work, march + layout__ROLLING_MARCH_STICK_Y) = v22 + k;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (each(v_t) - v22 * each(depth_t)) / v21 + each(k_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = v22 + k;
     }
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    AT(work, march + layout__ROLLING_MARCH_EDGE) = 2.0 * AT(work, march + layout__ROLLING_MARCH_DEPTH) - AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_EDGE)) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    AT(work, integration + layout__STRIP_INTEGRATION_EDGE) = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) - AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     return 0;
 }
 
 /* Derivative of ``add_tractions``. */
-static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
+static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t integration, int64_t strip)
 {
     lanes a_t, lost_t, x_t, bound_t, p_x_t, p_y_t, without_x_t, without_y_t, v2_t, share_t, square_t, v5_t, v10_t, weight_t, rates, rates_2, rates_3;
     double a, lost, x, v1, bound, p_x, p_y, without_x, without_y, v2, share, v3, v4, square, v5, v6, v7, v8, v9, v10, weight, v11;
     int64_t q;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_X)) = each(a_t);
-    AT(work, march + layout__ROLLING_MARCH_X) = a;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_FIRST_X) = 0.0;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = 0.0;
+    EACH_LANE each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) = each(a_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_X) = a;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) = 0.0;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) = 0.0;
     lost_t = all_lanes(0.0);
     lost = 0.0;
-    derivative_fastrip__open_stick_t(work, work_t, march);
+    derivative_fastrip__open_stick_t(work, work_t, integration);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
         EACH_LANE each(x_t) = each(a_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-        v1 = AT(work, march + layout__ROLLING_MARCH_RATE) * a;
-        EACH_LANE each(bound_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * a + AT(work, march + layout__ROLLING_MARCH_RATE) * each(a_t)) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        v1 = AT(work, integration + layout__STRIP_INTEGRATION_RATE) * a;
+        EACH_LANE each(bound_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * a + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * each(a_t)) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
         bound = v1 * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        derivative_fastrip__march_on_t(work, work_t, march, x, x_t, bound, bound_t);
-        derivative_fastrip__slip_direction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, bound, bound_t);
-        EACH_LANE each(without_x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * bound + AT(work, march + layout__ROLLING_MARCH_STICK_X) * each(bound_t);
-        without_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * bound;
-        EACH_LANE each(without_y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * bound + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * each(bound_t);
-        without_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * bound;
-        if (x > AT(work, march + layout__ROLLING_MARCH_EDGE))
+        derivative_fastrip__integrate_on_t(work, work_t, integration, x, x_t, bound, bound_t);
+        derivative_fastrip__slip_direction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, integration, bound, bound_t);
+        EACH_LANE each(without_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * each(bound_t);
+        without_x = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * bound;
+        EACH_LANE each(without_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * each(bound_t);
+        without_y = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * bound;
+        if (x > AT(work, integration + layout__STRIP_INTEGRATION_EDGE))
         {
-            derivative_fastrip__stick_traction_t(&without_x, &without_x_t, &without_y, &without_y_t, work, work_t, march, x, x_t, bound, bound_t);
+            derivative_fastrip__stick_traction_t(&without_x, &without_x_t, &without_y, &without_y_t, work, work_t, integration, x, x_t, bound, bound_t);
             derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, without_x, without_x_t, without_y, without_y_t, bound, bound_t);
         }
         else if (AT(work, patch + layout__PATCH_FALL_RATE) > 0.0)
@@ -1927,108 +1603,108 @@ static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out
         }
         EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
         square = p_x * p_x + p_y * p_y;
-        v5 = AT(work, march + layout__ROLLING_MARCH_LARGEST);
-        EACH_LANE each(v5_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LARGEST));
+        v5 = AT(work, integration + layout__STRIP_INTEGRATION_LARGEST);
+        EACH_LANE each(v5_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LARGEST));
         if (square > v5)
         {
             v5 = square;
             EACH_LANE each(v5_t) = each(square_t);
         }
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LARGEST)) = each(v5_t);
-        AT(work, march + layout__ROLLING_MARCH_LARGEST) = v5;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LARGEST)) = each(v5_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_LARGEST) = v5;
         v6 = p_x - without_x;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_x_t) - each(without_x_t));
-        AT(work, march + layout__ROLLING_MARCH_SUM_X) = AT(work, march + layout__ROLLING_MARCH_SUM_X) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v6;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_x_t) - each(without_x_t));
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) = AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v6;
         v7 = p_y - without_y;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_y_t) - each(without_y_t));
-        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = AT(work, march + layout__ROLLING_MARCH_SUM_Y) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v7;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_y_t) - each(without_y_t));
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) = AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v7;
         v8 = AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x;
         v9 = p_y - without_y;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(x_t) * v9 + v8 * (each(p_y_t) - each(without_y_t)));
-        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) + v8 * v9;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(x_t) * v9 + v8 * (each(p_y_t) - each(without_y_t)));
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) + v8 * v9;
     }
     derivative_tractions__point_weight_t(&v10, &v10_t, work, work_t, strip);
     EACH_LANE each(weight_t) = each(v10_t);
     weight = v10;
-    EACH_LANE each(rates) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_X) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X));
-    EACH_LANE each(rates_2) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_Y) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y));
-    EACH_LANE each(rates_3) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT));
-    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * AT(work, march + layout__ROLLING_MARCH_SUM_X), rates, weight * AT(work, march + layout__ROLLING_MARCH_SUM_Y), rates_2, weight * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT), rates_3);
+    EACH_LANE each(rates) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X));
+    EACH_LANE each(rates_2) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y));
+    EACH_LANE each(rates_3) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT));
+    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_X), rates, weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y), rates_2, weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT), rates_3);
     v11 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     *out_0 = v11 * lost;
     EACH_LANE each(*out_1) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v11 * each(lost_t);
 }
 
 /* Derivative of ``open_stick``. */
-static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march)
+static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t integration)
 {
     double v1, depth, v2, whole, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12;
     lanes depth_t, whole_t;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_SUM_X) = 0.0;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_SUM_Y) = 0.0;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = 0.0;
-    if (AT(work, march + layout__ROLLING_MARCH_DEPTH) < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) = 0.0;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) = 0.0;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = all_lanes(0.0);
+    AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = 0.0;
+    if (AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) < AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))
     {
-        v1 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        v1 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
         depth = v1;
         v2 = 0.5 * (double)(layout__POINT_LIMIT + 1);
-        EACH_LANE each(whole_t) = v2 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE));
-        whole = v2 * AT(work, march + layout__ROLLING_MARCH_RATE);
-        v3 = whole * AT(work, march + layout__ROLLING_MARCH_LEAD_X);
+        EACH_LANE each(whole_t) = v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE));
+        whole = v2 * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+        v3 = whole * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X);
         v4 = 2.0 - depth;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) = (each(whole_t) * AT(work, march + layout__ROLLING_MARCH_LEAD_X) + whole * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X))) * v4 + v3 * -each(depth_t);
-        AT(work, march + layout__ROLLING_MARCH_SUM_X) = v3 * v4;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) = (each(whole_t) * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) + whole * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X))) * v4 + v3 * -each(depth_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) = v3 * v4;
         v5 = 2.0 - depth;
-        v6 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * v5 + AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) = each(whole_t) * v6 + whole * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) * v5 + AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * -each(depth_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))));
-        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = whole * v6;
+        v6 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) = each(whole_t) * v6 + whole * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * -each(depth_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))));
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) = whole * v6;
         v7 = -whole;
-        v8 = v7 * AT(work, march + layout__ROLLING_MARCH_LEAD_Y);
-        v9 = v8 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        v8 = v7 * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y);
+        v9 = v8 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
         v10 = 1.0 - depth;
         v11 = v9 * v10;
         v12 = 1.0 - depth;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (((-each(whole_t) * AT(work, march + layout__ROLLING_MARCH_LEAD_Y) + v7 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y))) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + v8 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * v10 + v9 * -each(depth_t)) * v12 + v11 * -each(depth_t);
-        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = v11 * v12;
+        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) = (((-each(whole_t) * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) + v7 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y))) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + v8 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) * v10 + v9 * -each(depth_t)) * v12 + v11 * -each(depth_t);
+        AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = v11 * v12;
     }
     return 0;
 }
 
-/* Derivative of ``march_on``. */
-static inline int64_t derivative_fastrip__march_on_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
+/* Derivative of ``integrate_on``. */
+static inline int64_t derivative_fastrip__integrate_on_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double x, lanes x_t, double bound, lanes bound_t)
 {
     lanes step_t, across_t, p_x_t, p_y_t, rates, rates_2;
     double step, v1, across, p_x, p_y;
-    EACH_LANE each(step_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_X)) - each(x_t);
-    step = AT(work, march + layout__ROLLING_MARCH_X) - x;
+    EACH_LANE each(step_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) - each(x_t);
+    step = AT(work, integration + layout__STRIP_INTEGRATION_X) - x;
     v1 = x + 0.5 * step;
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_PUSH_Y)) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1 + AT(work, march + layout__ROLLING_MARCH_PUSH_TURN) * (each(x_t) + 0.5 * each(step_t)));
-    across = AT(work, march + layout__ROLLING_MARCH_PUSH_Y) + AT(work, march + layout__ROLLING_MARCH_PUSH_TURN) * v1;
-    EACH_LANE each(rates) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X)) - (each(step_t) * AT(work, march + layout__ROLLING_MARCH_PUSH_X) + step * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_PUSH_X)));
-    EACH_LANE each(rates_2) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y)) - (each(step_t) * across + step * each(across_t));
-    derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, AT(work, march + layout__ROLLING_MARCH_FIRST_X) - step * AT(work, march + layout__ROLLING_MARCH_PUSH_X), rates, AT(work, march + layout__ROLLING_MARCH_FIRST_Y) - step * across, rates_2, bound, bound_t);
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_X)) = each(x_t);
-    AT(work, march + layout__ROLLING_MARCH_X) = x;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X)) = each(p_x_t);
-    AT(work, march + layout__ROLLING_MARCH_FIRST_X) = p_x;
-    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = each(p_y_t);
-    AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = p_y;
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_Y)) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_TURN)) * v1 + AT(work, integration + layout__STRIP_INTEGRATION_PUSH_TURN) * (each(x_t) + 0.5 * each(step_t)));
+    across = AT(work, integration + layout__STRIP_INTEGRATION_PUSH_Y) + AT(work, integration + layout__STRIP_INTEGRATION_PUSH_TURN) * v1;
+    EACH_LANE each(rates) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X)) - (each(step_t) * AT(work, integration + layout__STRIP_INTEGRATION_PUSH_X) + step * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_X)));
+    EACH_LANE each(rates_2) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y)) - (each(step_t) * across + step * each(across_t));
+    derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) - step * AT(work, integration + layout__STRIP_INTEGRATION_PUSH_X), rates, AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) - step * across, rates_2, bound, bound_t);
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) = each(x_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_X) = x;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X)) = each(p_x_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) = p_x;
+    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y)) = each(p_y_t);
+    AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) = p_y;
     return 0;
 }
 
 /* Derivative of ``slip_direction``. */
-static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march, double bound, lanes bound_t)
+static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t integration, double bound, lanes bound_t)
 {
     lanes p_x_t, p_y_t, size_t;
     double p_x, p_y, v1, v2, size, v3, v4;
-    EACH_LANE each(p_x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X));
-    p_x = AT(work, march + layout__ROLLING_MARCH_FIRST_X);
-    EACH_LANE each(p_y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y));
-    p_y = AT(work, march + layout__ROLLING_MARCH_FIRST_Y);
+    EACH_LANE each(p_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X));
+    p_x = AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X);
+    EACH_LANE each(p_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y));
+    p_y = AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y);
     v1 = p_x * p_x + p_y * p_y;
     v2 = sqrt(v1);
     EACH_LANE each(size_t) = derivative_rates__root_rate(v2, each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t)));
@@ -2049,36 +1725,36 @@ static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* 
 }
 
 /* Derivative of ``stick_traction``. */
-static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
+static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t integration, double x, lanes x_t, double bound, lanes bound_t)
 {
     lanes reach_t, v3_t, root_t, lead_t;
     double reach, v1, v2, v3, v4, root, v5, v6, v7, v8, v9, v10, lead;
-    EACH_LANE each(reach_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH));
-    reach = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
-    v1 = x - AT(work, march + layout__ROLLING_MARCH_DEPTH);
-    v2 = x - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    EACH_LANE each(reach_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH));
+    reach = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
+    v1 = x - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
+    v2 = x - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
     v3 = reach * reach - v1 * v2;
-    EACH_LANE each(v3_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))) * v2 + v1 * (each(x_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))));
+    EACH_LANE each(v3_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))) * v2 + v1 * (each(x_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))));
     if (0.0 > v3)
     {
         v3 = 0.0;
         v3_t = all_lanes(0.0);
     }
     v4 = sqrt(v3);
-    EACH_LANE each(root_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * v4 + AT(work, march + layout__ROLLING_MARCH_RATE) * derivative_rates__root_rate(v4, each(v3_t));
-    root = AT(work, march + layout__ROLLING_MARCH_RATE) * v4;
-    v5 = 2.0 * AT(work, march + layout__ROLLING_MARCH_RATE);
-    v6 = v5 * AT(work, march + layout__ROLLING_MARCH_RATE);
-    v7 = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - x;
+    EACH_LANE each(root_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * v4 + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * derivative_rates__root_rate(v4, each(v3_t));
+    root = AT(work, integration + layout__STRIP_INTEGRATION_RATE) * v4;
+    v5 = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    v6 = v5 * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    v7 = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) - x;
     v8 = v6 * v7;
     v9 = bound + root;
     v10 = v8 / v9;
-    EACH_LANE each(lead_t) = ((2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * AT(work, march + layout__ROLLING_MARCH_RATE) + v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) * v7 + v6 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(x_t)) - v10 * (each(bound_t) + each(root_t))) / v9;
+    EACH_LANE each(lead_t) = ((2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * AT(work, integration + layout__STRIP_INTEGRATION_RATE) + v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) * v7 + v6 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(x_t)) - v10 * (each(bound_t) + each(root_t))) / v9;
     lead = v10;
-    *out_0 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) * lead;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) * lead + AT(work, march + layout__ROLLING_MARCH_LEAD_X) * each(lead_t);
-    *out_2 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * lead + AT(work, march + layout__ROLLING_MARCH_TWIST) * bound;
-    EACH_LANE each(*out_3) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) * lead + AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * each(lead_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * bound + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(bound_t));
+    *out_0 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) * lead;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) * lead + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) * each(lead_t);
+    *out_2 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * lead + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * bound;
+    EACH_LANE each(*out_3) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) * lead + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * each(lead_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(bound_t));
 }
 
 
@@ -2109,7 +1785,7 @@ static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, 
             derivative_fastsim__strip_push_t(&v2, &v2_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
             EACH_LANE each(push_t) = each(v2_t);
             push = v2;
-            derivative_fastsim__march_strip_t(&sticks, &sticks_t, &loses, &loses_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, rate_t, push, push_t, across, across_t, turning, turning_t);
+            derivative_fastsim__integrate_strip_t(&sticks, &sticks_t, &loses, &loses_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, rate_t, push, push_t, across, across_t, turning, turning_t);
             EACH_LANE each(stuck_t) = each(stuck_t) + each(sticks_t);
             stuck = stuck + sticks;
             EACH_LANE each(lost_t) = each(lost_t) + each(loses_t);
@@ -2182,8 +1858,8 @@ static inline void derivative_fastsim__strip_push_t(double* push_out, lanes* pus
     EACH_LANE each(*push_t_out) = each(push_t);
 }
 
-/* Derivative of ``march_strip``. */
-static inline void derivative_fastsim__march_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t)
+/* Derivative of ``integrate_strip``. */
+static inline void derivative_fastsim__integrate_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t)
 {
     lanes a_t, slanted_t, lateral_t, turn_t, before_t, p_x_t, p_y_t, force_x_t, force_y_t, moment_t, stuck_t, total_t, lost_t, largest_t, x_t, weight_t, step_t, free_x_t, free_y_t, bound_t, last_x_t, last_y_t, along_t, sideways_t, v5_t, share_t, v7_t, square_t, v10_t, v13_t, rates, rates_2, rates_3, rates_4, rates_5;
     double a, slanted, v1, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, lost, largest, x, weight, step, free_x, v2, v3, free_y, v4, bound, last_x, last_y, along, sideways, v5, share, v6, v7, v8, v9, square, v10, v11, v12, v13, v14, v15, v16, v17, v18;
@@ -2576,646 +2252,6 @@ static inline void derivative_friction__creep_gain_t(double* gain_out, lanes* ga
     }
     *gain_out = gain;
     EACH_LANE each(*gain_t_out) = each(gain_t);
-}
-
-
-/* ---- From derivative_march.py; change that one.
- *
- * Derivatives of march.py.
- */
-
-/* Derivative of ``open_marches``. */
-static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_lanes_1d work_t, double ratio, lanes ratio_t)
-{
-    int64_t i_1, q;
-    double v1, v2, square, v3, v4;
-    lanes square_t;
-    for (i_1 = 0; i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += 1)
-    {
-        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1) = all_lanes(0.0);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1) = 0.0;
-    }
-    for (q = 0; q < layout__POINT_LIMIT; q += 1)
-    {
-        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = all_lanes(0.0);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = -1.0;
-    }
-    v1 = ratio / march__SHARE_RATIO;
-    v2 = ratio / march__SHARE_RATIO;
-    EACH_LANE each(square_t) = each(ratio_t) / march__SHARE_RATIO * v2 + v1 * (each(ratio_t) / march__SHARE_RATIO);
-    square = v1 * v2;
-    v3 = 1.0 + square * square;
-    v4 = march__SHARE / v3;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) = -v4 * (each(square_t) * square + square * each(square_t)) / v3;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) = v4;
-    return 0;
-}
-
-/* Derivative of ``set_pushes``. */
-static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t)
-{
-    lanes i1_t, i2_t, i3_t, s_t, x_t, y_t, z_t, centre_t, fills_t, scale_t, near_t, lag_t, along_t, across_t, turning_t;
-    double i1, i2, i3, v1, v2, s, x, y, z, v3, v4, v5, centre, v6, v7, v8, fills, v9, v10, scale, v11, v12, v13, v14, near, v15, v16, v17, v18, v19, v20, v21, v22, v23, lag, v24, v25, v26, v27, v28, along, v29, across, v30, v31, turning;
-    EACH_LANE each(i1_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) * plane + AT(work, march + layout__ROLLING_MARCH_ALONG) * each(plane_t);
-    i1 = AT(work, march + layout__ROLLING_MARCH_ALONG) * plane;
-    EACH_LANE each(i2_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) * plane + AT(work, march + layout__ROLLING_MARCH_ACROSS) * each(plane_t);
-    i2 = AT(work, march + layout__ROLLING_MARCH_ACROSS) * plane;
-    EACH_LANE each(i3_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TURNING)) * spinning + AT(work, march + layout__ROLLING_MARCH_TURNING) * each(spinning_t);
-    i3 = AT(work, march + layout__ROLLING_MARCH_TURNING) * spinning;
-    v1 = 3.0 * M_PI / 32.0;
-    v2 = v1 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    EACH_LANE each(s_t) = v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) * AT(work, march + layout__ROLLING_MARCH_SPIN) + v2 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN));
-    s = v2 * AT(work, march + layout__ROLLING_MARCH_SPIN);
-    EACH_LANE each(x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP)) * AT(work, march + layout__ROLLING_MARCH_SLIP) + AT(work, march + layout__ROLLING_MARCH_SLIP) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP));
-    x = AT(work, march + layout__ROLLING_MARCH_SLIP) * AT(work, march + layout__ROLLING_MARCH_SLIP);
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL)) * AT(work, march + layout__ROLLING_MARCH_LATERAL) + AT(work, march + layout__ROLLING_MARCH_LATERAL) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL));
-    y = AT(work, march + layout__ROLLING_MARCH_LATERAL) * AT(work, march + layout__ROLLING_MARCH_LATERAL);
-    EACH_LANE each(z_t) = each(s_t) * s + s * each(s_t);
-    z = s * s;
-    v3 = x * i1 + y * i2 + z * i3 + march__NOTHING * i1;
-    v4 = x + y + z + march__NOTHING;
-    v5 = v3 / v4;
-    EACH_LANE each(centre_t) = (each(x_t) * i1 + x * each(i1_t) + (each(y_t) * i2 + y * each(i2_t)) + (each(z_t) * i3 + z * each(i3_t)) + march__NOTHING * each(i1_t) - v5 * (each(x_t) + each(y_t) + each(z_t))) / v4;
-    centre = v5;
-    v6 = x * i1;
-    v7 = y * i2;
-    v8 = z * i3;
-    EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v6 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v7 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v8 * each(i3_t));
-    fills = v6 * i1 + v7 * i2 + v8 * i3;
-    v9 = AT(work, march + layout__ROLLING_MARCH_RATE) * AT(work, march + layout__ROLLING_MARCH_RATE);
-    v10 = 4.0 / v9;
-    EACH_LANE each(scale_t) = -v10 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * AT(work, march + layout__ROLLING_MARCH_RATE) + AT(work, march + layout__ROLLING_MARCH_RATE) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / v9;
-    scale = v10;
-    v11 = scale * fills;
-    v12 = march__FILLS * march__FILLS;
-    v13 = 1.0 + v11 / v12;
-    v14 = 1.0 / v13;
-    EACH_LANE each(near_t) = -v14 * ((each(scale_t) * fills + scale * each(fills_t)) / v12) / v13;
-    near = v14;
-    v15 = i1 - centre;
-    EACH_LANE each(i1_t) = each(centre_t) + ((each(i1_t) - each(centre_t)) * near + v15 * each(near_t));
-    i1 = centre + v15 * near;
-    v16 = i2 - centre;
-    EACH_LANE each(i2_t) = each(centre_t) + ((each(i2_t) - each(centre_t)) * near + v16 * each(near_t));
-    i2 = centre + v16 * near;
-    v17 = i3 - centre;
-    EACH_LANE each(i3_t) = each(centre_t) + ((each(i3_t) - each(centre_t)) * near + v17 * each(near_t));
-    i3 = centre + v17 * near;
-    v18 = x * i1;
-    v19 = y * i2;
-    v20 = z * i3;
-    EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v18 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v19 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v20 * each(i3_t));
-    fills = v18 * i1 + v19 * i2 + v20 * i3;
-    v21 = march__LONG_LAG * ratio;
-    v22 = ratio + march__LAG_RATIO;
-    v23 = v21 / v22;
-    EACH_LANE each(lag_t) = (march__LONG_LAG * each(ratio_t) - v23 * each(ratio_t)) / v22;
-    lag = march__LAG + v23;
-    v24 = scale * fills;
-    v25 = march__LAG_FILLS * march__LAG_FILLS;
-    v26 = 1.0 + v24 / v25;
-    v27 = lag / v26;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = (each(lag_t) - v27 * ((each(scale_t) * fills + scale * each(fills_t)) / v25)) / v26;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number) = v27;
-    v28 = AT(work, march + layout__ROLLING_MARCH_SLIP) / AT(work, march + layout__ROLLING_MARCH_RATE);
-    EACH_LANE each(along_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SLIP)) - v28 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
-    along = v28;
-    v29 = AT(work, march + layout__ROLLING_MARCH_LATERAL) / AT(work, march + layout__ROLLING_MARCH_RATE);
-    EACH_LANE each(across_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LATERAL)) - v29 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
-    across = v29;
-    v30 = AT(work, march + layout__ROLLING_MARCH_SPIN) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    v31 = v30 / AT(work, march + layout__ROLLING_MARCH_RATE);
-    EACH_LANE each(turning_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + AT(work, march + layout__ROLLING_MARCH_SPIN) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - v31 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) / AT(work, march + layout__ROLLING_MARCH_RATE);
-    turning = v31;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = each(along_t) * i1 + along * each(i1_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number) = along * i1;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number)) = each(across_t) * i2 + across * each(i2_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number) = across * i2;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number)) = each(turning_t) * i3 + turning * each(i3_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number) = turning * i3;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number)) = each(along_t) * centre + along * each(centre_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number) = along * centre;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number)) = each(across_t) * centre + across * each(centre_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number) = across * centre;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = each(turning_t) * centre + turning * each(centre_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number) = turning * centre;
-    return 0;
-}
-
-/* Derivative of ``set_stick``. */
-static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number)
-{
-    lanes weight_t, depth_t, edge_t, lead_x_t, lead_y_t, inner_t;
-    double weight, v1, v2, v3, depth, edge, behind, turning, v4, lead_x, v5, lead_y, v6, v7, inner, v8, v9, v10, v11, v12, v13;
-    int64_t q;
-    EACH_LANE each(weight_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT));
-    weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = -each(weight_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number) = 1.0 - weight;
-    v1 = 1.0 - weight;
-    v2 = 1.0 - weight;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = -each(weight_t) * v2 + v1 * -each(weight_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number) = v1 * v2;
-    if (weight > 0.0)
-    {
-        v3 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v3 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-        depth = v3;
-        EACH_LANE each(edge_t) = 2.0 * each(depth_t);
-        edge = 2.0 * depth - 1.0;
-        q = layout__POINT_LIMIT;
-        behind = 0.0;
-        turning = 0.0;
-        while (q > 0 && AT(tables, table + layout__ROLLING_TABLE_COSINES + (q - 1)) < edge)
-        {
-            q = q - 1;
-            behind = behind + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-            turning = turning + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-        }
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = each(weight_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number) = weight;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X));
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number) = AT(work, march + layout__ROLLING_MARCH_STICK_X);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y));
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number) = AT(work, march + layout__ROLLING_MARCH_STICK_Y);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = each(edge_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number) = edge;
-        v4 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-        EACH_LANE each(lead_x_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) - v4 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
-        lead_x = v4 * march__WHOLE;
-        v5 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-        EACH_LANE each(lead_y_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) - v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
-        lead_y = v5 * march__WHOLE;
-        v6 = 1.0 - depth;
-        v7 = 1.0 - depth;
-        EACH_LANE each(inner_t) = -each(depth_t) * v7 + v6 * -each(depth_t);
-        inner = v6 * v7;
-        v8 = 2.0 - depth;
-        v9 = lead_x * v8 - AT(work, march + layout__ROLLING_MARCH_STICK_X) * behind;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = each(weight_t) * v9 + weight * (each(lead_x_t) * v8 + lead_x * -each(depth_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * behind);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = weight * v9;
-        v10 = 2.0 - depth;
-        v11 = lead_y * v10 + AT(work, march + layout__ROLLING_MARCH_TWIST) * march__WHOLE - AT(work, march + layout__ROLLING_MARCH_STICK_Y) * behind;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = each(weight_t) * v11 + weight * (each(lead_y_t) * v10 + lead_y * -each(depth_t) + each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * march__WHOLE - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * behind);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = weight * v11;
-        v12 = -weight;
-        v13 = lead_y * inner + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * turning;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = -each(weight_t) * v13 + v12 * (each(lead_y_t) * inner + lead_y * each(inner_t) + each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * turning);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = v12 * v13;
-        if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
-        {
-            derivative_march__add_beyond_t(tables, work, work_t, table, march, number, q);
-        }
-        if (q < layout__POINT_LIMIT)
-        {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q));
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q);
-            RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = all_lanes(0.0);
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q) = (double)number;
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``add_beyond``. */
-static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last)
-{
-    double v1, depth, bound, away, v2, v3, inner, v4, root, v5, p_x, v6, p_y, cut_x, cut_y, weight, v7, v8, v9, v10;
-    lanes depth_t, away_t, inner_t, root_t, p_x_t, p_y_t, cut_x_t, cut_y_t, weight_t;
-    int64_t q;
-    v1 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    EACH_LANE each(depth_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
-    depth = v1;
-    for (q = 0; q < last; q += 1)
-    {
-        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        EACH_LANE each(away_t) = -each(depth_t);
-        away = AT(tables, table + layout__ROLLING_TABLE_COSINES + q) - depth;
-        v2 = 1.0 - depth;
-        v3 = 1.0 - depth;
-        EACH_LANE each(inner_t) = -each(depth_t) * v3 + v2 * -each(depth_t) - (each(away_t) * away + away * each(away_t));
-        inner = v2 * v3 - away * away;
-        if (inner > 0.0)
-        {
-            v4 = sqrt(inner);
-            EACH_LANE each(root_t) = derivative_rates__root_rate(v4, each(inner_t));
-            root = v4;
-            v5 = bound - root;
-            EACH_LANE each(p_x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + AT(work, march + layout__ROLLING_MARCH_STICK_X) * -each(root_t);
-            p_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * v5;
-            v6 = bound - root;
-            EACH_LANE each(p_y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * -each(root_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * root + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(root_t));
-            p_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * v6 + AT(work, march + layout__ROLLING_MARCH_TWIST) * root;
-            derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, all_lanes(0.0));
-            EACH_LANE each(weight_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
-            weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT) * bound;
-            v7 = cut_x - p_x;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + (each(weight_t) * v7 + weight * (each(cut_x_t) - each(p_x_t)));
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) + weight * v7;
-            v8 = cut_y - p_y;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) + (each(weight_t) * v8 + weight * (each(cut_y_t) - each(p_y_t)));
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) + weight * v8;
-            v9 = weight * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-            v10 = cut_y - p_y;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) + (each(weight_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q) * v10 + v9 * (each(cut_y_t) - each(p_y_t)));
-            AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) + v9 * v10;
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``march_strips``. */
-static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls)
-{
-    double before, x, bound, friction, v1, v2, v3;
-    bool slipping;
-    int64_t q, first, strip;
-    lanes friction_t;
-    before = 1.0;
-    slipping = march__has_slip(work);
-    for (q = 0; q < layout__POINT_LIMIT; q += 1)
-    {
-        x = AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        first = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q);
-        strip = first;
-        while (strip >= 0)
-        {
-            derivative_march__reach_edge_t(work, work_t, strip, before, all_lanes(0.0), x, all_lanes(0.0), bound, all_lanes(0.0));
-            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
-        }
-        derivative_march__march_first_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
-        if (falls)
-        {
-            derivative_falling__find_shares_t(work, work_t, x, all_lanes(0.0));
-        }
-        if (slipping)
-        {
-            if (falls)
-            {
-                derivative_falling__weigh_slips_t(work, work_t, bound, all_lanes(0.0));
-            }
-            derivative_march__march_second_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
-            if (falls)
-            {
-                derivative_falling__restore_slips_t(work, work_t);
-            }
-        }
-        strip = first;
-        while (strip >= 0)
-        {
-            friction_t = all_lanes(0.0);
-            friction = 1.0;
-            if (falls)
-            {
-                EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip));
-                friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
-                v1 = bound * bound;
-                v2 = v1 * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip);
-                v3 = 1.0 - friction;
-                EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) + (v1 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip)) * v3 + v2 * -each(friction_t));
-                AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) + v2 * v3;
-            }
-            derivative_march__leave_edge_t(work, work_t, strip, x, all_lanes(0.0), bound, all_lanes(0.0), friction, friction_t);
-            slipping = true;
-            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
-        }
-        before = x;
-    }
-    return 0;
-}
-
-/* Derivative of ``march_first``. */
-static inline int64_t derivative_march__march_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
-{
-    lanes limit_t, at_t, along_t, across_t, v2_t, square_t, cut_t;
-    double limit, at, along, v1, across, v2, square, v3, v4, cut;
-    int64_t i;
-    EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
-    limit = bound * bound;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        EACH_LANE each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * each(step_t));
-        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
-        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)));
-        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i);
-        v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i) * at;
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - (each(step_t) * v1 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i) * each(at_t))));
-        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) - step * v1;
-        v2 = along * along + across * across;
-        EACH_LANE each(v2_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
-        if (limit > v2)
-        {
-            v2 = limit;
-            EACH_LANE each(v2_t) = each(limit_t);
-        }
-        EACH_LANE each(square_t) = each(v2_t);
-        square = v2;
-        v3 = sqrt(square);
-        v4 = bound / v3;
-        EACH_LANE each(cut_t) = (each(bound_t) - v4 * derivative_rates__root_rate(v3, each(square_t))) / v3;
-        cut = v4;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = each(cut_t) * along + cut * each(along_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) = cut * along;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = each(cut_t) * across + cut * each(across_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) = cut * across;
-    }
-    return 0;
-}
-
-/* Derivative of ``march_second``. */
-static inline int64_t derivative_march__march_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
-{
-    lanes share_t, limit_t, soft_t, at_t, second_x_t, second_y_t, v3_t, square_t, cut_t, along_t, across_t, scale_t, v14_t, largest_t;
-    double share, limit, v1, soft, at, second_x, v2, second_y, v3, square, v4, v5, cut, v6, along, v7, across, v8, v9, v10, v11, scale, v12, v13, v14, largest, v15;
-    int64_t i;
-    EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE));
-    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE);
-    EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
-    limit = bound * bound;
-    v1 = march__SOFT * march__SOFT;
-    EACH_LANE each(soft_t) = v1 * each(limit_t);
-    soft = v1 * limit;
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        EACH_LANE each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * each(step_t));
-        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
-        EACH_LANE each(second_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)));
-        second_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i);
-        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * at;
-        EACH_LANE each(second_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - (each(step_t) * v2 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * each(at_t))));
-        second_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) - step * v2;
-        v3 = second_x * second_x + second_y * second_y;
-        EACH_LANE each(v3_t) = each(second_x_t) * second_x + second_x * each(second_x_t) + (each(second_y_t) * second_y + second_y * each(second_y_t));
-        if (limit > v3)
-        {
-            v3 = limit;
-            EACH_LANE each(v3_t) = each(limit_t);
-        }
-        EACH_LANE each(square_t) = each(v3_t);
-        square = v3;
-        v4 = sqrt(square);
-        v5 = bound / v4;
-        EACH_LANE each(cut_t) = (each(bound_t) - v5 * derivative_rates__root_rate(v4, each(square_t))) / v4;
-        cut = v5;
-        EACH_LANE each(second_x_t) = each(second_x_t) * cut + second_x * each(cut_t);
-        second_x = second_x * cut;
-        EACH_LANE each(second_y_t) = each(second_y_t) * cut + second_y * each(cut_t);
-        second_y = second_y * cut;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = each(second_x_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = second_x;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = each(second_y_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = second_y;
-        v6 = second_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i);
-        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (each(share_t) * v6 + share * (each(second_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))));
-        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) + share * v6;
-        v7 = second_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i);
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (each(share_t) * v7 + share * (each(second_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))));
-        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) + share * v7;
-        EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
-        square = along * along + across * across;
-        v8 = 1.0 - march__SOFT * march__SOFT;
-        v9 = v8 * square + soft;
-        v10 = sqrt(v9);
-        v11 = bound / v10;
-        EACH_LANE each(scale_t) = (each(bound_t) - v11 * derivative_rates__root_rate(v10, v8 * each(square_t) + each(soft_t))) / v10;
-        scale = v11;
-        v12 = square * scale;
-        v13 = v12 * scale;
-        v14 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) * v13;
-        EACH_LANE each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v13 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) * ((each(square_t) * scale + square * each(scale_t)) * scale + v12 * each(scale_t));
-        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) > v14)
-        {
-            v14 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i);
-            EACH_LANE each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-        }
-        EACH_LANE each(largest_t) = each(v14_t);
-        largest = v14;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = each(largest_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) = largest;
-        v15 = bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
-        EACH_LANE each(scale_t) = each(scale_t) * v15 + scale * (each(bound_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) + bound * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)));
-        scale = scale * v15;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (each(scale_t) * along + scale * each(along_t));
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + scale * along;
-        EACH_LANE each(across_t) = each(across_t) * scale + across * each(scale_t);
-        across = across * scale;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + each(across_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + across;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + (each(x_t) * across + x * each(across_t));
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + x * across;
-    }
-    return 0;
-}
-
-/* Derivative of ``reach_edge``. */
-static inline int64_t derivative_march__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t)
-{
-    lanes edge_t, weight_t, v1_t, edge_bound_t, start_x_t, start_y_t, to_x_t, to_y_t, near_t, rates, rates_2;
-    double edge, weight, v1, edge_bound, v2, start_x, v3, start_y, to_x, to_y, v4, v5, v6, v7, v8, near, v9, v10, v11, v12;
-    EACH_LANE each(edge_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i));
-    edge = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i);
-    EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
-    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
-    EACH_LANE each(rates) = -(each(edge_t) * edge + edge * each(edge_t));
-    derivative_march__sqrt_of_t(&v1, &v1_t, 1.0 - edge * edge, rates);
-    EACH_LANE each(edge_bound_t) = each(v1_t);
-    edge_bound = v1;
-    v2 = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i);
-    EACH_LANE each(start_x_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))) * edge_bound + v2 * each(edge_bound_t);
-    start_x = v2 * edge_bound;
-    v3 = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
-    EACH_LANE each(start_y_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))) * edge_bound + v3 * each(edge_bound_t);
-    start_y = v3 * edge_bound;
-    if (weight < 1.0)
-    {
-        EACH_LANE each(rates_2) = each(before_t) - each(edge_t);
-        derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i), edge, edge_t, before - edge, rates_2);
-        derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, edge_bound, edge_bound_t);
-        v4 = 1.0 - weight;
-        EACH_LANE each(start_x_t) = each(start_x_t) + (-each(weight_t) * to_x + v4 * each(to_x_t));
-        start_x = start_x + v4 * to_x;
-        v5 = 1.0 - weight;
-        EACH_LANE each(start_y_t) = each(start_y_t) + (-each(weight_t) * to_y + v5 * each(to_y_t));
-        start_y = start_y + v5 * to_y;
-    }
-    derivative_march__note_largest_t(work, work_t, i, start_x, start_x_t, start_y, start_y_t);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)) = each(start_x_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i) = start_x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)) = each(start_y_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i) = start_y;
-    v6 = edge - x;
-    v7 = before - x;
-    v8 = v6 / v7;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = (each(edge_t) - each(x_t) - v8 * (each(before_t) - each(x_t))) / v7;
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i) = v8;
-    EACH_LANE each(near_t) = -each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
-    near = 1.0 - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
-    v9 = 1.0 - weight;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = each(near_t) * v9 + near * -each(weight_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = near * v9;
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = all_lanes(0.0);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = 0.0;
-    v10 = near * bound;
-    v11 = v10 * bound;
-    EACH_LANE each(weight_t) = each(weight_t) * v11 + weight * ((each(near_t) * bound + near * each(bound_t)) * bound + v10 * each(bound_t));
-    weight = weight * v11;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)));
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)));
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
-    v12 = weight * x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((each(weight_t) * x + weight * each(x_t)) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + v12 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)));
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + v12 * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i);
-    return 0;
-}
-
-/* Derivative of ``leave_edge``. */
-static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t)
-{
-    lanes weight_t, near_t, p_x_t, p_y_t, slip_x_t, slip_y_t, step_t, to_x_t, to_y_t, kept_t, share_t, rates, rates_2;
-    double weight, near, p_x, p_y, slip_x, slip_y, v1, v2, step, to_x, to_y, kept, v3, v4, share, v5, v6, v7, v8, v9;
-    EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
-    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
-    EACH_LANE each(near_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
-    near = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
-    p_x_t = all_lanes(0.0);
-    p_x = 0.0;
-    p_y_t = all_lanes(0.0);
-    p_y = 0.0;
-    if (weight < 1.0)
-    {
-        derivative_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
-        v1 = near * friction;
-        EACH_LANE each(p_x_t) = (each(near_t) * friction + near * each(friction_t)) * slip_x + v1 * each(slip_x_t);
-        p_x = v1 * slip_x;
-        v2 = near * friction;
-        EACH_LANE each(p_y_t) = (each(near_t) * friction + near * each(friction_t)) * slip_y + v2 * each(slip_y_t);
-        p_y = v2 * slip_y;
-    }
-    EACH_LANE each(step_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - each(x_t);
-    step = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i) - x;
-    derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i), x, x_t, step, step_t);
-    derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, bound, bound_t);
-    if (weight < march__FAINT)
-    {
-        EACH_LANE each(kept_t) = each(weight_t) / march__FAINT;
-        kept = weight / march__FAINT;
-        v3 = to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i);
-        EACH_LANE each(to_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + (each(kept_t) * v3 + kept * (each(to_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))));
-        to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) + kept * v3;
-        v4 = to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i);
-        EACH_LANE each(to_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + (each(kept_t) * v4 + kept * (each(to_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))));
-        to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) + kept * v4;
-    }
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = each(to_x_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = to_x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = each(to_y_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = to_y;
-    derivative_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
-    EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
-    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
-    v5 = share * friction;
-    EACH_LANE each(slip_x_t) = each(slip_x_t) * v5 + slip_x * (each(share_t) * friction + share * each(friction_t));
-    slip_x = slip_x * v5;
-    v6 = share * friction;
-    EACH_LANE each(slip_y_t) = each(slip_y_t) * v6 + slip_y * (each(share_t) * friction + share * each(friction_t));
-    slip_y = slip_y * v6;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (each(bound_t) * slip_x + bound * each(slip_x_t));
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + bound * slip_x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + (each(bound_t) * slip_y + bound * each(slip_y_t));
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + bound * slip_y;
-    v7 = bound * x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v7 * each(slip_y_t));
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + v7 * slip_y;
-    v8 = 1.0 - share;
-    v9 = v8 * bound;
-    EACH_LANE each(weight_t) = each(weight_t) * v9 + weight * (-each(share_t) * bound + v8 * each(bound_t));
-    weight = weight * v9;
-    EACH_LANE each(rates) = each(p_x_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))) + each(slip_x_t);
-    EACH_LANE each(rates_2) = each(p_y_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))) + each(slip_y_t);
-    derivative_march__note_largest_t(work, work_t, i, p_x + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + slip_x, rates, p_y + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + slip_y, rates_2);
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = all_lanes(0.0);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = 1.0;
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = all_lanes(0.0);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = 1.0;
-    return 0;
-}
-
-/* Derivative of ``stepped``. */
-static inline void derivative_march__stepped_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t)
-{
-    double v1, across;
-    lanes across_t;
-    v1 = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * step;
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * (each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i) * each(step_t))));
-    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i) * v1;
-    *out_0 = p_x - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i);
-    EACH_LANE each(*out_1) = each(p_x_t) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)));
-    *out_2 = p_y - step * across;
-    EACH_LANE each(*out_3) = each(p_y_t) - (each(step_t) * across + step * each(across_t));
-}
-
-/* Derivative of ``slip_traction``. */
-static inline void derivative_march__slip_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t)
-{
-    double v1, along, v2, across, square, v3, v4, v5, v6, v7, scale;
-    lanes along_t, across_t, square_t, scale_t;
-    v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i);
-    EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))));
-    along = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * v1;
-    v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i);
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v2 + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))));
-    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE) * v2;
-    EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
-    square = along * along + across * across;
-    v3 = march__SOFT * march__SOFT;
-    v4 = bound * bound - square;
-    v5 = square + v3 * v4;
-    v6 = sqrt(v5);
-    v7 = bound / v6;
-    EACH_LANE each(scale_t) = (each(bound_t) - v7 * derivative_rates__root_rate(v6, each(square_t) + v3 * (each(bound_t) * bound + bound * each(bound_t) - each(square_t)))) / v6;
-    scale = v7;
-    *out_0 = along * scale;
-    EACH_LANE each(*out_1) = each(along_t) * scale + along * each(scale_t);
-    *out_2 = across * scale;
-    EACH_LANE each(*out_3) = each(across_t) * scale + across * each(scale_t);
-}
-
-/* Derivative of ``note_largest``. */
-static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t)
-{
-    lanes square_t, v1_t;
-    double square, v1;
-    EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
-    square = p_x * p_x + p_y * p_y;
-    v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i);
-    EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-    if (square > v1)
-    {
-        v1 = square;
-        EACH_LANE each(v1_t) = each(square_t);
-    }
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = each(v1_t);
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i) = v1;
-    return 0;
-}
-
-/* Derivative of ``sqrt_of``. */
-static inline void derivative_march__sqrt_of_t(double* root_out, lanes* root_t_out, double value, lanes value_t)
-{
-    lanes root_t;
-    double root, v1;
-    root_t = all_lanes(0.0);
-    root = 0.0;
-    if (value > 0.0)
-    {
-        v1 = sqrt(value);
-        EACH_LANE each(root_t) = derivative_rates__root_rate(v1, each(value_t));
-        root = v1;
-    }
-    *root_out = root;
-    EACH_LANE each(*root_t_out) = each(root_t);
 }
 
 
@@ -3738,6 +2774,330 @@ static inline void derivative_polach__largest_shear_t(double* v6_out, lanes* out
     v6 = v3 / v5;
     *v6_out = v6;
     EACH_LANE each(*out_1) = (1.5 * each(force_t) - v6 * (M_PI * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v4 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)))) / v5;
+}
+
+
+/* ---- From derivative_rolling_strips.py; change that one.
+ *
+ * Derivatives of rolling_strips.py.
+ */
+
+/* Derivative of ``divide_into_strips``. */
+static inline int64_t derivative_rolling_strips__divide_into_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t totals;
+    totals = patch + layout__PATCH_TOTALS;
+    derivative_rolling_strips__describe_ellipse_t(work, work_t, patch);
+    derivative_rolling_strips__divide_patch_t(work, work_t, patch, AT(work, totals + layout__PATCH_TOTALS_START), RATE_AT(work_t, totals + layout__PATCH_TOTALS_START), AT(work, totals + layout__PATCH_TOTALS_STOP), RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP));
+    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
+    {
+        if ((int64_t)AT(work, patch + layout__PATCH_RULE) == layout__RULE_ELLIPSE)
+        {
+            derivative_rolling_strips__divide_ellipse_t(work, work_t, patch);
+        }
+        else
+        {
+            derivative_rolling_strips__divide_strips_t(work, work_t, patch);
+        }
+    }
+    derivative_rolling_strips__finish_strips_t(work, work_t, patch);
+    derivative_rolling_strips__plane_slips_t(work, work_t, patch);
+    return 0;
+}
+
+/* Derivative of ``clear_creep``. */
+static inline int64_t derivative_rolling_strips__clear_creep_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t i, strip;
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_X) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_Y) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = 0.0;
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = 0.0;
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_MOMENT) = 0.0;
+    }
+    return 0;
+}
+
+/* Derivative of ``describe_ellipse``. */
+static inline int64_t derivative_rolling_strips__describe_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t totals;
+    double v1, v2, v3, v4, ratio, v5, v6, v7, v8, v9, v10;
+    lanes v3_t, v4_t, ratio_t;
+    totals = patch + layout__PATCH_TOTALS;
+    RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_HALF_LENGTH) = 0.0;
+    RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_HALF_WIDTH) = 0.0;
+    if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) > 0.0)
+    {
+        v1 = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+        v2 = v1 / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
+        v3 = v2;
+        EACH_LANE each(v3_t) = (2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH))) / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
+        if (rolling_strips__SHORTEST_PATCH > v3)
+        {
+            v3 = rolling_strips__SHORTEST_PATCH;
+            v3_t = all_lanes(0.0);
+        }
+        v4 = v3;
+        EACH_LANE each(v4_t) = each(v3_t);
+        if (rolling_strips__LONGEST_PATCH < v4)
+        {
+            v4 = rolling_strips__LONGEST_PATCH;
+            v4_t = all_lanes(0.0);
+        }
+        EACH_LANE each(ratio_t) = each(v4_t);
+        ratio = v4;
+        v5 = AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI;
+        v6 = v5 * ratio;
+        v7 = sqrt(v6);
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) = derivative_rates__root_rate(v7, each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio + v5 * each(ratio_t));
+        AT(work, patch + layout__PATCH_HALF_LENGTH) = v7;
+        v8 = AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI;
+        v9 = v8 / ratio;
+        v10 = sqrt(v9);
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)) = derivative_rates__root_rate(v10, (each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI - v9 * each(ratio_t)) / ratio);
+        AT(work, patch + layout__PATCH_HALF_WIDTH) = v10;
+    }
+    return 0;
+}
+
+/* Derivative of ``divide_patch``. */
+static inline int64_t derivative_rolling_strips__divide_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double start, lanes start_t, double stop, lanes stop_t)
+{
+    double v1, middle, v2, half, before, here, edge, after, v3;
+    lanes middle_t, half_t, edge_t;
+    int64_t i, strip;
+    v1 = start + stop;
+    EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t));
+    middle = 0.5 * v1;
+    v2 = stop - start;
+    EACH_LANE each(half_t) = 0.5 * (each(stop_t) - each(start_t));
+    half = 0.5 * v2;
+    before = rolling_strips__COSINE;
+    here = 1.0;
+    EACH_LANE each(edge_t) = each(start_t);
+    edge = start;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        after = 2.0 * rolling_strips__COSINE * here - before;
+        before = here;
+        here = after;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) = each(edge_t);
+        AT(work, strip + layout__ROLLING_STRIP_START) = edge;
+        EACH_LANE each(edge_t) = each(middle_t) - each(half_t) * here;
+        edge = middle - half * here;
+        if (i == layout__ROLLING_STRIP_LIMIT - 1)
+        {
+            EACH_LANE each(edge_t) = each(stop_t);
+            edge = stop;
+        }
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) = each(edge_t);
+        AT(work, strip + layout__ROLLING_STRIP_STOP) = edge;
+        v3 = AT(work, strip + layout__ROLLING_STRIP_START) + edge;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) + each(edge_t));
+        AT(work, strip + layout__ROLLING_STRIP_STATION) = 0.5 * v3;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) = each(edge_t) - each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
+        AT(work, strip + layout__ROLLING_STRIP_WIDTH) = edge - AT(work, strip + layout__ROLLING_STRIP_START);
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = 0.0;
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD) = all_lanes(0.0);
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = 0.0;
+    }
+    return 0;
+}
+
+/* Derivative of ``divide_ellipse``. */
+static inline int64_t derivative_rolling_strips__divide_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t totals, i, strip;
+    lanes square_t, third_t, low_t, high_t, share_t;
+    double square, v1, v2, v3, third, low, high, v4, v5, share;
+    totals = patch + layout__PATCH_TOTALS;
+    EACH_LANE each(square_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) + AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    square = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
+    v1 = 3.0 * AT(work, totals + layout__PATCH_TOTALS_STOP);
+    v2 = v1 * AT(work, totals + layout__PATCH_TOTALS_STOP);
+    v3 = 1.0 / v2;
+    EACH_LANE each(third_t) = -v3 * (3.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) * AT(work, totals + layout__PATCH_TOTALS_STOP) + v1 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP))) / v2;
+    third = v3;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        EACH_LANE each(low_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
+        low = AT(work, strip + layout__ROLLING_STRIP_START);
+        EACH_LANE each(high_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
+        high = AT(work, strip + layout__ROLLING_STRIP_STOP);
+        v4 = low * low + low * high + high * high;
+        v5 = 1.0 - third * v4;
+        EACH_LANE each(share_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) * v5 + AT(work, strip + layout__ROLLING_STRIP_WIDTH) * -(each(third_t) * v4 + third * (each(low_t) * low + low * each(low_t) + (each(low_t) * high + low * each(high_t)) + (each(high_t) * high + high * each(high_t))));
+        share = AT(work, strip + layout__ROLLING_STRIP_WIDTH) * v5;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(square_t) * share + square * each(share_t);
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = square * share;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(share_t);
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = share;
+    }
+    return 0;
+}
+
+/* Derivative of ``divide_strips``. */
+static inline int64_t derivative_rolling_strips__divide_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    lanes low_t, low_square_t, low_load_t;
+    double low, low_square, low_load;
+    int64_t at, k, node, n1, k_end;
+    bool inside, loaded;
+    EACH_LANE each(low_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
+    low_square_t = all_lanes(0.0);
+    low_square = 0.0;
+    low_load_t = all_lanes(0.0);
+    low_load = 0.0;
+    at = 0;
+    k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
+    for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
+    {
+        node = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
+        inside = AT(work, node + layout__SOLVED_STRIP_STATION) > low && AT(work, node + layout__SOLVED_STRIP_STATION) < AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP);
+        loaded = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) > 0.0 && AT(work, node + layout__SOLVED_STRIP_LINE_LOAD) > 0.0;
+        if (inside && loaded && AT(work, node + layout__SOLVED_STRIP_WIDTH) > 0.0)
+        {
+            n1 = derivative_rolling_strips__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, node + layout__SOLVED_STRIP_STATION), RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION), AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, node + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
+            at = n1;
+            EACH_LANE each(low_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION));
+            low = AT(work, node + layout__SOLVED_STRIP_STATION);
+            EACH_LANE each(low_square_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            low_square = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
+            EACH_LANE each(low_load_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
+            low_load = AT(work, node + layout__SOLVED_STRIP_LINE_LOAD);
+        }
+    }
+    derivative_rolling_strips__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), 0.0, all_lanes(0.0), 0.0, all_lanes(0.0));
+    return 0;
+}
+
+/* Derivative of ``add_piece``. */
+static inline int64_t derivative_rolling_strips__add_piece_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t at, double low, lanes low_t, double low_square, lanes low_square_t, double low_load, lanes low_load_t, double high, lanes high_t, double high_square, lanes high_square_t, double high_load, lanes high_load_t)
+{
+    lanes width_t, square_slope_t, load_slope_t, start_t, stop_t, middle_t;
+    double width, v1, v2, square_slope, v3, v4, load_slope, start, stop, v5, middle, v6, v7, v8, v9;
+    int64_t strip;
+    EACH_LANE each(width_t) = each(high_t) - each(low_t);
+    width = high - low;
+    v1 = high_square - low_square;
+    v2 = v1 / width;
+    EACH_LANE each(square_slope_t) = (each(high_square_t) - each(low_square_t) - v2 * each(width_t)) / width;
+    square_slope = v2;
+    v3 = high_load - low_load;
+    v4 = v3 / width;
+    EACH_LANE each(load_slope_t) = (each(high_load_t) - each(low_load_t) - v4 * each(width_t)) / width;
+    load_slope = v4;
+    EACH_LANE each(start_t) = each(low_t);
+    start = low;
+    while (start < high)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * at;
+        EACH_LANE each(stop_t) = each(high_t);
+        stop = high;
+        if (AT(work, strip + layout__ROLLING_STRIP_STOP) < high && at < layout__ROLLING_STRIP_LIMIT - 1)
+        {
+            EACH_LANE each(stop_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
+            stop = AT(work, strip + layout__ROLLING_STRIP_STOP);
+        }
+        v5 = start + stop;
+        EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t)) - each(low_t);
+        middle = 0.5 * v5 - low;
+        v6 = stop - start;
+        v7 = low_square + square_slope * middle;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + ((each(stop_t) - each(start_t)) * v7 + v6 * (each(low_square_t) + (each(square_slope_t) * middle + square_slope * each(middle_t))));
+        AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v6 * v7;
+        v8 = stop - start;
+        v9 = low_load + load_slope * middle;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) + ((each(stop_t) - each(start_t)) * v9 + v8 * (each(low_load_t) + (each(load_slope_t) * middle + load_slope * each(middle_t))));
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) + v8 * v9;
+        if (stop < high)
+        {
+            at = at + 1;
+        }
+        EACH_LANE each(start_t) = each(stop_t);
+        start = stop;
+    }
+    return at;
+}
+
+/* Derivative of ``finish_strips``. */
+static inline int64_t derivative_rolling_strips__finish_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    lanes carried_t, scale_t;
+    double carried, scale, v1, v2, v3, v4;
+    int64_t i, strip;
+    carried_t = all_lanes(0.0);
+    carried = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(carried_t) = each(carried_t) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+        carried = carried + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
+    }
+    scale_t = all_lanes(0.0);
+    scale = 0.0;
+    if (carried > 0.0)
+    {
+        v1 = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) / carried;
+        EACH_LANE each(scale_t) = (each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v1 * each(carried_t)) / carried;
+        scale = v1;
+    }
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) - each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+        AT(work, strip + layout__ROLLING_STRIP_Y) = AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_SLANT)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SLANT) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y));
+        AT(work, strip + layout__ROLLING_STRIP_X) = AT(work, patch + layout__PATCH_SLANT) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        if (AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
+        {
+            v2 = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+            v3 = sqrt(v2);
+            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v3, (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
+            AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = v3;
+            v4 = scale / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * v4 + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * ((each(scale_t) - v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
+            AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * v4;
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``plane_slips``. */
+static inline int64_t derivative_rolling_strips__plane_slips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t i, strip;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)));
+        AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)));
+        AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = each(RATE_AT(work_t, patch + layout__PATCH_SPIN));
+        AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, patch + layout__PATCH_SPIN);
+    }
+    return 0;
 }
 
 
@@ -4271,6 +3631,646 @@ static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lan
     EACH_LANE each(*across_t_out) = each(across_t);
     *turning_out = turning;
     EACH_LANE each(*turning_t_out) = each(turning_t);
+}
+
+
+/* ---- From derivative_traction_integration.py; change that one.
+ *
+ * Derivatives of traction_integration.py.
+ */
+
+/* Derivative of ``open_integrations``. */
+static inline int64_t derivative_traction_integration__open_integrations_t(array_double_1d work, array_lanes_1d work_t, double ratio, lanes ratio_t)
+{
+    int64_t i_1, q;
+    double v1, v2, square, v3, v4;
+    lanes square_t;
+    for (i_1 = 0; i_1 < layout__STRIP_INTEGRATIONS_SIZE; i_1 += 1)
+    {
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + i_1) = all_lanes(0.0);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + i_1) = 0.0;
+    }
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
+    {
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = all_lanes(0.0);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = -1.0;
+    }
+    v1 = ratio / traction_integration__SHARE_RATIO;
+    v2 = ratio / traction_integration__SHARE_RATIO;
+    EACH_LANE each(square_t) = each(ratio_t) / traction_integration__SHARE_RATIO * v2 + v1 * (each(ratio_t) / traction_integration__SHARE_RATIO);
+    square = v1 * v2;
+    v3 = 1.0 + square * square;
+    v4 = traction_integration__SHARE / v3;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) = -v4 * (each(square_t) * square + square * each(square_t)) / v3;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) = v4;
+    return 0;
+}
+
+/* Derivative of ``set_pushes``. */
+static inline int64_t derivative_traction_integration__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t)
+{
+    lanes i1_t, i2_t, i3_t, s_t, x_t, y_t, z_t, centre_t, fills_t, scale_t, near_t, lag_t, along_t, across_t, turning_t;
+    double i1, i2, i3, v1, v2, s, x, y, z, v3, v4, v5, centre, v6, v7, v8, fills, v9, v10, scale, v11, v12, v13, v14, near, v15, v16, v17, v18, v19, v20, v21, v22, v23, lag, v24, v25, v26, v27, v28, along, v29, across, v30, v31, turning;
+    EACH_LANE each(i1_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * plane + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(plane_t);
+    i1 = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * plane;
+    EACH_LANE each(i2_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * plane + AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) * each(plane_t);
+    i2 = AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) * plane;
+    EACH_LANE each(i3_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * spinning + AT(work, integration + layout__STRIP_INTEGRATION_TURNING) * each(spinning_t);
+    i3 = AT(work, integration + layout__STRIP_INTEGRATION_TURNING) * spinning;
+    v1 = 3.0 * M_PI / 32.0;
+    v2 = v1 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    EACH_LANE each(s_t) = v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN));
+    s = v2 * AT(work, integration + layout__STRIP_INTEGRATION_SPIN);
+    EACH_LANE each(x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) * AT(work, integration + layout__STRIP_INTEGRATION_SLIP) + AT(work, integration + layout__STRIP_INTEGRATION_SLIP) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP));
+    x = AT(work, integration + layout__STRIP_INTEGRATION_SLIP) * AT(work, integration + layout__STRIP_INTEGRATION_SLIP);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) + AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL));
+    y = AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL);
+    EACH_LANE each(z_t) = each(s_t) * s + s * each(s_t);
+    z = s * s;
+    v3 = x * i1 + y * i2 + z * i3 + traction_integration__NOTHING * i1;
+    v4 = x + y + z + traction_integration__NOTHING;
+    v5 = v3 / v4;
+    EACH_LANE each(centre_t) = (each(x_t) * i1 + x * each(i1_t) + (each(y_t) * i2 + y * each(i2_t)) + (each(z_t) * i3 + z * each(i3_t)) + traction_integration__NOTHING * each(i1_t) - v5 * (each(x_t) + each(y_t) + each(z_t))) / v4;
+    centre = v5;
+    v6 = x * i1;
+    v7 = y * i2;
+    v8 = z * i3;
+    EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v6 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v7 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v8 * each(i3_t));
+    fills = v6 * i1 + v7 * i2 + v8 * i3;
+    v9 = AT(work, integration + layout__STRIP_INTEGRATION_RATE) * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    v10 = 4.0 / v9;
+    EACH_LANE each(scale_t) = -v10 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * AT(work, integration + layout__STRIP_INTEGRATION_RATE) + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / v9;
+    scale = v10;
+    v11 = scale * fills;
+    v12 = traction_integration__FILLS * traction_integration__FILLS;
+    v13 = 1.0 + v11 / v12;
+    v14 = 1.0 / v13;
+    EACH_LANE each(near_t) = -v14 * ((each(scale_t) * fills + scale * each(fills_t)) / v12) / v13;
+    near = v14;
+    v15 = i1 - centre;
+    EACH_LANE each(i1_t) = each(centre_t) + ((each(i1_t) - each(centre_t)) * near + v15 * each(near_t));
+    i1 = centre + v15 * near;
+    v16 = i2 - centre;
+    EACH_LANE each(i2_t) = each(centre_t) + ((each(i2_t) - each(centre_t)) * near + v16 * each(near_t));
+    i2 = centre + v16 * near;
+    v17 = i3 - centre;
+    EACH_LANE each(i3_t) = each(centre_t) + ((each(i3_t) - each(centre_t)) * near + v17 * each(near_t));
+    i3 = centre + v17 * near;
+    v18 = x * i1;
+    v19 = y * i2;
+    v20 = z * i3;
+    EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v18 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v19 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v20 * each(i3_t));
+    fills = v18 * i1 + v19 * i2 + v20 * i3;
+    v21 = traction_integration__LONG_LAG * ratio;
+    v22 = ratio + traction_integration__LAG_RATIO;
+    v23 = v21 / v22;
+    EACH_LANE each(lag_t) = (traction_integration__LONG_LAG * each(ratio_t) - v23 * each(ratio_t)) / v22;
+    lag = traction_integration__LAG + v23;
+    v24 = scale * fills;
+    v25 = traction_integration__LAG_FILLS * traction_integration__LAG_FILLS;
+    v26 = 1.0 + v24 / v25;
+    v27 = lag / v26;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + number)) = (each(lag_t) - v27 * ((each(scale_t) * fills + scale * each(fills_t)) / v25)) / v26;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + number) = v27;
+    v28 = AT(work, integration + layout__STRIP_INTEGRATION_SLIP) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_LANE each(along_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) - v28 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    along = v28;
+    v29 = AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_LANE each(across_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) - v29 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    across = v29;
+    v30 = AT(work, integration + layout__STRIP_INTEGRATION_SPIN) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    v31 = v30 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_LANE each(turning_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_SPIN) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - v31 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    turning = v31;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + number)) = each(along_t) * i1 + along * each(i1_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + number) = along * i1;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + number)) = each(across_t) * i2 + across * each(i2_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + number) = across * i2;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + number)) = each(turning_t) * i3 + turning * each(i3_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + number) = turning * i3;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + number)) = each(along_t) * centre + along * each(centre_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + number) = along * centre;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + number)) = each(across_t) * centre + across * each(centre_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + number) = across * centre;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + number)) = each(turning_t) * centre + turning * each(centre_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + number) = turning * centre;
+    return 0;
+}
+
+/* Derivative of ``set_stick``. */
+static inline int64_t derivative_traction_integration__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t integration, int64_t number)
+{
+    lanes weight_t, depth_t, edge_t, lead_x_t, lead_y_t, inner_t;
+    double weight, v1, v2, v3, depth, edge, behind, turning, v4, lead_x, v5, lead_y, v6, v7, inner, v8, v9, v10, v11, v12, v13;
+    int64_t q;
+    EACH_LANE each(weight_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT));
+    weight = AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + number)) = -each(weight_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + number) = 1.0 - weight;
+    v1 = 1.0 - weight;
+    v2 = 1.0 - weight;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + number)) = -each(weight_t) * v2 + v1 * -each(weight_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + number) = v1 * v2;
+    if (weight > 0.0)
+    {
+        v3 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v3 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        depth = v3;
+        EACH_LANE each(edge_t) = 2.0 * each(depth_t);
+        edge = 2.0 * depth - 1.0;
+        q = layout__POINT_LIMIT;
+        behind = 0.0;
+        turning = 0.0;
+        while (q > 0 && AT(tables, table + layout__ROLLING_TABLE_COSINES + (q - 1)) < edge)
+        {
+            q = q - 1;
+            behind = behind + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+            turning = turning + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        }
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + number)) = each(weight_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + number) = weight;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + number)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + number) = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + number)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + number) = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + number)) = each(edge_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + number) = edge;
+        v4 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        EACH_LANE each(lead_x_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) - v4 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * traction_integration__WHOLE;
+        lead_x = v4 * traction_integration__WHOLE;
+        v5 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        EACH_LANE each(lead_y_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) - v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * traction_integration__WHOLE;
+        lead_y = v5 * traction_integration__WHOLE;
+        v6 = 1.0 - depth;
+        v7 = 1.0 - depth;
+        EACH_LANE each(inner_t) = -each(depth_t) * v7 + v6 * -each(depth_t);
+        inner = v6 * v7;
+        v8 = 2.0 - depth;
+        v9 = lead_x * v8 - AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * behind;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) = each(weight_t) * v9 + weight * (each(lead_x_t) * v8 + lead_x * -each(depth_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number) = weight * v9;
+        v10 = 2.0 - depth;
+        v11 = lead_y * v10 + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * traction_integration__WHOLE - AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * behind;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) = each(weight_t) * v11 + weight * (each(lead_y_t) * v10 + lead_y * -each(depth_t) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * traction_integration__WHOLE - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number) = weight * v11;
+        v12 = -weight;
+        v13 = lead_y * inner + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * turning;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) = -each(weight_t) * v13 + v12 * (each(lead_y_t) * inner + lead_y * each(inner_t) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * turning);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number) = v12 * v13;
+        if (AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) > 1.0)
+        {
+            derivative_traction_integration__add_beyond_t(tables, work, work_t, table, integration, number, q);
+        }
+        if (q < layout__POINT_LIMIT)
+        {
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q);
+            RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = all_lanes(0.0);
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = (double)number;
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``add_beyond``. */
+static inline int64_t derivative_traction_integration__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t integration, int64_t number, int64_t last)
+{
+    double v1, depth, bound, away, v2, v3, inner, v4, root, v5, p_x, v6, p_y, cut_x, cut_y, weight, v7, v8, v9, v10;
+    lanes depth_t, away_t, inner_t, root_t, p_x_t, p_y_t, cut_x_t, cut_y_t, weight_t;
+    int64_t q;
+    v1 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    EACH_LANE each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    depth = v1;
+    for (q = 0; q < last; q += 1)
+    {
+        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        EACH_LANE each(away_t) = -each(depth_t);
+        away = AT(tables, table + layout__ROLLING_TABLE_COSINES + q) - depth;
+        v2 = 1.0 - depth;
+        v3 = 1.0 - depth;
+        EACH_LANE each(inner_t) = -each(depth_t) * v3 + v2 * -each(depth_t) - (each(away_t) * away + away * each(away_t));
+        inner = v2 * v3 - away * away;
+        if (inner > 0.0)
+        {
+            v4 = sqrt(inner);
+            EACH_LANE each(root_t) = derivative_rates__root_rate(v4, each(inner_t));
+            root = v4;
+            v5 = bound - root;
+            EACH_LANE each(p_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * -each(root_t);
+            p_x = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * v5;
+            v6 = bound - root;
+            EACH_LANE each(p_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * v6 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * -each(root_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * root + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(root_t));
+            p_y = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * v6 + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * root;
+            derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, all_lanes(0.0));
+            EACH_LANE each(weight_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) * bound;
+            weight = AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) * bound;
+            v7 = cut_x - p_x;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) + (each(weight_t) * v7 + weight * (each(cut_x_t) - each(p_x_t)));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number) + weight * v7;
+            v8 = cut_y - p_y;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) + (each(weight_t) * v8 + weight * (each(cut_y_t) - each(p_y_t)));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number) + weight * v8;
+            v9 = weight * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+            v10 = cut_y - p_y;
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) + (each(weight_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q) * v10 + v9 * (each(cut_y_t) - each(p_y_t)));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number) + v9 * v10;
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``integrate_strips``. */
+static inline int64_t derivative_traction_integration__integrate_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls)
+{
+    double before, x, bound, friction, v1, v2, v3;
+    bool slipping;
+    int64_t q, first, strip;
+    lanes friction_t;
+    before = 1.0;
+    slipping = traction_integration__has_slip(work);
+    for (q = 0; q < layout__POINT_LIMIT; q += 1)
+    {
+        x = AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        first = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q);
+        strip = first;
+        while (strip >= 0)
+        {
+            derivative_traction_integration__reach_edge_t(work, work_t, strip, before, all_lanes(0.0), x, all_lanes(0.0), bound, all_lanes(0.0));
+            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + strip);
+        }
+        derivative_traction_integration__integrate_first_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
+        if (falls)
+        {
+            derivative_falling__find_shares_t(work, work_t, x, all_lanes(0.0));
+        }
+        if (slipping)
+        {
+            if (falls)
+            {
+                derivative_falling__weigh_slips_t(work, work_t, bound, all_lanes(0.0));
+            }
+            derivative_traction_integration__integrate_second_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
+            if (falls)
+            {
+                derivative_falling__restore_slips_t(work, work_t);
+            }
+        }
+        strip = first;
+        while (strip >= 0)
+        {
+            friction_t = all_lanes(0.0);
+            friction = 1.0;
+            if (falls)
+            {
+                EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip));
+                friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
+                v1 = bound * bound;
+                v2 = v1 * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + strip);
+                v3 = 1.0 - friction;
+                EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) + (v1 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + strip)) * v3 + v2 * -each(friction_t));
+                AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) + v2 * v3;
+            }
+            derivative_traction_integration__leave_edge_t(work, work_t, strip, x, all_lanes(0.0), bound, all_lanes(0.0), friction, friction_t);
+            slipping = true;
+            strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + strip);
+        }
+        before = x;
+    }
+    return 0;
+}
+
+/* Derivative of ``integrate_first``. */
+static inline int64_t derivative_traction_integration__integrate_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
+{
+    lanes limit_t, at_t, along_t, across_t, v2_t, square_t, cut_t;
+    double limit, at, along, v1, across, v2, square, v3, v4, cut;
+    int64_t i;
+    EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
+    limit = bound * bound;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t));
+        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step;
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i)));
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i);
+        v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i) * at;
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) - (each(step_t) * v1 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i) * each(at_t))));
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) - step * v1;
+        v2 = along * along + across * across;
+        EACH_LANE each(v2_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
+        if (limit > v2)
+        {
+            v2 = limit;
+            EACH_LANE each(v2_t) = each(limit_t);
+        }
+        EACH_LANE each(square_t) = each(v2_t);
+        square = v2;
+        v3 = sqrt(square);
+        v4 = bound / v3;
+        EACH_LANE each(cut_t) = (each(bound_t) - v4 * derivative_rates__root_rate(v3, each(square_t))) / v3;
+        cut = v4;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) = each(cut_t) * along + cut * each(along_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) = cut * along;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) = each(cut_t) * across + cut * each(across_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) = cut * across;
+    }
+    return 0;
+}
+
+/* Derivative of ``integrate_second``. */
+static inline int64_t derivative_traction_integration__integrate_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
+{
+    lanes share_t, limit_t, soft_t, at_t, second_x_t, second_y_t, v3_t, square_t, cut_t, along_t, across_t, scale_t, v14_t, largest_t;
+    double share, limit, v1, soft, at, second_x, v2, second_y, v3, square, v4, v5, cut, v6, along, v7, across, v8, v9, v10, v11, scale, v12, v13, v14, largest, v15;
+    int64_t i;
+    EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE));
+    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE);
+    EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
+    limit = bound * bound;
+    v1 = traction_integration__SOFT * traction_integration__SOFT;
+    EACH_LANE each(soft_t) = v1 * each(limit_t);
+    soft = v1 * limit;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t));
+        at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step;
+        EACH_LANE each(second_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i)));
+        second_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i);
+        v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * at;
+        EACH_LANE each(second_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) - (each(step_t) * v2 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * each(at_t))));
+        second_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) - step * v2;
+        v3 = second_x * second_x + second_y * second_y;
+        EACH_LANE each(v3_t) = each(second_x_t) * second_x + second_x * each(second_x_t) + (each(second_y_t) * second_y + second_y * each(second_y_t));
+        if (limit > v3)
+        {
+            v3 = limit;
+            EACH_LANE each(v3_t) = each(limit_t);
+        }
+        EACH_LANE each(square_t) = each(v3_t);
+        square = v3;
+        v4 = sqrt(square);
+        v5 = bound / v4;
+        EACH_LANE each(cut_t) = (each(bound_t) - v5 * derivative_rates__root_rate(v4, each(square_t))) / v4;
+        cut = v5;
+        EACH_LANE each(second_x_t) = each(second_x_t) * cut + second_x * each(cut_t);
+        second_x = second_x * cut;
+        EACH_LANE each(second_y_t) = each(second_y_t) * cut + second_y * each(cut_t);
+        second_y = second_y * cut;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) = each(second_x_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) = second_x;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) = each(second_y_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) = second_y;
+        v6 = second_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i);
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) + (each(share_t) * v6 + share * (each(second_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i))));
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) + share * v6;
+        v7 = second_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i);
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) + (each(share_t) * v7 + share * (each(second_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i))));
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) + share * v7;
+        EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
+        square = along * along + across * across;
+        v8 = 1.0 - traction_integration__SOFT * traction_integration__SOFT;
+        v9 = v8 * square + soft;
+        v10 = sqrt(v9);
+        v11 = bound / v10;
+        EACH_LANE each(scale_t) = (each(bound_t) - v11 * derivative_rates__root_rate(v10, v8 * each(square_t) + each(soft_t))) / v10;
+        scale = v11;
+        v12 = square * scale;
+        v13 = v12 * scale;
+        v14 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) * v13;
+        EACH_LANE each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) * v13 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) * ((each(square_t) * scale + square * each(scale_t)) * scale + v12 * each(scale_t));
+        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) > v14)
+        {
+            v14 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i);
+            EACH_LANE each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i));
+        }
+        EACH_LANE each(largest_t) = each(v14_t);
+        largest = v14;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) = each(largest_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) = largest;
+        v15 = bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
+        EACH_LANE each(scale_t) = each(scale_t) * v15 + scale * (each(bound_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) + bound * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)));
+        scale = scale * v15;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(scale_t) * along + scale * each(along_t));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + scale * along;
+        EACH_LANE each(across_t) = each(across_t) * scale + across * each(scale_t);
+        across = across * scale;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + each(across_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + across;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + (each(x_t) * across + x * each(across_t));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + x * across;
+    }
+    return 0;
+}
+
+/* Derivative of ``reach_edge``. */
+static inline int64_t derivative_traction_integration__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t)
+{
+    lanes edge_t, weight_t, v1_t, edge_bound_t, start_x_t, start_y_t, to_x_t, to_y_t, near_t, rates, rates_2;
+    double edge, weight, v1, edge_bound, v2, start_x, v3, start_y, to_x, to_y, v4, v5, v6, v7, v8, near, v9, v10, v11, v12;
+    EACH_LANE each(edge_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i));
+    edge = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i);
+    EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i));
+    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i);
+    EACH_LANE each(rates) = -(each(edge_t) * edge + edge * each(edge_t));
+    derivative_traction_integration__sqrt_of_t(&v1, &v1_t, 1.0 - edge * edge, rates);
+    EACH_LANE each(edge_bound_t) = each(v1_t);
+    edge_bound = v1;
+    v2 = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i);
+    EACH_LANE each(start_x_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i))) * edge_bound + v2 * each(edge_bound_t);
+    start_x = v2 * edge_bound;
+    v3 = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i);
+    EACH_LANE each(start_y_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i))) * edge_bound + v3 * each(edge_bound_t);
+    start_y = v3 * edge_bound;
+    if (weight < 1.0)
+    {
+        EACH_LANE each(rates_2) = each(before_t) - each(edge_t);
+        derivative_traction_integration__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i), edge, edge_t, before - edge, rates_2);
+        derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, edge_bound, edge_bound_t);
+        v4 = 1.0 - weight;
+        EACH_LANE each(start_x_t) = each(start_x_t) + (-each(weight_t) * to_x + v4 * each(to_x_t));
+        start_x = start_x + v4 * to_x;
+        v5 = 1.0 - weight;
+        EACH_LANE each(start_y_t) = each(start_y_t) + (-each(weight_t) * to_y + v5 * each(to_y_t));
+        start_y = start_y + v5 * to_y;
+    }
+    derivative_traction_integration__note_largest_t(work, work_t, i, start_x, start_x_t, start_y, start_y_t);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i)) = each(start_x_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i) = start_x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i)) = each(start_y_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i) = start_y;
+    v6 = edge - x;
+    v7 = before - x;
+    v8 = v6 / v7;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i)) = (each(edge_t) - each(x_t) - v8 * (each(before_t) - each(x_t))) / v7;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i) = v8;
+    EACH_LANE each(near_t) = -each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i));
+    near = 1.0 - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i);
+    v9 = 1.0 - weight;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(near_t) * v9 + near * -each(weight_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = near * v9;
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = 0.0;
+    v10 = near * bound;
+    v11 = v10 * bound;
+    EACH_LANE each(weight_t) = each(weight_t) * v11 + weight * ((each(near_t) * bound + near * each(bound_t)) * bound + v10 * each(bound_t));
+    weight = weight * v11;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i)));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i)));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i);
+    v12 = weight * x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + ((each(weight_t) * x + weight * each(x_t)) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + v12 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i)));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + v12 * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i);
+    return 0;
+}
+
+/* Derivative of ``leave_edge``. */
+static inline int64_t derivative_traction_integration__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t)
+{
+    lanes weight_t, near_t, p_x_t, p_y_t, slip_x_t, slip_y_t, step_t, to_x_t, to_y_t, kept_t, share_t, rates, rates_2;
+    double weight, near, p_x, p_y, slip_x, slip_y, v1, v2, step, to_x, to_y, kept, v3, v4, share, v5, v6, v7, v8, v9;
+    EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i));
+    weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i);
+    EACH_LANE each(near_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i));
+    near = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
+    p_x_t = all_lanes(0.0);
+    p_x = 0.0;
+    p_y_t = all_lanes(0.0);
+    p_y = 0.0;
+    if (weight < 1.0)
+    {
+        derivative_traction_integration__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
+        v1 = near * friction;
+        EACH_LANE each(p_x_t) = (each(near_t) * friction + near * each(friction_t)) * slip_x + v1 * each(slip_x_t);
+        p_x = v1 * slip_x;
+        v2 = near * friction;
+        EACH_LANE each(p_y_t) = (each(near_t) * friction + near * each(friction_t)) * slip_y + v2 * each(slip_y_t);
+        p_y = v2 * slip_y;
+    }
+    EACH_LANE each(step_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i)) - each(x_t);
+    step = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i) - x;
+    derivative_traction_integration__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i), x, x_t, step, step_t);
+    derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, bound, bound_t);
+    if (weight < traction_integration__FAINT)
+    {
+        EACH_LANE each(kept_t) = each(weight_t) / traction_integration__FAINT;
+        kept = weight / traction_integration__FAINT;
+        v3 = to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i);
+        EACH_LANE each(to_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) + (each(kept_t) * v3 + kept * (each(to_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i))));
+        to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) + kept * v3;
+        v4 = to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i);
+        EACH_LANE each(to_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) + (each(kept_t) * v4 + kept * (each(to_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i))));
+        to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) + kept * v4;
+    }
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) = each(to_x_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) = to_x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) = each(to_y_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) = to_y;
+    derivative_traction_integration__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
+    EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i));
+    share = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i);
+    v5 = share * friction;
+    EACH_LANE each(slip_x_t) = each(slip_x_t) * v5 + slip_x * (each(share_t) * friction + share * each(friction_t));
+    slip_x = slip_x * v5;
+    v6 = share * friction;
+    EACH_LANE each(slip_y_t) = each(slip_y_t) * v6 + slip_y * (each(share_t) * friction + share * each(friction_t));
+    slip_y = slip_y * v6;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(bound_t) * slip_x + bound * each(slip_x_t));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + bound * slip_x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + (each(bound_t) * slip_y + bound * each(slip_y_t));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + bound * slip_y;
+    v7 = bound * x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v7 * each(slip_y_t));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + v7 * slip_y;
+    v8 = 1.0 - share;
+    v9 = v8 * bound;
+    EACH_LANE each(weight_t) = each(weight_t) * v9 + weight * (-each(share_t) * bound + v8 * each(bound_t));
+    weight = weight * v9;
+    EACH_LANE each(rates) = each(p_x_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i))) + each(slip_x_t);
+    EACH_LANE each(rates_2) = each(p_y_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i))) + each(slip_y_t);
+    derivative_traction_integration__note_largest_t(work, work_t, i, p_x + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + slip_x, rates, p_y + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + slip_y, rates_2);
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = 1.0;
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = all_lanes(0.0);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = 1.0;
+    return 0;
+}
+
+/* Derivative of ``stepped``. */
+static inline void derivative_traction_integration__stepped_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t)
+{
+    double v1, across;
+    lanes across_t;
+    v1 = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step;
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * (each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t))));
+    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * v1;
+    *out_0 = p_x - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i);
+    EACH_LANE each(*out_1) = each(p_x_t) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i)));
+    *out_2 = p_y - step * across;
+    EACH_LANE each(*out_3) = each(p_y_t) - (each(step_t) * across + step * each(across_t));
+}
+
+/* Derivative of ``slip_traction``. */
+static inline void derivative_traction_integration__slip_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t)
+{
+    double v1, along, v2, across, square, v3, v4, v5, v6, v7, scale;
+    lanes along_t, across_t, square_t, scale_t;
+    v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i);
+    EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i))));
+    along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * v1;
+    v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i);
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) * v2 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i))));
+    across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * v2;
+    EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
+    square = along * along + across * across;
+    v3 = traction_integration__SOFT * traction_integration__SOFT;
+    v4 = bound * bound - square;
+    v5 = square + v3 * v4;
+    v6 = sqrt(v5);
+    v7 = bound / v6;
+    EACH_LANE each(scale_t) = (each(bound_t) - v7 * derivative_rates__root_rate(v6, each(square_t) + v3 * (each(bound_t) * bound + bound * each(bound_t) - each(square_t)))) / v6;
+    scale = v7;
+    *out_0 = along * scale;
+    EACH_LANE each(*out_1) = each(along_t) * scale + along * each(scale_t);
+    *out_2 = across * scale;
+    EACH_LANE each(*out_3) = each(across_t) * scale + across * each(scale_t);
+}
+
+/* Derivative of ``note_largest``. */
+static inline int64_t derivative_traction_integration__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t)
+{
+    lanes square_t, v1_t;
+    double square, v1;
+    EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
+    square = p_x * p_x + p_y * p_y;
+    v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i);
+    EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i));
+    if (square > v1)
+    {
+        v1 = square;
+        EACH_LANE each(v1_t) = each(square_t);
+    }
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) = each(v1_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) = v1;
+    return 0;
+}
+
+/* Derivative of ``sqrt_of``. */
+static inline void derivative_traction_integration__sqrt_of_t(double* root_out, lanes* root_t_out, double value, lanes value_t)
+{
+    lanes root_t;
+    double root, v1;
+    root_t = all_lanes(0.0);
+    root = 0.0;
+    if (value > 0.0)
+    {
+        v1 = sqrt(value);
+        EACH_LANE each(root_t) = derivative_rates__root_rate(v1, each(value_t));
+        root = v1;
+    }
+    *root_out = root;
+    EACH_LANE each(*root_t_out) = each(root_t);
 }
 
 

@@ -400,7 +400,7 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
     {
         EACH_LANE each(estimate_t) = each(penetration_t);
         estimate = penetration;
-        n2 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
+        n2 = derivative_penetrated_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
         if (n2 == 0)
         {
             *penetration_out = penetration;
@@ -433,7 +433,7 @@ static inline void derivative_analyn_contact__solve_estimated_t(double* penetrat
     derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, estimate, estimate_t, by_penetration);
     if (!satisfied && count > 1)
     {
-        derivative_deep_points__keep_deepest_t(work, work_t);
+        derivative_penetration_maxima__keep_deepest_t(work, work_t);
         n2 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, estimate, estimate_t);
         count = n2;
         derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, estimate, estimate_t, by_penetration);
@@ -453,7 +453,7 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
         RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = all_lanes(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = 0.0;
     }
-    n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
+    n1 = derivative_penetrated_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
     for (i = 0; i < count; i += 1)
     {
@@ -535,7 +535,7 @@ static inline void derivative_auto_contact__auto_contact_t(double* penetration_o
         derivative_auto_contact__total_load_t(&v3, &v3_t, work, work_t, count);
         EACH_LANE each(load_t) = each(v3_t);
         load = v3;
-        derivative_pressed_regions__raise_wheel_t(work, work_t, sunk);
+        derivative_penetrated_regions__raise_wheel_t(work, work_t, sunk);
         derivative_strip_contact__strip_contact_t(&found, &found_t, &strip_count, &solved, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
         if (solved)
         {
@@ -563,7 +563,7 @@ static inline void derivative_auto_contact__auto_contact_t(double* penetration_o
             *satisfied_out = true;
             return;
         }
-        derivative_pressed_regions__raise_wheel_t(work, work_t, sunk);
+        derivative_penetrated_regions__raise_wheel_t(work, work_t, sunk);
         derivative_analyn_contact__analyn_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     else if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
@@ -2827,7 +2827,7 @@ static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes
     count = 0;
     for (repeat = 0; repeat < strip_contact__SINKINGS; repeat += 1)
     {
-        n1 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, penetration, penetration_t);
+        n1 = derivative_penetrated_regions__sink_wheel_t(tables, work, work_t, pair, side, penetration, penetration_t);
         if (n1 == 0)
         {
             *v4_out = penetration;
@@ -2893,9 +2893,9 @@ static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tab
     int64_t n1, count, deepest;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
-    n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
+    n1 = derivative_penetrated_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
-    deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
+    deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work);
     derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH));
     derivative_strip_surfaces__trace_zones_t(tables, work, work_t, pair, count);
     return count;
@@ -3023,7 +3023,7 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d 
         EACH_LANE each(move_t) = (v4 * (each(front_t) + each(front_gap_t) - each(back_t) - each(back_gap_t)) - v9 * (4.0 * each(RATE_AT(work_t, strip + layout__STRIP_A)) * away + v7 * each(away_t))) / v8;
         move = v9;
         EACH_LANE each(rates_3) = strip_lengths__FARTHEST_MOVE * each(half_t);
-        derivative_pressed__limited_t(&v10, &v10_t, move, move_t, strip_lengths__FARTHEST_MOVE * half, rates_3);
+        derivative_penetrated__limited_t(&v10, &v10_t, move, move_t, strip_lengths__FARTHEST_MOVE * half, rates_3);
         EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) + each(v10_t);
         AT(work, strip + layout__STRIP_NEXT_LEAD) = AT(work, strip + layout__STRIP_NEXT_LEAD) + v10;
     }
@@ -3411,7 +3411,7 @@ static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tabl
             v4 = station - AT(work, zone + layout__STRIP_ZONE_MIDDLE);
             EACH_LANE each(rates) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + AT(work, zone + layout__STRIP_ZONE_LEAN) * (each(station_t) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)));
             EACH_LANE each(rates_2) = strip_levels__FIRST_LEAD * each(RATE_AT(work_t, strip + layout__STRIP_AXIS));
-            derivative_pressed__limited_t(&v3, &v3_t, AT(work, zone + layout__STRIP_ZONE_LEAN) * v4, rates, strip_levels__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS), rates_2);
+            derivative_penetrated__limited_t(&v3, &v3_t, AT(work, zone + layout__STRIP_ZONE_LEAN) * v4, rates, strip_levels__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS), rates_2);
             EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(v3_t);
             AT(work, strip + layout__STRIP_LEAD) = v3;
         }
@@ -4759,7 +4759,7 @@ static inline void derivative_strip_runs__gap_beside_t(double* out_0, lanes* out
     lanes v2_t, rates;
     v1 = x * x;
     EACH_LANE each(rates) = each(RATE_AT(work_t, strip + layout__STRIP_SKEW)) * x + AT(work, strip + layout__STRIP_SKEW) * each(x_t);
-    derivative_pressed__limited_t(&v2, &v2_t, AT(work, strip + layout__STRIP_SKEW) * x, rates, AT(work, strip + layout__STRIP_ODD), RATE_AT(work_t, strip + layout__STRIP_ODD));
+    derivative_penetrated__limited_t(&v2, &v2_t, AT(work, strip + layout__STRIP_SKEW) * x, rates, AT(work, strip + layout__STRIP_ODD), RATE_AT(work_t, strip + layout__STRIP_ODD));
     v3 = AT(work, strip + layout__STRIP_A) + v2;
     *out_0 = v1 * v3;
     EACH_LANE each(*out_1) = (each(x_t) * x + x * each(x_t)) * v3 + v1 * (each(RATE_AT(work_t, strip + layout__STRIP_A)) + each(v2_t));
@@ -5779,7 +5779,7 @@ static inline void derivative_wear_places__profile_places_t(double* rail_out, la
     rail = v1;
     EACH_LANE each(wheel_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL)) + each(rail_t) - each(RATE_AT(work_t, region + layout__REGION_RAIL));
     wheel = AT(work, region + layout__REGION_WHEEL) + rail - AT(work, region + layout__REGION_RAIL);
-    n2 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), rail, rail_t, wheel, wheel_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP, all_lanes(0.0));
+    n2 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), rail, rail_t, wheel, wheel_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), penetrated__NODE_SHARP, all_lanes(0.0));
     if (n2)
     {
         k3 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_WHEEL;

@@ -23,18 +23,18 @@ static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_
     }
     if (AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL) != 0.0)
     {
-        derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
+        derivative_roll__roll_rails_t(work, work_t, tables, inputs, roll, roll_t);
     }
     return 0;
 }
 
-/* Derivative of ``lean_both``. */
-static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t)
+/* Derivative of ``roll_rails``. */
+static inline int64_t derivative_roll__roll_rails_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t)
 {
     lanes rates;
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RAIL_Y), all_lanes(0.0), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL));
+    derivative_rails__roll_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RAIL_Y), all_lanes(0.0), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL));
     EACH_LANE each(rates) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL));
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y), all_lanes(0.0), -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL), rates);
+    derivative_rails__roll_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y), all_lanes(0.0), -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL), rates);
     derivative_roll__turn_both_t(work, work_t, roll, roll_t);
     return 0;
 }
@@ -51,8 +51,8 @@ static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_l
     derivative_locus__mirror_roll_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
     {
-        derivative_rails__turn_leaning_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE);
-        derivative_rails__turn_leaning_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
+        derivative_rails__turn_rolled_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE);
+        derivative_rails__turn_rolled_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     }
     return 0;
 }

@@ -565,8 +565,8 @@ static inline int64_t derivative_rails__deflect_rail_t(array_double_1d work, arr
     return 0;
 }
 
-/* Derivative of ``lean_rail``. */
-static inline int64_t derivative_rails__lean_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t)
+/* Derivative of ``roll_rail``. */
+static inline int64_t derivative_rails__roll_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t)
 {
     double sine, cosine, across, down;
     lanes sine_t, cosine_t, across_t, down_t;
@@ -594,8 +594,8 @@ static inline int64_t derivative_rails__lean_rail_t(array_double_1d work, array_
     return 0;
 }
 
-/* Derivative of ``turn_leaning``. */
-static inline int64_t derivative_rails__turn_leaning_t(array_double_1d work, array_lanes_1d work_t, int64_t place)
+/* Derivative of ``turn_rolled_rail``. */
+static inline int64_t derivative_rails__turn_rolled_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place)
 {
     lanes sin_roll_t, cos_roll_t, along_t, level_t, across_t, sine_t, cosine_t;
     double sin_roll, cos_roll, v1, along, level, across, sine, v2, v3, cosine, v4, v5, v6;

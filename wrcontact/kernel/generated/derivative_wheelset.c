@@ -2,123 +2,6 @@
 #include "derivatives.h"
 
 
-/* ---- From derivative_at_height.py; change that one.
- *
- * Derivatives of at_height.py.
- */
-
-/* Derivative of ``load_at_height``. */
-static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
-{
-    lanes approach_t;
-    double approach;
-    int64_t n1, n2, status, count;
-    EACH_LANE each(approach_t) = each(height_t) - each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
-    approach = height - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST);
-    if (!(approach > at_height__GRAZING))
-    {
-        n1 = derivative_side__touch_side_t(tables, work, work_t, index);
-        return n1;
-    }
-    if (approach > trial__DEEPEST)
-    {
-        return layout__OFF_PROFILE;
-    }
-    n2 = derivative_side__press_side_t(tables, work, work_t, index, approach, approach_t);
-    status = n2;
-    if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_GEOMETRY && !rails__is_sprung(tables, index))
-    {
-        return status;
-    }
-    if (status == layout__VALID)
-    {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, all_lanes(0.0), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    }
-    if (status == layout__VALID && at_height__is_damped(tables))
-    {
-        derivative_at_height__damp_patches_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
-    }
-    return status;
-}
-
-/* Derivative of ``damp_patches``. */
-static inline int64_t derivative_at_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
-{
-    int64_t number, patch, number_end;
-    double v1, v2, factor, v3, v4;
-    lanes v1_t, v2_t, factor_t, v4_t;
-    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
-    for (number = 0; number < number_end; number += 1)
-    {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        derivative_creepage__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        v2 = 1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * v1;
-        EACH_LANE each(v2_t) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * each(v1_t);
-        if (0.0 > v2)
-        {
-            v2 = 0.0;
-            v2_t = all_lanes(0.0);
-        }
-        EACH_LANE each(factor_t) = each(v2_t);
-        factor = v2;
-        v3 = factor - 1.0;
-        derivative_at_height__pressing_power_t(&v4, &v4_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER)) = each(factor_t) * v4 + v3 * each(v4_t);
-        AT(work, patch + layout__PATCH_DAMPING_POWER) = v3 * v4;
-        derivative_at_height__damp_patch_t(work, work_t, patch, factor, factor_t);
-    }
-    derivative_filling__total_patches_t(work, work_t, side);
-    return 0;
-}
-
-/* Derivative of ``pressing_power``. */
-static inline void derivative_at_height__pressing_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
-{
-    int64_t rail;
-    lanes force_y_t, force_z_t, moment_x_t, rail_moment_t;
-    double force_y, force_z, moment_x, rail_moment, v1, v2;
-    rail = motion + layout__MOTION_RAIL;
-    EACH_LANE each(force_y_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y));
-    force_y = AT(work, patch + layout__PATCH_NORMAL_Y);
-    EACH_LANE each(force_z_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z));
-    force_z = AT(work, patch + layout__PATCH_NORMAL_Z);
-    EACH_LANE each(moment_x_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) * force_z + AT(work, motion + layout__MOTION_CENTRE_Y) * each(force_z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) * force_y + AT(work, motion + layout__MOTION_CENTRE_Z) * each(force_y_t)));
-    moment_x = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, motion + layout__MOTION_CENTRE_Y) * force_z - AT(work, motion + layout__MOTION_CENTRE_Z) * force_y);
-    EACH_LANE each(rail_moment_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) * force_z + AT(work, rail + layout__RAIL_MOTION_Y) * each(force_z_t) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) * force_y + AT(work, rail + layout__RAIL_MOTION_Z) * each(force_y_t)));
-    rail_moment = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, rail + layout__RAIL_MOTION_Y) * force_z - AT(work, rail + layout__RAIL_MOTION_Z) * force_y);
-    v1 = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL);
-    v2 = AT(work, motion + layout__MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_VERTICAL);
-    *out_0 = rail_moment * AT(work, rail + layout__RAIL_MOTION_ROLL) - force_y * v1 - force_z * v2 - moment_x * AT(work, motion + layout__MOTION_TURN_X) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * AT(work, motion + layout__MOTION_TURN_Y) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * AT(work, motion + layout__MOTION_TURN_Z);
-    EACH_LANE each(*out_1) = each(rail_moment_t) * AT(work, rail + layout__RAIL_MOTION_ROLL) + rail_moment * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) - (each(force_y_t) * v1 + force_y * (each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)))) - (each(force_z_t) * v2 + force_z * (each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)))) - (each(moment_x_t) * AT(work, motion + layout__MOTION_TURN_X) + moment_x * each(RATE_AT(work_t, motion + layout__MOTION_TURN_X))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) * AT(work, motion + layout__MOTION_TURN_Y) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) * AT(work, motion + layout__MOTION_TURN_Z) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)));
-}
-
-/* Derivative of ``damp_patch``. */
-static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
-{
-    int64_t i, strip;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * each(factor_t);
-    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
-    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) * factor + AT(work, patch + layout__PATCH_NORMAL_Y) * each(factor_t);
-    AT(work, patch + layout__PATCH_NORMAL_Y) = AT(work, patch + layout__PATCH_NORMAL_Y) * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) * factor + AT(work, patch + layout__PATCH_NORMAL_Z) * each(factor_t);
-    AT(work, patch + layout__PATCH_NORMAL_Z) = AT(work, patch + layout__PATCH_NORMAL_Z) * factor;
-    for (i = 0; i < 3; i += 1)
-    {
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor + AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * each(factor_t);
-        AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * factor;
-    }
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * each(factor_t);
-        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * factor;
-    }
-    return 0;
-}
-
-
 /* ---- From derivative_depth_rates.py; change that one.
  *
  * Derivatives of depth_rates.py.
@@ -227,6 +110,247 @@ static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d wo
 }
 
 
+/* ---- From derivative_distributed_power.py; change that one.
+ *
+ * Derivatives of distributed_power.py.
+ */
+
+/* Derivative of ``distribute_power``. */
+static inline int64_t derivative_distributed_power__distribute_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
+{
+    int64_t j, number, patch, worn, i, number_end;
+    double v1, width, own, v2;
+    lanes v1_t, width_t, own_t;
+    for (j = 2 * stations; j < 3 * stations; j += 1)
+    {
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = all_lanes(0.0);
+        AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = 0.0;
+    }
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
+        derivative_distributed_power__share_among_strips_t(work, work_t, patch, worn);
+        for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+        {
+            derivative_distributed_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)AT(work, patch + layout__PATCH_RANK)), all_lanes(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, AT(work, worn + layout__STRIP_OUTPUTS_POWER + i), RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i));
+        }
+    }
+    derivative_distributed_power__cell_width_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations);
+    EACH_LANE each(width_t) = each(v1_t);
+    width = v1;
+    for (j = 2 * stations; j < 3 * stations; j += 1)
+    {
+        EACH_LANE each(own_t) = each(width_t);
+        own = width;
+        if (j == 2 * stations || j == 3 * stations - 1)
+        {
+            EACH_LANE each(own_t) = 0.5 * each(width_t);
+            own = 0.5 * width;
+        }
+        if (own > 0.0)
+        {
+            v2 = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) / own;
+            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) - v2 * each(own_t)) / own;
+            AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = v2;
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``share_among_strips``. */
+static inline int64_t derivative_distributed_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn)
+{
+    lanes power_t, total_t, v1_t, scale_t;
+    double power, total, v1, scale, v2;
+    int64_t i;
+    EACH_LANE each(power_t) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    power = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER);
+    total_t = all_lanes(0.0);
+    total = 0.0;
+    if (power != 0.0)
+    {
+        for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+        {
+            derivative_rolling_contact__strip_power_t(&v1, &v1_t, work, work_t, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
+            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(v1_t);
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = v1;
+            EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            total = total + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
+        }
+        if (!(total > 0.0))
+        {
+            for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+            {
+                EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+                AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
+                EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+                total = total + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
+            }
+        }
+    }
+    scale_t = all_lanes(0.0);
+    scale = 0.0;
+    if (total > 0.0)
+    {
+        v2 = power / total;
+        EACH_LANE each(scale_t) = (each(power_t) - v2 * each(total_t)) / total;
+        scale = v2;
+    }
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        if (scale == 0.0)
+        {
+            RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i) = all_lanes(0.0);
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = 0.0;
+        }
+        else
+        {
+            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * scale + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(scale_t);
+            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * scale;
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``cell_width``. */
+static inline void derivative_distributed_power__cell_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations)
+{
+    double v1, v2;
+    v1 = AT(work, outline + layout__OUTLINE_NUMBERS + (stations - 1)) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
+    v2 = (double)(stations - 1);
+    *out_0 = v1 / v2;
+    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations - 1))) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0))) / v2;
+}
+
+/* Derivative of ``add_power``. */
+static inline int64_t derivative_distributed_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t)
+{
+    double v1, width, last, v2, v3, v4, v5, start, v6, v7, v8, v9, stop, v10, v11, v12, density, at, after, v13, v15, v14, share, v16, part, v17;
+    lanes v1_t, width_t, v4_t, v5_t, start_t, v8_t, v9_t, stop_t, density_t, at_t, after_t, v13_t, v14_t, share_t, part_t, rates;
+    int64_t cell;
+    derivative_distributed_power__cell_width_t(&v1, &v1_t, work, work_t, outline, stations);
+    EACH_LANE each(width_t) = each(v1_t);
+    width = v1;
+    last = (double)(stations - 1);
+    if (width > 0.0 && AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
+    {
+        v2 = AT(work, strip + layout__ROLLING_STRIP_START) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
+        v3 = v2 / width;
+        v4 = v3;
+        EACH_LANE each(v4_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v3 * each(width_t)) / width;
+        if (0.0 > v4)
+        {
+            v4 = 0.0;
+            v4_t = all_lanes(0.0);
+        }
+        v5 = v4;
+        EACH_LANE each(v5_t) = each(v4_t);
+        if (last < v5)
+        {
+            v5 = last;
+            v5_t = all_lanes(0.0);
+        }
+        EACH_LANE each(start_t) = each(v5_t);
+        start = v5;
+        v6 = AT(work, strip + layout__ROLLING_STRIP_STOP) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
+        v7 = v6 / width;
+        v8 = v7;
+        EACH_LANE each(v8_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v7 * each(width_t)) / width;
+        if (0.0 > v8)
+        {
+            v8 = 0.0;
+            v8_t = all_lanes(0.0);
+        }
+        v9 = v8;
+        EACH_LANE each(v9_t) = each(v8_t);
+        if (last < v9)
+        {
+            v9 = last;
+            v9_t = all_lanes(0.0);
+        }
+        EACH_LANE each(stop_t) = each(v9_t);
+        stop = v9;
+        if (stop > start)
+        {
+            v10 = power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+            v11 = stop - start;
+            v12 = v10 / v11;
+            EACH_LANE each(density_t) = (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) - v12 * (each(stop_t) - each(start_t))) / v11;
+            density = v12;
+            EACH_LANE each(at_t) = each(start_t);
+            at = start;
+            while (at < stop)
+            {
+                cell = int64_min((int64_t)at, stations - 2);
+                EACH_LANE each(after_t) = each(stop_t);
+                after = stop;
+                if (cell < stations - 2)
+                {
+                    v13 = (double)(cell + 1);
+                    v13_t = all_lanes(0.0);
+                    if (stop < v13)
+                    {
+                        v13 = stop;
+                        EACH_LANE each(v13_t) = each(stop_t);
+                    }
+                    EACH_LANE each(after_t) = each(v13_t);
+                    after = v13;
+                }
+                v15 = at + after;
+                EACH_LANE each(rates) = 0.5 * (each(at_t) + each(after_t));
+                derivative_distributed_power__own_share_t(&v14, &v14_t, work, work_t, wear, stations, cell, owner, owner_t, 0.5 * v15 - (double)cell, rates);
+                EACH_LANE each(share_t) = each(v14_t);
+                share = v14;
+                v16 = after - at;
+                EACH_LANE each(part_t) = each(density_t) * v16 + density * (each(after_t) - each(at_t));
+                part = density * v16;
+                v17 = 1.0 - share;
+                EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (-each(share_t) * part + v17 * each(part_t));
+                AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) + v17 * part;
+                EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) + (each(share_t) * part + share * each(part_t));
+                AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) + share * part;
+                EACH_LANE each(at_t) = each(after_t);
+                at = after;
+            }
+        }
+        else
+        {
+            cell = int64_min((int64_t)(start + 0.5), stations - 1);
+            EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+            AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) + power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``own_share``. */
+static inline void derivative_distributed_power__own_share_t(double* found_out, lanes* found_t_out, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t)
+{
+    lanes first_t, second_t, found_t;
+    double first, second, found;
+    EACH_LANE each(first_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell)));
+    first = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell));
+    EACH_LANE each(second_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1)));
+    second = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1));
+    EACH_LANE each(found_t) = each(share_t);
+    found = share;
+    if (first == owner && second != owner)
+    {
+        found_t = all_lanes(0.0);
+        found = 0.0;
+    }
+    else if (second == owner && first != owner)
+    {
+        found_t = all_lanes(0.0);
+        found = 1.0;
+    }
+    *found_out = found;
+    EACH_LANE each(*found_t_out) = each(found_t);
+}
+
+
 /* ---- From derivative_fatigue.py; change that one.
  *
  * Derivatives of fatigue.py.
@@ -286,10 +410,10 @@ static inline void derivative_fatigue__shakedown_ratio_t(double* ratio_out, lane
 /* Derivative of ``sum_forces``. */
 static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    bool rubbing;
+    bool with_creep;
     int64_t i_1, index, side;
     double mirror;
-    rubbing = requested__has_creep_forces(tables, work);
+    with_creep = input_checks__has_creep_forces(tables, work);
     for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
         RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1) = all_lanes(0.0);
@@ -303,14 +427,14 @@ static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, ar
         AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y) = mirror * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT);
         EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
         AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) - AT(tables, layout__TABLES_HEIGHT);
-        derivative_forces__sum_side_t(work, work_t, side, rubbing);
+        derivative_forces__sum_side_t(work, work_t, side, with_creep);
         derivative_forces__add_forces_t(work, work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES, side + layout__SIDE_SEARCH_FORCES, mirror, all_lanes(0.0));
     }
     return 0;
 }
 
 /* Derivative of ``sum_side``. */
-static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side, bool rubbing)
+static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side, bool with_creep)
 {
     int64_t i_1, number, patch, number_end;
     for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
@@ -323,9 +447,9 @@ static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_forces__press_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        if (rubbing)
+        if (with_creep)
         {
-            derivative_forces__rub_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+            derivative_forces__add_creep_force_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         }
         derivative_forces__add_forces_t(work, work_t, side + layout__SIDE_SEARCH_FORCES, patch + layout__PATCH_FORCES, 1.0, all_lanes(0.0));
     }
@@ -368,8 +492,8 @@ static inline int64_t derivative_forces__press_patch_t(array_double_1d work, arr
     return 0;
 }
 
-/* Derivative of ``rub_patch``. */
-static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+/* Derivative of ``add_creep_force``. */
+static inline int64_t derivative_forces__add_creep_force_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t forces, i, strip;
     lanes rest_x_t, rest_y_t, turning_t, force_y_t, force_z_t, moment_x_t, moment_y_t, moment_z_t, missing_t, along_t, across_t, spinning_t, down_t, x_t, y_t, z_t, lever_x_t, lever_y_t, lever_z_t, v2_t, sine_t, cosine_t, v4_t, v5_t, v7_t;
@@ -552,18 +676,174 @@ static inline void derivative_free_rolling__nominal_rate_t(double* out_0, lanes*
 }
 
 
-/* ---- From derivative_leaning.py; change that one.
+/* ---- From derivative_input_checks.py; change that one.
  *
- * Derivatives of leaning.py.
+ * Derivatives of input_checks.py.
  */
 
-/* Derivative of ``set_reference``. */
-static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t)
+/* Derivative of ``side_force``. */
+static inline void derivative_input_checks__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
-    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
-    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
+    double v1;
+    lanes v1_t;
+    derivative_input_checks__wanted_force_t(&v1, &v1_t, work, work_t, layout__WORK_INPUTS, index);
+    *out_0 = v1 * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
+    EACH_LANE each(*out_1) = each(v1_t) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD) + v1 * each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
+}
+
+/* Derivative of ``wanted_force``. */
+static inline void derivative_input_checks__wanted_force_t(double* force_out, lanes* force_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, int64_t index)
+{
+    double v1, v2, force;
+    lanes force_t;
+    v1 = (double)(2 * index - 1);
+    v2 = 1.0 + v1 * AT(work, inputs + layout__INPUTS_LOAD_TRANSFER);
+    EACH_LANE each(force_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_NORMAL_FORCE)) * v2 + AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * (v1 * each(RATE_AT(work_t, inputs + layout__INPUTS_LOAD_TRANSFER)));
+    force = AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * v2;
+    if (force < input_checks__NO_FORCE)
+    {
+        force_t = all_lanes(0.0);
+        force = 0.0;
+    }
+    *force_out = force;
+    EACH_LANE each(*force_t_out) = each(force_t);
+}
+
+/* Derivative of ``outer_torque``. */
+static inline void derivative_input_checks__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    lanes torque_t;
+    double torque;
+    EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_AXLE_TORQUE));
+    torque = AT(work, inputs + layout__INPUTS_AXLE_TORQUE);
+    if (motion__are_independent(tables))
+    {
+        EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_AXLE_TORQUE));
+        torque = AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE);
+        if (index == 1)
+        {
+            EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE));
+            torque = AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE);
+        }
+    }
+    *torque_out = torque;
+    EACH_LANE each(*torque_t_out) = each(torque_t);
+}
+
+
+/* ---- From derivative_prescribed_height.py; change that one.
+ *
+ * Derivatives of prescribed_height.py.
+ */
+
+/* Derivative of ``load_at_height``. */
+static inline int64_t derivative_prescribed_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
+{
+    lanes approach_t;
+    double approach;
+    int64_t n1, n2, status, count;
+    EACH_LANE each(approach_t) = each(height_t) - each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
+    approach = height - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST);
+    if (!(approach > prescribed_height__GRAZING))
+    {
+        n1 = derivative_side__touch_side_t(tables, work, work_t, index);
+        return n1;
+    }
+    if (approach > residuals__DEEPEST)
+    {
+        return layout__OFF_PROFILE;
+    }
+    n2 = derivative_side__lower_wheel_t(tables, work, work_t, index, approach, approach_t);
+    status = n2;
+    if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_GEOMETRY && !rails__is_sprung(tables, index))
+    {
+        return status;
+    }
+    if (status == layout__VALID)
+    {
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, all_lanes(0.0), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    }
+    if (status == layout__VALID && prescribed_height__is_damped(tables))
+    {
+        derivative_prescribed_height__damp_patches_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+    }
+    return status;
+}
+
+/* Derivative of ``damp_patches``. */
+static inline int64_t derivative_prescribed_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+{
+    int64_t number, patch, number_end;
+    double v1, v2, factor, v3, v4;
+    lanes v1_t, v2_t, factor_t, v4_t;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        derivative_creepage__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+        v2 = 1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * v1;
+        EACH_LANE each(v2_t) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * each(v1_t);
+        if (0.0 > v2)
+        {
+            v2 = 0.0;
+            v2_t = all_lanes(0.0);
+        }
+        EACH_LANE each(factor_t) = each(v2_t);
+        factor = v2;
+        v3 = factor - 1.0;
+        derivative_prescribed_height__pressing_power_t(&v4, &v4_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER)) = each(factor_t) * v4 + v3 * each(v4_t);
+        AT(work, patch + layout__PATCH_DAMPING_POWER) = v3 * v4;
+        derivative_prescribed_height__damp_patch_t(work, work_t, patch, factor, factor_t);
+    }
+    derivative_filling__total_patches_t(work, work_t, side);
+    return 0;
+}
+
+/* Derivative of ``pressing_power``. */
+static inline void derivative_prescribed_height__pressing_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+{
+    int64_t rail;
+    lanes force_y_t, force_z_t, moment_x_t, rail_moment_t;
+    double force_y, force_z, moment_x, rail_moment, v1, v2;
+    rail = motion + layout__MOTION_RAIL;
+    EACH_LANE each(force_y_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y));
+    force_y = AT(work, patch + layout__PATCH_NORMAL_Y);
+    EACH_LANE each(force_z_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z));
+    force_z = AT(work, patch + layout__PATCH_NORMAL_Z);
+    EACH_LANE each(moment_x_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) * force_z + AT(work, motion + layout__MOTION_CENTRE_Y) * each(force_z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) * force_y + AT(work, motion + layout__MOTION_CENTRE_Z) * each(force_y_t)));
+    moment_x = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, motion + layout__MOTION_CENTRE_Y) * force_z - AT(work, motion + layout__MOTION_CENTRE_Z) * force_y);
+    EACH_LANE each(rail_moment_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) * force_z + AT(work, rail + layout__RAIL_MOTION_Y) * each(force_z_t) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) * force_y + AT(work, rail + layout__RAIL_MOTION_Z) * each(force_y_t)));
+    rail_moment = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, rail + layout__RAIL_MOTION_Y) * force_z - AT(work, rail + layout__RAIL_MOTION_Z) * force_y);
+    v1 = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL);
+    v2 = AT(work, motion + layout__MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_VERTICAL);
+    *out_0 = rail_moment * AT(work, rail + layout__RAIL_MOTION_ROLL) - force_y * v1 - force_z * v2 - moment_x * AT(work, motion + layout__MOTION_TURN_X) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * AT(work, motion + layout__MOTION_TURN_Y) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * AT(work, motion + layout__MOTION_TURN_Z);
+    EACH_LANE each(*out_1) = each(rail_moment_t) * AT(work, rail + layout__RAIL_MOTION_ROLL) + rail_moment * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) - (each(force_y_t) * v1 + force_y * (each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)))) - (each(force_z_t) * v2 + force_z * (each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)))) - (each(moment_x_t) * AT(work, motion + layout__MOTION_TURN_X) + moment_x * each(RATE_AT(work_t, motion + layout__MOTION_TURN_X))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) * AT(work, motion + layout__MOTION_TURN_Y) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) * AT(work, motion + layout__MOTION_TURN_Z) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)));
+}
+
+/* Derivative of ``damp_patch``. */
+static inline int64_t derivative_prescribed_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
+{
+    int64_t i, strip;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * each(factor_t);
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
+    AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) * factor + AT(work, patch + layout__PATCH_NORMAL_Y) * each(factor_t);
+    AT(work, patch + layout__PATCH_NORMAL_Y) = AT(work, patch + layout__PATCH_NORMAL_Y) * factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) * factor + AT(work, patch + layout__PATCH_NORMAL_Z) * each(factor_t);
+    AT(work, patch + layout__PATCH_NORMAL_Z) = AT(work, patch + layout__PATCH_NORMAL_Z) * factor;
+    for (i = 0; i < 3; i += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor + AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * each(factor_t);
+        AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * factor;
+    }
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * each(factor_t);
+        AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * factor;
+    }
     return 0;
 }
 
@@ -617,7 +897,7 @@ static inline void derivative_report__found_rate_t(double* rate_out, lanes* rate
     double rate;
     rate_t = all_lanes(0.0);
     rate = 0.0;
-    if (requested__is_rolling(work, tables, layout__WORK_INPUTS) || requested__has_creep_forces(tables, work))
+    if (input_checks__is_rolling(work, tables, layout__WORK_INPUTS) || input_checks__has_creep_forces(tables, work))
     {
         EACH_LANE each(rate_t) = each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE));
         rate = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE);
@@ -643,7 +923,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
     }
     if (first > layout__SIDE_PENETRATION)
     {
-        rolling = requested__is_rolling(work, tables, layout__WORK_INPUTS);
+        rolling = input_checks__is_rolling(work, tables, layout__WORK_INPUTS);
         derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
         derivative_report__found_rate_t(&v1, &v1_t, tables, work, work_t, index);
         EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND)) = each(v1_t);
@@ -678,7 +958,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
     outline = report__outline_place(tables, work, index);
     if (first > layout__SIDE_STATION)
     {
-        derivative_report__report_outline_t(work, work_t, side, outline, (int64_t)AT(tables, layout__TABLES_STATIONS), requested__has_creep_forces(tables, work));
+        derivative_report__report_outline_t(work, work_t, side, outline, (int64_t)AT(tables, layout__TABLES_STATIONS), input_checks__has_creep_forces(tables, work));
     }
     else
     {
@@ -951,14 +1231,14 @@ static inline int64_t derivative_report__write_vector_t(array_double_1d work, ar
 }
 
 /* Derivative of ``report_outline``. */
-static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing)
+static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool with_creep)
 {
     int64_t known, i;
     known = 0;
     if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
         known = report__OUTLINE_RUNS * stations;
-        if (rubbing)
+        if (with_creep)
         {
             known = layout__RUN_COUNT * stations;
         }
@@ -1016,7 +1296,7 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
     }
     if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
     {
-        derivative_shared_power__share_power_t(work, work_t, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
+        derivative_distributed_power__distribute_power_t(work, work_t, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
         for (i = 0; i < runs; i += 1)
         {
             EACH_LANE each(RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i));
@@ -1028,7 +1308,7 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
             if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
             {
-                derivative_report__complete_strips_t(work, work_t, patch, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number, requested__has_creep_forces(tables, work));
+                derivative_report__complete_strips_t(work, work_t, patch, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number, input_checks__has_creep_forces(tables, work));
                 for (i_2 = 0; i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += 1)
                 {
                     k1 = strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1) + i_2;
@@ -1042,7 +1322,7 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
 }
 
 /* Derivative of ``complete_strips``. */
-static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool rubbing)
+static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool with_creep)
 {
     int64_t i, strip;
     double v1;
@@ -1058,9 +1338,9 @@ static inline int64_t derivative_report__complete_strips_t(array_double_1d work,
         AT(work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
         RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_SLIP + i) = all_lanes(0.0);
         AT(work, worn + layout__STRIP_OUTPUTS_SLIP + i) = 0.0;
-        if (rubbing)
+        if (with_creep)
         {
-            derivative_rubbing__strip_slip_t(&v1, &v1_t, work, work_t, patch, strip);
+            derivative_rolling_contact__strip_slip_t(&v1, &v1_t, work, work_t, patch, strip);
             EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_SLIP + i)) = each(v1_t);
             AT(work, worn + layout__STRIP_OUTPUTS_SLIP + i) = v1;
         }
@@ -1069,58 +1349,74 @@ static inline int64_t derivative_report__complete_strips_t(array_double_1d work,
 }
 
 
-/* ---- From derivative_requested.py; change that one.
+/* ---- From derivative_residuals.py; change that one.
  *
- * Derivatives of requested.py.
+ * Derivatives of residuals.py.
  */
 
-/* Derivative of ``side_force``. */
-static inline void derivative_requested__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index)
+/* Derivative of ``permitted_approach``. */
+static inline void derivative_residuals__permitted_approach_t(double* approach_out, lanes* approach_t_out, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t)
 {
-    double v1;
-    lanes v1_t;
-    derivative_requested__wanted_force_t(&v1, &v1_t, work, work_t, layout__WORK_INPUTS, index);
-    *out_0 = v1 * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
-    EACH_LANE each(*out_1) = each(v1_t) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD) + v1 * each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
+    double v1, v2, v3, approach;
+    lanes v2_t, v3_t, approach_t;
+    v1 = residuals__SHALLOWEST * AT(work, support + layout__SUPPORT_APPROACH);
+    v2 = height - AT(work, side + layout__SIDE_SEARCH_BEST);
+    EACH_LANE each(v2_t) = each(height_t) - each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
+    if (v1 > v2)
+    {
+        v2 = v1;
+        EACH_LANE each(v2_t) = residuals__SHALLOWEST * each(RATE_AT(work_t, support + layout__SUPPORT_APPROACH));
+    }
+    v3 = v2;
+    EACH_LANE each(v3_t) = each(v2_t);
+    if (residuals__DEEPEST < v3)
+    {
+        v3 = residuals__DEEPEST;
+        v3_t = all_lanes(0.0);
+    }
+    EACH_LANE each(approach_t) = each(v3_t);
+    approach = v3;
+    *approach_out = approach;
+    EACH_LANE each(*approach_t_out) = each(approach_t);
 }
 
-/* Derivative of ``wanted_force``. */
-static inline void derivative_requested__wanted_force_t(double* force_out, lanes* force_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, int64_t index)
+/* Derivative of ``balance_side``. */
+static inline int64_t derivative_residuals__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t)
 {
-    double v1, v2, force;
-    lanes force_t;
-    v1 = (double)(2 * index - 1);
-    v2 = 1.0 + v1 * AT(work, inputs + layout__INPUTS_LOAD_TRANSFER);
-    EACH_LANE each(force_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_NORMAL_FORCE)) * v2 + AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * (v1 * each(RATE_AT(work_t, inputs + layout__INPUTS_LOAD_TRANSFER)));
-    force = AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * v2;
-    if (force < requested__NO_FORCE)
+    int64_t support, side, n2, n4, status, count;
+    double v1, v3, approach, v5, v6, carried, v7;
+    lanes v1_t, v3_t, approach_t, carried_t, v7_t;
+    support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    if (!(force > 0.0))
     {
-        force_t = all_lanes(0.0);
-        force = 0.0;
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
+        AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST);
+        derivative_side__side_lever_t(&v1, &v1_t, tables, work, work_t, index, 0);
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v1_t);
+        AT(work, support + layout__SUPPORT_LEVER) = v1;
+        n2 = derivative_side__touch_side_t(tables, work, work_t, index);
+        return n2;
     }
-    *force_out = force;
-    EACH_LANE each(*force_t_out) = each(force_t);
-}
-
-/* Derivative of ``outer_torque``. */
-static inline void derivative_requested__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index)
-{
-    lanes torque_t;
-    double torque;
-    EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_AXLE_TORQUE));
-    torque = AT(work, inputs + layout__INPUTS_AXLE_TORQUE);
-    if (motion__are_independent(tables))
+    derivative_residuals__permitted_approach_t(&v3, &v3_t, work, work_t, support, side, height, height_t);
+    EACH_LANE each(approach_t) = each(v3_t);
+    approach = v3;
+    n4 = derivative_side__lower_wheel_t(tables, work, work_t, index, approach, approach_t);
+    status = n4;
+    if (status == layout__VALID)
     {
-        EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_AXLE_TORQUE));
-        torque = AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE);
-        if (index == 1)
-        {
-            EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE));
-            torque = AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE);
-        }
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, AT(tables, layout__TABLES_ABSENT), all_lanes(0.0));
+        v5 = AT(work, side + layout__SIDE_SEARCH_PENETRATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
+        v6 = v5 / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+        EACH_LANE each(carried_t) = each(approach_t) + (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - v6 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+        carried = approach + v6;
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(carried_t);
+        AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST) + carried;
+        derivative_side__side_lever_t(&v7, &v7_t, tables, work, work_t, index, count);
+        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v7_t);
+        AT(work, support + layout__SUPPORT_LEVER) = v7;
     }
-    *torque_out = torque;
-    EACH_LANE each(*torque_t_out) = each(torque_t);
+    return status;
 }
 
 
@@ -1144,25 +1440,41 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
     for (index = 0; index < 2; index += 1)
     {
-        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        if (input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
-            derivative_requested__side_force_t(&v2, &v2_t, work, work_t, index);
+            derivative_input_checks__side_force_t(&v2, &v2_t, work, work_t, index);
             n1 = derivative_side__solve_side_t(tables, work, work_t, index, v2, v2_t);
             outcome = n1;
-            status = requested__counted_outcome(tables, index, status, outcome);
+            status = input_checks__counted_outcome(tables, index, status, outcome);
         }
     }
     return status;
 }
 
 
-/* ---- From derivative_rubbing.py; change that one.
+/* ---- From derivative_rolled_rails.py; change that one.
  *
- * Derivatives of rubbing.py.
+ * Derivatives of rolled_rails.py.
+ */
+
+/* Derivative of ``set_reference``. */
+static inline int64_t derivative_rolled_rails__set_reference_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t)
+{
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
+    return 0;
+}
+
+
+/* ---- From derivative_rolling_contact.py; change that one.
+ *
+ * Derivatives of rolling_contact.py.
  */
 
 /* Derivative of ``open_given_motion``. */
-static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_rolling_contact__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t right, index;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
@@ -1181,7 +1493,7 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
     }
     for (index = 0; index < 2; index += 1)
     {
-        if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+        if (input_checks__is_free(work, tables, layout__WORK_INPUTS, index))
         {
             EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index));
             AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index);
@@ -1192,15 +1504,15 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
 }
 
 /* Derivative of ``move_wheelset``. */
-static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_rolling_contact__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    if (requested__is_moving(work, tables, layout__WORK_INPUTS))
+    if (input_checks__is_moving(work, tables, layout__WORK_INPUTS))
     {
-        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+        derivative_rolling_contact__open_given_motion_t(tables, work, work_t);
         if ((int64_t)AT(tables, layout__TABLES_MODE) != layout__MODE_COMPLIANT)
         {
-            derivative_rubbing__constrain_side_t(tables, work, work_t, 0);
-            derivative_rubbing__constrain_side_t(tables, work, work_t, 1);
+            derivative_rolling_contact__constrain_side_t(tables, work, work_t, 0);
+            derivative_rolling_contact__constrain_side_t(tables, work, work_t, 1);
             derivative_motion__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
         }
     }
@@ -1208,22 +1520,22 @@ static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables
 }
 
 /* Derivative of ``move_patches``. */
-static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_rolling_contact__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
-    if (!requested__is_moving(work, tables, layout__WORK_INPUTS))
+    if (!input_checks__is_moving(work, tables, layout__WORK_INPUTS))
     {
         return 0;
     }
     for (index = 0; index < 2; index += 1)
     {
-        derivative_rubbing__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+        derivative_rolling_contact__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
     }
     return 0;
 }
 
 /* Derivative of ``move_side``. */
-static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+static inline int64_t derivative_rolling_contact__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
 {
     int64_t number, patch, number_end;
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -1240,7 +1552,7 @@ static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, arra
 }
 
 /* Derivative of ``constrain_side``. */
-static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_rolling_contact__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t side;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
@@ -1251,7 +1563,7 @@ static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d table
     }
     else
     {
-        if (!requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        if (!input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             derivative_side__touch_side_t(tables, work, work_t, index);
         }
@@ -1261,7 +1573,7 @@ static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d table
 }
 
 /* Derivative of ``write_wear``. */
-static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
+static inline int64_t derivative_rolling_contact__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
 {
     int64_t i, number, number_end;
     for (i = 3 * stations; i < 5 * stations; i += 1)
@@ -1272,13 +1584,13 @@ static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, arr
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     for (number = 0; number < number_end; number += 1)
     {
-        derivative_rubbing__write_patch_wear_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+        derivative_rolling_contact__write_patch_wear_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
     }
     return 0;
 }
 
 /* Derivative of ``write_patch_wear``. */
-static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch)
+static inline int64_t derivative_rolling_contact__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch)
 {
     int64_t first, last, index, j, strip;
     lanes start_t, stop_t, low_station_t, high_station_t, low_shear_t, low_slip_t, v1_t, high_shear_t, v2_t, high_slip_t, station_t, v3_t, v4_t, shear_t, slip_t, share_t;
@@ -1298,10 +1610,10 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
     low_shear = 0.0;
     low_slip_t = all_lanes(0.0);
     low_slip = 0.0;
-    derivative_rubbing__strip_shear_t(&v1, &v1_t, work, work_t, first);
+    derivative_rolling_contact__strip_shear_t(&v1, &v1_t, work, work_t, first);
     EACH_LANE each(high_shear_t) = each(v1_t);
     high_shear = v1;
-    derivative_rubbing__strip_slip_t(&v2, &v2_t, work, work_t, patch, first);
+    derivative_rolling_contact__strip_slip_t(&v2, &v2_t, work, work_t, patch, first);
     EACH_LANE each(high_slip_t) = each(v2_t);
     high_slip = v2;
     for (j = 1; j < stations - 1; j += 1)
@@ -1322,10 +1634,10 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
                 low_slip = high_slip;
                 EACH_LANE each(high_station_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
                 high_station = AT(work, strip + layout__ROLLING_STRIP_STATION);
-                derivative_rubbing__strip_shear_t(&v3, &v3_t, work, work_t, strip);
+                derivative_rolling_contact__strip_shear_t(&v3, &v3_t, work, work_t, strip);
                 EACH_LANE each(high_shear_t) = each(v3_t);
                 high_shear = v3;
-                derivative_rubbing__strip_slip_t(&v4, &v4_t, work, work_t, patch, strip);
+                derivative_rolling_contact__strip_slip_t(&v4, &v4_t, work, work_t, patch, strip);
                 EACH_LANE each(high_slip_t) = each(v4_t);
                 high_slip = v4;
             }
@@ -1357,7 +1669,7 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
 }
 
 /* Derivative of ``strip_shear``. */
-static inline void derivative_rubbing__strip_shear_t(double* shear_out, lanes* shear_t_out, array_double_1d work, array_lanes_1d work_t, int64_t strip)
+static inline void derivative_rolling_contact__strip_shear_t(double* shear_out, lanes* shear_t_out, array_double_1d work, array_lanes_1d work_t, int64_t strip)
 {
     lanes shear_t, force_t;
     double shear, v1, v2, force, v3, v4;
@@ -1379,7 +1691,7 @@ static inline void derivative_rubbing__strip_shear_t(double* shear_out, lanes* s
 }
 
 /* Derivative of ``strip_slip``. */
-static inline void derivative_rubbing__strip_slip_t(double* slip_out, lanes* slip_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+static inline void derivative_rolling_contact__strip_slip_t(double* slip_out, lanes* slip_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
 {
     double v1, v2, force, slip, v3, power, v4;
     lanes force_t, slip_t, v3_t, power_t;
@@ -1391,7 +1703,7 @@ static inline void derivative_rubbing__strip_slip_t(double* slip_out, lanes* sli
     slip = 0.0;
     if (force > 0.0)
     {
-        derivative_rubbing__strip_power_t(&v3, &v3_t, work, work_t, patch, strip);
+        derivative_rolling_contact__strip_power_t(&v3, &v3_t, work, work_t, patch, strip);
         EACH_LANE each(power_t) = each(v3_t);
         power = v3;
         if (power > 0.0)
@@ -1406,7 +1718,7 @@ static inline void derivative_rubbing__strip_slip_t(double* slip_out, lanes* sli
 }
 
 /* Derivative of ``strip_power``. */
-static inline void derivative_rubbing__strip_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+static inline void derivative_rolling_contact__strip_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
 {
     double v1, power, v2;
     lanes power_t, v2_t;
@@ -1424,37 +1736,37 @@ static inline void derivative_rubbing__strip_power_t(double* out_0, lanes* out_1
     EACH_LANE each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * v2 + AT(work, patch + layout__PATCH_SPEED) * each(v2_t);
 }
 
-/* Derivative of ``rub_patches``. */
-static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+/* Derivative of ``solve_creep_forces``. */
+static inline int64_t derivative_rolling_contact__solve_creep_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    if (requested__has_creep_forces(tables, work))
+    if (input_checks__has_creep_forces(tables, work))
     {
-        derivative_rubbing__rub_side_t(tables, work, work_t, 0);
-        derivative_rubbing__rub_side_t(tables, work, work_t, 1);
+        derivative_rolling_contact__solve_side_creep_t(tables, work, work_t, 0);
+        derivative_rolling_contact__solve_side_creep_t(tables, work, work_t, 1);
     }
     return 0;
 }
 
-/* Derivative of ``rub_side``. */
-static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+/* Derivative of ``solve_side_creep``. */
+static inline int64_t derivative_rolling_contact__solve_side_creep_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    derivative_rubbing__rub_wheel_t(tables, work, work_t, index);
-    derivative_rubbing__write_side_wear_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+    derivative_rolling_contact__solve_wheel_creep_t(tables, work, work_t, index);
+    derivative_rolling_contact__write_side_wear_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
     return 0;
 }
 
 /* Derivative of ``write_side_wear``. */
-static inline int64_t derivative_rubbing__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+static inline int64_t derivative_rolling_contact__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
 {
     if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
     {
-        derivative_rubbing__write_wear_t(work, work_t, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
+        derivative_rolling_contact__write_wear_t(work, work_t, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
     }
     return 0;
 }
 
 /* Derivative of ``side_friction``. */
-static inline void derivative_rubbing__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline void derivative_rolling_contact__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     lanes friction_t;
     double friction;
@@ -1469,14 +1781,14 @@ static inline void derivative_rubbing__side_friction_t(double* friction_out, lan
     EACH_LANE each(*friction_t_out) = each(friction_t);
 }
 
-/* Derivative of ``rub_wheel``. */
-static inline int64_t derivative_rubbing__rub_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+/* Derivative of ``solve_wheel_creep``. */
+static inline int64_t derivative_rolling_contact__solve_wheel_creep_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t side, number, patch, number_end;
     double v1, friction, v2, factor;
     lanes v1_t, friction_t, v2_t, factor_t;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    derivative_rubbing__side_friction_t(&v1, &v1_t, work, work_t, index);
+    derivative_rolling_contact__side_friction_t(&v1, &v1_t, work, work_t, index);
     EACH_LANE each(friction_t) = each(v1_t);
     friction = v1;
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -1485,17 +1797,17 @@ static inline int64_t derivative_rubbing__rub_wheel_t(array_double_1d tables, ar
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PLACE) = all_lanes(0.0);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE) = (double)(layout__SOLVED_PATCH_LIMIT * index + number);
-        derivative_rubbing__open_rolling_t(&v2, &v2_t, work, work_t, tables, patch, friction, friction_t);
+        derivative_rolling_contact__open_rolling_t(&v2, &v2_t, work, work_t, tables, patch, friction, friction_t);
         EACH_LANE each(factor_t) = each(v2_t);
         factor = v2;
         derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
-        derivative_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
+        derivative_rolling_contact__close_rolling_t(work, work_t, patch, factor, factor_t);
     }
     return 0;
 }
 
 /* Derivative of ``open_rolling``. */
-static inline void derivative_rubbing__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t)
+static inline void derivative_rolling_contact__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t)
 {
     double v1, factor;
     lanes v1_t, factor_t;
@@ -1516,7 +1828,7 @@ static inline void derivative_rubbing__open_rolling_t(double* factor_out, lanes*
 }
 
 /* Derivative of ``close_rolling``. */
-static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
+static inline int64_t derivative_rolling_contact__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
     double v1, limit, v2, v3, v4;
     lanes limit_t, rates;
@@ -1537,247 +1849,6 @@ static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, 
         AT(work, patch + layout__PATCH_SATURATION) = v4;
     }
     return 0;
-}
-
-
-/* ---- From derivative_shared_power.py; change that one.
- *
- * Derivatives of shared_power.py.
- */
-
-/* Derivative of ``share_power``. */
-static inline int64_t derivative_shared_power__share_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
-{
-    int64_t j, number, patch, worn, i, number_end;
-    double v1, width, own, v2;
-    lanes v1_t, width_t, own_t;
-    for (j = 2 * stations; j < 3 * stations; j += 1)
-    {
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = all_lanes(0.0);
-        AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = 0.0;
-    }
-    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
-    for (number = 0; number < number_end; number += 1)
-    {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
-        derivative_shared_power__share_among_strips_t(work, work_t, patch, worn);
-        for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-        {
-            derivative_shared_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)AT(work, patch + layout__PATCH_RANK)), all_lanes(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, AT(work, worn + layout__STRIP_OUTPUTS_POWER + i), RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i));
-        }
-    }
-    derivative_shared_power__cell_width_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations);
-    EACH_LANE each(width_t) = each(v1_t);
-    width = v1;
-    for (j = 2 * stations; j < 3 * stations; j += 1)
-    {
-        EACH_LANE each(own_t) = each(width_t);
-        own = width;
-        if (j == 2 * stations || j == 3 * stations - 1)
-        {
-            EACH_LANE each(own_t) = 0.5 * each(width_t);
-            own = 0.5 * width;
-        }
-        if (own > 0.0)
-        {
-            v2 = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) / own;
-            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) - v2 * each(own_t)) / own;
-            AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = v2;
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``share_among_strips``. */
-static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn)
-{
-    lanes power_t, total_t, v1_t, scale_t;
-    double power, total, v1, scale, v2;
-    int64_t i;
-    EACH_LANE each(power_t) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
-    power = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER);
-    total_t = all_lanes(0.0);
-    total = 0.0;
-    if (power != 0.0)
-    {
-        for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-        {
-            derivative_rubbing__strip_power_t(&v1, &v1_t, work, work_t, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
-            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(v1_t);
-            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = v1;
-            EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
-            total = total + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
-        }
-        if (!(total > 0.0))
-        {
-            for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-            {
-                EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
-                AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
-                EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
-                total = total + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
-            }
-        }
-    }
-    scale_t = all_lanes(0.0);
-    scale = 0.0;
-    if (total > 0.0)
-    {
-        v2 = power / total;
-        EACH_LANE each(scale_t) = (each(power_t) - v2 * each(total_t)) / total;
-        scale = v2;
-    }
-    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
-    {
-        if (scale == 0.0)
-        {
-            RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i) = all_lanes(0.0);
-            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = 0.0;
-        }
-        else
-        {
-            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * scale + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(scale_t);
-            AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * scale;
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``cell_width``. */
-static inline void derivative_shared_power__cell_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations)
-{
-    double v1, v2;
-    v1 = AT(work, outline + layout__OUTLINE_NUMBERS + (stations - 1)) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
-    v2 = (double)(stations - 1);
-    *out_0 = v1 / v2;
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations - 1))) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0))) / v2;
-}
-
-/* Derivative of ``add_power``. */
-static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t)
-{
-    double v1, width, last, v2, v3, v4, v5, start, v6, v7, v8, v9, stop, v10, v11, v12, density, at, after, v13, v15, v14, share, v16, part, v17;
-    lanes v1_t, width_t, v4_t, v5_t, start_t, v8_t, v9_t, stop_t, density_t, at_t, after_t, v13_t, v14_t, share_t, part_t, rates;
-    int64_t cell;
-    derivative_shared_power__cell_width_t(&v1, &v1_t, work, work_t, outline, stations);
-    EACH_LANE each(width_t) = each(v1_t);
-    width = v1;
-    last = (double)(stations - 1);
-    if (width > 0.0 && AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
-    {
-        v2 = AT(work, strip + layout__ROLLING_STRIP_START) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
-        v3 = v2 / width;
-        v4 = v3;
-        EACH_LANE each(v4_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v3 * each(width_t)) / width;
-        if (0.0 > v4)
-        {
-            v4 = 0.0;
-            v4_t = all_lanes(0.0);
-        }
-        v5 = v4;
-        EACH_LANE each(v5_t) = each(v4_t);
-        if (last < v5)
-        {
-            v5 = last;
-            v5_t = all_lanes(0.0);
-        }
-        EACH_LANE each(start_t) = each(v5_t);
-        start = v5;
-        v6 = AT(work, strip + layout__ROLLING_STRIP_STOP) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
-        v7 = v6 / width;
-        v8 = v7;
-        EACH_LANE each(v8_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v7 * each(width_t)) / width;
-        if (0.0 > v8)
-        {
-            v8 = 0.0;
-            v8_t = all_lanes(0.0);
-        }
-        v9 = v8;
-        EACH_LANE each(v9_t) = each(v8_t);
-        if (last < v9)
-        {
-            v9 = last;
-            v9_t = all_lanes(0.0);
-        }
-        EACH_LANE each(stop_t) = each(v9_t);
-        stop = v9;
-        if (stop > start)
-        {
-            v10 = power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-            v11 = stop - start;
-            v12 = v10 / v11;
-            EACH_LANE each(density_t) = (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) - v12 * (each(stop_t) - each(start_t))) / v11;
-            density = v12;
-            EACH_LANE each(at_t) = each(start_t);
-            at = start;
-            while (at < stop)
-            {
-                cell = int64_min((int64_t)at, stations - 2);
-                EACH_LANE each(after_t) = each(stop_t);
-                after = stop;
-                if (cell < stations - 2)
-                {
-                    v13 = (double)(cell + 1);
-                    v13_t = all_lanes(0.0);
-                    if (stop < v13)
-                    {
-                        v13 = stop;
-                        EACH_LANE each(v13_t) = each(stop_t);
-                    }
-                    EACH_LANE each(after_t) = each(v13_t);
-                    after = v13;
-                }
-                v15 = at + after;
-                EACH_LANE each(rates) = 0.5 * (each(at_t) + each(after_t));
-                derivative_shared_power__own_share_t(&v14, &v14_t, work, work_t, wear, stations, cell, owner, owner_t, 0.5 * v15 - (double)cell, rates);
-                EACH_LANE each(share_t) = each(v14_t);
-                share = v14;
-                v16 = after - at;
-                EACH_LANE each(part_t) = each(density_t) * v16 + density * (each(after_t) - each(at_t));
-                part = density * v16;
-                v17 = 1.0 - share;
-                EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (-each(share_t) * part + v17 * each(part_t));
-                AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) + v17 * part;
-                EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) + (each(share_t) * part + share * each(part_t));
-                AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) + share * part;
-                EACH_LANE each(at_t) = each(after_t);
-                at = after;
-            }
-        }
-        else
-        {
-            cell = int64_min((int64_t)(start + 0.5), stations - 1);
-            EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-            AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) + power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``own_share``. */
-static inline void derivative_shared_power__own_share_t(double* found_out, lanes* found_t_out, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t)
-{
-    lanes first_t, second_t, found_t;
-    double first, second, found;
-    EACH_LANE each(first_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell)));
-    first = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell));
-    EACH_LANE each(second_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1)));
-    second = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1));
-    EACH_LANE each(found_t) = each(share_t);
-    found = share;
-    if (first == owner && second != owner)
-    {
-        found_t = all_lanes(0.0);
-        found = 0.0;
-    }
-    else if (second == owner && first != owner)
-    {
-        found_t = all_lanes(0.0);
-        found = 1.0;
-    }
-    *found_out = found;
-    EACH_LANE each(*found_t_out) = each(found_t);
 }
 
 
@@ -1909,19 +1980,19 @@ static inline void derivative_side__load_side_t(int64_t* count_out, int64_t* VAL
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
     {
         derivative_patch_places__place_patches_t(tables, work, work_t, pair, side);
-        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE || requested__has_wear(tables))
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE || input_checks__has_wear(tables))
         {
             number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
             for (number = 0; number < number_end; number += 1)
             {
-                derivative_cut__cut_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+                derivative_rolling_strips__divide_into_strips_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
                 derivative_patch_places__place_strips_t(tables, work, work_t, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
             }
         }
         if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
         {
             derivative_outline__write_outline_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, (int64_t)AT(tables, layout__TABLES_STATIONS), side, count);
-            if (requested__has_wear(tables) && (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
+            if (input_checks__has_wear(tables) && (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
             {
                 derivative_wear_places__place_wear_t(tables, work, work_t, pair, side);
             }
@@ -1977,8 +2048,8 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
     return status;
 }
 
-/* Derivative of ``press_side``. */
-static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t)
+/* Derivative of ``lower_wheel``. */
+static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t)
 {
     int64_t pair, side, n1, deepest;
     lanes height_t, aside_t, shift_t;
@@ -1993,10 +2064,10 @@ static inline int64_t derivative_side__press_side_t(array_double_1d tables, arra
     {
         return layout__OFF_PROFILE;
     }
-    deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
+    deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work);
+    derivative_penetrated_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
     derivative_side__describe_contact_t(tables, work, work_t, index, AT(work, deepest + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, deepest + layout__DEEP_POINT_WHEEL), aside, aside_t, shift, shift_t);
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH), 0.0, all_lanes(0.0));
+    derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH), 0.0, all_lanes(0.0));
     return layout__VALID;
 }
 
@@ -2009,7 +2080,7 @@ static inline int64_t derivative_side__find_points_t(array_double_1d work, array
     count = 0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0 && (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) > 0)
     {
-        n1 = derivative_deep_points__follow_overlaps_t(tables, work, work_t, pair, kept, side + layout__SIDE_SEARCH_PLACE, height, height_t);
+        n1 = derivative_penetration_maxima__follow_overlaps_t(tables, work, work_t, pair, kept, side + layout__SIDE_SEARCH_PLACE, height, height_t);
         count = n1;
     }
     if (count == 0)
@@ -2017,7 +2088,7 @@ static inline int64_t derivative_side__find_points_t(array_double_1d work, array
         n2 = derivative_overlaps__overlaps_rule_t(tables, work, work_t, pair, side, height, height_t);
         count = n2;
     }
-    derivative_deep_points__keep_points_t(work, work_t, kept);
+    derivative_penetration_maxima__keep_points_t(work, work_t, kept);
     return count;
 }
 
@@ -2081,8 +2152,8 @@ static inline void derivative_springs__damper_stiffness_t(double* stiffness_out,
     EACH_LANE each(*stiffness_t_out) = each(stiffness_t);
 }
 
-/* Derivative of ``open_settling``. */
-static inline int64_t derivative_springs__open_settling_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+/* Derivative of ``open_equilibrium``. */
+static inline int64_t derivative_springs__open_equilibrium_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t spring;
     lanes time_step_t, lateral_t, vertical_t, v1_t, damper_t, v4_t;
@@ -2101,45 +2172,45 @@ static inline int64_t derivative_springs__open_settling_t(array_double_1d tables
         EACH_LANE each(vertical_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE));
         vertical = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE);
     }
-    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) = all_lanes(0.0);
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) = 0.0;
-    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) = all_lanes(0.0);
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) = 0.0;
-    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE) = all_lanes(0.0);
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE) = 0.0;
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) = all_lanes(0.0);
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) = 0.0;
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST) = all_lanes(0.0);
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST) = 0.0;
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE) = all_lanes(0.0);
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE) = 0.0;
     if (AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) > 0.0)
     {
         derivative_springs__damper_stiffness_t(&v1, &v1_t, AT(tables, spring + layout__SPRING_LATERAL_DAMPING), all_lanes(0.0), time_step, time_step_t);
         EACH_LANE each(damper_t) = each(v1_t);
         damper = v1;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = each(damper_t);
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS) = AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) + damper;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS)) = each(damper_t);
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) = AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) + damper;
         v2 = damper * lateral;
-        v3 = v2 / AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = (each(damper_t) * lateral + damper * each(lateral_t) - v3 * each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS))) / AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS);
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST) = v3;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = each(lateral_t);
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE) = lateral;
+        v3 = v2 / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST)) = (each(damper_t) * lateral + damper * each(lateral_t) - v3 * each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS))) / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS);
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST) = v3;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE)) = each(lateral_t);
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE) = lateral;
     }
-    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) = all_lanes(0.0);
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) = 0.0;
-    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) = all_lanes(0.0);
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) = 0.0;
-    RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE) = all_lanes(0.0);
-    AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE) = 0.0;
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) = all_lanes(0.0);
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) = 0.0;
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST) = all_lanes(0.0);
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST) = 0.0;
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE) = all_lanes(0.0);
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE) = 0.0;
     if (AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) > 0.0)
     {
         derivative_springs__damper_stiffness_t(&v4, &v4_t, AT(tables, spring + layout__SPRING_VERTICAL_DAMPING), all_lanes(0.0), time_step, time_step_t);
         EACH_LANE each(damper_t) = each(v4_t);
         damper = v4;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = each(damper_t);
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS) = AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) + damper;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS)) = each(damper_t);
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) = AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) + damper;
         v5 = damper * vertical;
-        v6 = v5 / AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = (each(damper_t) * vertical + damper * each(vertical_t) - v6 * each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS))) / AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS);
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST) = v6;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = each(vertical_t);
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE) = vertical;
+        v6 = v5 / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST)) = (each(damper_t) * vertical + damper * each(vertical_t) - v6 * each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS))) / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST) = v6;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE)) = each(vertical_t);
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE) = vertical;
     }
     return 0;
 }
@@ -2163,13 +2234,13 @@ static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_
     time_step = AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP);
     if (time_step > 0.0)
     {
-        v1 = lateral - AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE);
+        v1 = lateral - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE);
         v2 = v1 / time_step;
-        EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE)) = (each(lateral_t) - each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) - v2 * each(time_step_t)) / time_step;
+        EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE)) = (each(lateral_t) - each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE)) - v2 * each(time_step_t)) / time_step;
         AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) = v2;
-        v3 = vertical - AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE);
+        v3 = vertical - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE);
         v4 = v3 / time_step;
-        EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)) = (each(vertical_t) - each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) - v4 * each(time_step_t)) / time_step;
+        EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)) = (each(vertical_t) - each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE)) - v4 * each(time_step_t)) / time_step;
         AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) = v4;
     }
     return 0;
@@ -2196,103 +2267,32 @@ static inline void derivative_springs__spring_residual_t(double* residual_out, l
 static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
 {
     int64_t n1, status, side;
-    bool rubbing;
+    bool with_creep;
     double v2, v3;
     lanes v2_t, v3_t, rates, rates_2;
-    n1 = derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
+    n1 = derivative_prescribed_height__load_at_height_t(tables, work, work_t, index, height, height_t);
     status = n1;
     if (status <= layout__UNLOADED)
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_moving(work, tables, layout__WORK_INPUTS))
+        with_creep = input_checks__has_creep_forces(tables, work);
+        if (input_checks__is_moving(work, tables, layout__WORK_INPUTS))
         {
-            derivative_rubbing__move_side_t(work, work_t, tables, side);
+            derivative_rolling_contact__move_side_t(work, work_t, tables, side);
         }
-        if (rubbing)
+        if (with_creep)
         {
-            derivative_rubbing__rub_side_t(tables, work, work_t, index);
+            derivative_rolling_contact__solve_side_creep_t(tables, work, work_t, index);
         }
-        derivative_forces__sum_side_t(work, work_t, side, rubbing);
+        derivative_forces__sum_side_t(work, work_t, side, with_creep);
         EACH_LANE each(rates) = -each(RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1));
-        derivative_springs__spring_residual_t(&v2, &v2_t, AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1), rates);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) = each(v2_t);
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_LATERAL) = v2;
+        derivative_springs__spring_residual_t(&v2, &v2_t, AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS), RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST), RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1), rates);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) = each(v2_t);
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) = v2;
         EACH_LANE each(rates_2) = -each(RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2));
-        derivative_springs__spring_residual_t(&v3, &v3_t, AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS), AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST), RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2), rates_2);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) = each(v3_t);
-        AT(work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL) = v3;
-    }
-    return status;
-}
-
-
-/* ---- From derivative_trial.py; change that one.
- *
- * Derivatives of trial.py.
- */
-
-/* Derivative of ``permitted_approach``. */
-static inline void derivative_trial__permitted_approach_t(double* approach_out, lanes* approach_t_out, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t)
-{
-    double v1, v2, v3, approach;
-    lanes v2_t, v3_t, approach_t;
-    v1 = trial__SHALLOWEST * AT(work, support + layout__SUPPORT_APPROACH);
-    v2 = height - AT(work, side + layout__SIDE_SEARCH_BEST);
-    EACH_LANE each(v2_t) = each(height_t) - each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
-    if (v1 > v2)
-    {
-        v2 = v1;
-        EACH_LANE each(v2_t) = trial__SHALLOWEST * each(RATE_AT(work_t, support + layout__SUPPORT_APPROACH));
-    }
-    v3 = v2;
-    EACH_LANE each(v3_t) = each(v2_t);
-    if (trial__DEEPEST < v3)
-    {
-        v3 = trial__DEEPEST;
-        v3_t = all_lanes(0.0);
-    }
-    EACH_LANE each(approach_t) = each(v3_t);
-    approach = v3;
-    *approach_out = approach;
-    EACH_LANE each(*approach_t_out) = each(approach_t);
-}
-
-/* Derivative of ``balance_side``. */
-static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t)
-{
-    int64_t support, side, n2, n4, status, count;
-    double v1, v3, approach, v5, v6, carried, v7;
-    lanes v1_t, v3_t, approach_t, carried_t, v7_t;
-    support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    if (!(force > 0.0))
-    {
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
-        AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST);
-        derivative_side__side_lever_t(&v1, &v1_t, tables, work, work_t, index, 0);
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v1_t);
-        AT(work, support + layout__SUPPORT_LEVER) = v1;
-        n2 = derivative_side__touch_side_t(tables, work, work_t, index);
-        return n2;
-    }
-    derivative_trial__permitted_approach_t(&v3, &v3_t, work, work_t, support, side, height, height_t);
-    EACH_LANE each(approach_t) = each(v3_t);
-    approach = v3;
-    n4 = derivative_side__press_side_t(tables, work, work_t, index, approach, approach_t);
-    status = n4;
-    if (status == layout__VALID)
-    {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, AT(tables, layout__TABLES_ABSENT), all_lanes(0.0));
-        v5 = AT(work, side + layout__SIDE_SEARCH_PENETRATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
-        v6 = v5 / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-        EACH_LANE each(carried_t) = each(approach_t) + (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - v6 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-        carried = approach + v6;
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(carried_t);
-        AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST) + carried;
-        derivative_side__side_lever_t(&v7, &v7_t, tables, work, work_t, index, count);
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v7_t);
-        AT(work, support + layout__SUPPORT_LEVER) = v7;
+        derivative_springs__spring_residual_t(&v3, &v3_t, AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS), RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST), RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2), rates_2);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) = each(v3_t);
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) = v3;
     }
     return status;
 }
@@ -2311,7 +2311,7 @@ static inline void derivative_vertical_load__carried_share_t(double* share_out, 
     int64_t forces;
     share_t = all_lanes(0.0);
     share = 1.0;
-    derivative_requested__wanted_force_t(&v1, &v1_t, work, work_t, layout__WORK_INPUTS, index);
+    derivative_input_checks__wanted_force_t(&v1, &v1_t, work, work_t, layout__WORK_INPUTS, index);
     EACH_LANE each(wanted_t) = each(v1_t);
     wanted = v1;
     forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;

@@ -22,12 +22,6 @@ static inline void derivative_analyn_contact__solve_estimated_t(double* penetrat
 static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t);
 static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration);
 
-/* derivative_at_height.py */
-static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
-static inline int64_t derivative_at_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
-static inline void derivative_at_height__pressing_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
-static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
-
 /* derivative_auto_contact.py */
 static inline void derivative_auto_contact__auto_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline void derivative_auto_contact__strips_share_t(double* out_0, lanes* out_1, double error, lanes error_t);
@@ -56,7 +50,7 @@ static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes
 /* derivative_compliant_rules.py */
 static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
-static inline bool derivative_compliant_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline bool derivative_compliant_rules__follow_balanced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 
 /* derivative_correction.py */
@@ -73,19 +67,19 @@ static inline void derivative_correction__on_cone_t(double* found_out, lanes* fo
 static inline void derivative_correction__on_line_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, lanes on_radius_t);
 
 /* derivative_coupled_strips.py */
-static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double shift, lanes shift_t, double width, lanes width_t, double ratio, lanes ratio_t);
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double mean, lanes mean_t, double ratio, lanes ratio_t);
-static inline void derivative_coupled_strips__spread_square_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t march, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t);
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double shift, lanes shift_t, double width, lanes width_t, double ratio, lanes ratio_t);
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double mean, lanes mean_t, double ratio, lanes ratio_t);
+static inline void derivative_coupled_strips__spread_square_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t integration, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t);
 static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, lanes* depth_t_out, double* weight_out, lanes* weight_t_out, double square, lanes square_t, double v, lanes v_t, double k, lanes k_t, double a, lanes a_t);
 static inline void derivative_coupled_strips__later_share_t(double* share_out, lanes* share_t_out, double depth, lanes depth_t, double ratio, lanes ratio_t);
-static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, lanes* weight_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march);
+static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, lanes* weight_t_out, array_double_1d work, array_lanes_1d work_t, int64_t integration);
 static inline void derivative_coupled_strips__smooth_step_t(double* value_out, lanes* value_t_out, double z, lanes z_t);
 static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline void derivative_coupled_strips__add_strips_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double ratio, lanes ratio_t);
 static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, lanes* out_1, double* v7_out, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t strip, int64_t index);
-static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_coupled_strips__begin_integration_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, int64_t strip, int64_t index);
+static inline int64_t derivative_coupled_strips__finish_integrations_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, lanes* lost_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch);
 
 /* derivative_creep_force.py */
@@ -121,28 +115,18 @@ static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_d
 static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double chord, lanes chord_t);
 static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double lateral, lanes lateral_t);
 
-/* derivative_cut.py */
-static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_cut__clear_creep_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double start, lanes start_t, double stop, lanes stop_t);
-static inline int64_t derivative_cut__cut_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t at, double low, lanes low_t, double low_square, lanes low_square_t, double low_load, lanes low_load_t, double high, lanes high_t, double high_square, lanes high_square_t, double high_load, lanes high_load_t);
-static inline int64_t derivative_cut__finish_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-
-/* derivative_deep_points.py */
-static inline int64_t derivative_deep_points__keep_deepest_t(array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work, array_lanes_1d work_t, int64_t kept);
-static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t);
-static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t);
-
 /* derivative_depth_rates.py */
 static inline void derivative_depth_rates__motion_size_t(double* v1_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs);
 static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_lanes_1d work_t, double time, lanes time_t);
 static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_lanes_1d work_t);
+
+/* derivative_distributed_power.py */
+static inline int64_t derivative_distributed_power__distribute_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
+static inline int64_t derivative_distributed_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn);
+static inline void derivative_distributed_power__cell_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations);
+static inline int64_t derivative_distributed_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t);
+static inline void derivative_distributed_power__own_share_t(double* found_out, lanes* found_t_out, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t);
 
 /* derivative_estimate.py */
 static inline void derivative_estimate__guess_penetration_t(double* v3_out, lanes* v3_t_out, double force, lanes force_t, double A, lanes A_t, double contact_modulus, lanes contact_modulus_t);
@@ -160,20 +144,20 @@ static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, 
 
 /* derivative_fastrip.py */
 static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t march);
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t integration);
 static inline void derivative_fastrip__longitudinal_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t strip);
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t);
-static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip);
-static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march);
-static inline int64_t derivative_fastrip__march_on_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t);
-static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march, double bound, lanes bound_t);
-static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t);
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t);
+static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t integration, int64_t strip);
+static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t integration);
+static inline int64_t derivative_fastrip__integrate_on_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double x, lanes x_t, double bound, lanes bound_t);
+static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t integration, double bound, lanes bound_t);
+static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t integration, double x, lanes x_t, double bound, lanes bound_t);
 
 /* derivative_fastsim.py */
 static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline void derivative_fastsim__stiffnesses_t(double* v5_out, lanes* out_1, double* v9_out, lanes* out_3, double* v15_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline void derivative_fastsim__strip_push_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double turning, lanes turning_t);
-static inline void derivative_fastsim__march_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t);
+static inline void derivative_fastsim__integrate_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t);
 static inline void derivative_fastsim__sticking_t(double* part_out, lanes* part_t_out, double free_x, lanes free_x_t, double free_y, lanes free_y_t, double push_x, lanes push_x_t, double push_y, lanes push_y_t, double bound, lanes bound_t);
 
 /* derivative_fatigue.py */
@@ -195,9 +179,9 @@ static inline int64_t derivative_filling__total_patches_t(array_double_1d work, 
 
 /* derivative_forces.py */
 static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side, bool rubbing);
+static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side, bool with_creep);
 static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
-static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_forces__add_creep_force_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
 static inline void derivative_forces__about_axle_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double moment_x, lanes moment_x_t, double moment_y, lanes moment_y_t, double moment_z, lanes moment_z_t);
 static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double mirror, lanes mirror_t);
 static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double plane, lanes plane_t, double across, lanes across_t);
@@ -234,8 +218,10 @@ static inline void derivative_hertz_contact__profile_ends_t(double* low_out, lan
 static inline void derivative_hertz_contact__widest_ellipse_t(double* v7_out, lanes* v7_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double low, lanes low_t, double high, lanes high_t);
 static inline void derivative_hertz_contact__narrow_ellipse_t(double* B_out, lanes* B_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t, double widest, lanes widest_t);
 
-/* derivative_leaning.py */
-static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t);
+/* derivative_input_checks.py */
+static inline void derivative_input_checks__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline void derivative_input_checks__wanted_force_t(double* force_out, lanes* force_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, int64_t index);
+static inline void derivative_input_checks__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index);
 
 /* derivative_locus.py */
 static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral_shift, lanes lateral_shift_t, double yaw, lanes yaw_t, double roll, lanes roll_t, double radius, lanes radius_t, double height, lanes height_t, double arm, lanes arm_t);
@@ -247,21 +233,6 @@ static inline void derivative_locus__around_wheel_t(double* out_0, lanes* out_1,
 static inline void derivative_locus__outline_point_t(double* y_track_out, lanes* y_track_t_out, double* z_track_out, lanes* z_track_t_out, double* outline_slope_out, lanes* outline_slope_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t);
 static inline void derivative_locus__outline_jet_t(double* y_track_out, lanes* y_track_t_out, double* z_track_out, lanes* z_track_t_out, double* outline_slope_out, lanes* outline_slope_t_out, double* stretch_out, lanes* stretch_t_out, double* slope_rate_out, lanes* slope_rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
 static inline void derivative_locus__outline_x_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t);
-
-/* derivative_march.py */
-static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_lanes_1d work_t, double ratio, lanes ratio_t);
-static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t);
-static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number);
-static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last);
-static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls);
-static inline int64_t derivative_march__march_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t);
-static inline int64_t derivative_march__march_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t);
-static inline int64_t derivative_march__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t);
-static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t);
-static inline void derivative_march__stepped_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t);
-static inline void derivative_march__slip_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t);
-static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t);
-static inline void derivative_march__sqrt_of_t(double* root_out, lanes* root_t_out, double value, lanes value_t);
 
 /* derivative_model_error.py */
 static inline void derivative_model_error__analyn_error_t(double* error_out, lanes* error_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count);
@@ -339,6 +310,30 @@ static inline void derivative_patch_places__abscissa_at_t(double* abscissa_out, 
 static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch);
 
+/* derivative_penetrated.py */
+static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t);
+static inline void derivative_penetrated__mean_bend_t(double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t);
+static inline void derivative_penetrated__penetrated_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
+static inline void derivative_penetrated__met_curvature_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
+static inline void derivative_penetrated__limited_t(double* step_out, lanes* step_t_out, double step, lanes step_t, double limit, lanes limit_t);
+static inline void derivative_penetrated__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t);
+static inline bool derivative_penetrated__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t);
+
+/* derivative_penetrated_regions.py */
+static inline void derivative_penetrated_regions__touching_shift_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point);
+static inline int64_t derivative_penetrated_regions__lower_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t);
+static inline int64_t derivative_penetrated_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t);
+static inline int64_t derivative_penetrated_regions__raise_wheel_t(array_double_1d work, array_lanes_1d work_t, bool sunk);
+static inline int64_t derivative_penetrated_regions__open_penetrated_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point);
+static inline int64_t derivative_penetrated_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point);
+static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
+
+/* derivative_penetration_maxima.py */
+static inline int64_t derivative_penetration_maxima__keep_deepest_t(array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_penetration_maxima__keep_points_t(array_double_1d work, array_lanes_1d work_t, int64_t kept);
+static inline int64_t derivative_penetration_maxima__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t);
+static inline int64_t derivative_penetration_maxima__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t);
+
 /* derivative_polach.py */
 static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline void derivative_polach__mean_coefficient_t(double* v7_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double own, lanes own_t);
@@ -353,23 +348,11 @@ static inline void derivative_powers__exp_rule_t(double* value_out, lanes* out_1
 static inline void derivative_powers__log_rule_t(double* out_0, lanes* out_1, double x, lanes x_t);
 static inline void derivative_powers__cube_root_rule_t(double* root_out, lanes* rate_out, double x, lanes x_t);
 
-/* derivative_pressed.py */
-static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t);
-static inline void derivative_pressed__mean_bend_t(double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t);
-static inline void derivative_pressed__pressed_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
-static inline void derivative_pressed__met_curvature_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
-static inline void derivative_pressed__limited_t(double* step_out, lanes* step_t_out, double step, lanes step_t, double limit, lanes limit_t);
-static inline void derivative_pressed__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t);
-static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t);
-
-/* derivative_pressed_regions.py */
-static inline void derivative_pressed_regions__touching_shift_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point);
-static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t);
-static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t);
-static inline int64_t derivative_pressed_regions__raise_wheel_t(array_double_1d work, array_lanes_1d work_t, bool sunk);
-static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point);
-static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point);
-static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
+/* derivative_prescribed_height.py */
+static inline int64_t derivative_prescribed_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
+static inline int64_t derivative_prescribed_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
+static inline void derivative_prescribed_height__pressing_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_prescribed_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
 
 /* derivative_quadrature.py */
 static inline void derivative_quadrature__bend_of_t(double* bend_out, lanes* bend_t_out, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t);
@@ -384,8 +367,8 @@ static inline void derivative_quadrature__bent_integral_t(double* out_0, lanes* 
 /* derivative_rails.py */
 static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
 static inline int64_t derivative_rails__deflect_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t deflection);
-static inline int64_t derivative_rails__lean_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t);
-static inline int64_t derivative_rails__turn_leaning_t(array_double_1d work, array_lanes_1d work_t, int64_t place);
+static inline int64_t derivative_rails__roll_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t);
+static inline int64_t derivative_rails__turn_rolled_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place);
 static inline void derivative_rails__pitch_of_frame_t(double* sine_out, lanes* sine_t_out, double* cosine_out, lanes* cosine_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place);
 static inline void derivative_rails__upright_share_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double cosine, lanes cosine_t, double sine, lanes sine_t);
 static inline void derivative_rails__on_track_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double y, lanes y_t, double z, lanes z_t);
@@ -401,42 +384,55 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
 static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t, bool rolling);
 static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t, bool rolling);
 static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t out, int64_t vector, double plane, lanes plane_t, double across, lanes across_t);
-static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing);
+static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool with_creep);
 static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested);
-static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool rubbing);
+static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool with_creep);
 
-/* derivative_requested.py */
-static inline void derivative_requested__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline void derivative_requested__wanted_force_t(double* force_out, lanes* force_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, int64_t index);
-static inline void derivative_requested__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index);
+/* derivative_residuals.py */
+static inline void derivative_residuals__permitted_approach_t(double* approach_out, lanes* approach_t_out, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t);
+static inline int64_t derivative_residuals__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t);
 
 /* derivative_rigid.py */
 static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
 
 /* derivative_roll.py */
 static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t);
-static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t);
+static inline int64_t derivative_roll__roll_rails_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t);
 static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
 static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t place);
 
-/* derivative_rubbing.py */
-static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
-static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
-static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch);
-static inline void derivative_rubbing__strip_shear_t(double* shear_out, lanes* shear_t_out, array_double_1d work, array_lanes_1d work_t, int64_t strip);
-static inline void derivative_rubbing__strip_slip_t(double* slip_out, lanes* slip_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
-static inline void derivative_rubbing__strip_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
-static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_rubbing__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
-static inline void derivative_rubbing__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_rubbing__rub_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline void derivative_rubbing__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t);
-static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
+/* derivative_rolled_rails.py */
+static inline int64_t derivative_rolled_rails__set_reference_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t);
+
+/* derivative_rolling_contact.py */
+static inline int64_t derivative_rolling_contact__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_rolling_contact__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_rolling_contact__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_rolling_contact__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
+static inline int64_t derivative_rolling_contact__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_rolling_contact__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
+static inline int64_t derivative_rolling_contact__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch);
+static inline void derivative_rolling_contact__strip_shear_t(double* shear_out, lanes* shear_t_out, array_double_1d work, array_lanes_1d work_t, int64_t strip);
+static inline void derivative_rolling_contact__strip_slip_t(double* slip_out, lanes* slip_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
+static inline void derivative_rolling_contact__strip_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
+static inline int64_t derivative_rolling_contact__solve_creep_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_rolling_contact__solve_side_creep_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_rolling_contact__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
+static inline void derivative_rolling_contact__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_rolling_contact__solve_wheel_creep_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline void derivative_rolling_contact__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t);
+static inline int64_t derivative_rolling_contact__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
+
+/* derivative_rolling_strips.py */
+static inline int64_t derivative_rolling_strips__divide_into_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__clear_creep_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__describe_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__divide_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double start, lanes start_t, double stop, lanes stop_t);
+static inline int64_t derivative_rolling_strips__divide_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__divide_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__add_piece_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t at, double low, lanes low_t, double low_square, lanes low_square_t, double low_load, lanes low_load_t, double high, lanes high_t, double high_square, lanes high_square_t, double high_load, lanes high_load_t);
+static inline int64_t derivative_rolling_strips__finish_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__plane_slips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
 
 /* derivative_separation.py */
 static inline void derivative_separation__vertical_rise_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
@@ -446,26 +442,19 @@ static inline void derivative_separation__moved_separation_t(double* gap_out, la
 static inline void derivative_separation__separation_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
 static inline void derivative_separation__separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
 
-/* derivative_shared_power.py */
-static inline int64_t derivative_shared_power__share_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
-static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn);
-static inline void derivative_shared_power__cell_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations);
-static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t);
-static inline void derivative_shared_power__own_share_t(double* found_out, lanes* found_t_out, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t);
-
 /* derivative_side.py */
 static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t);
 static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
 static inline void derivative_side__load_side_t(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t);
-static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t);
+static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t);
 static inline int64_t derivative_side__find_points_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, lanes height_t);
 static inline void derivative_side__side_lever_t(double* lever_out, lanes* lever_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, int64_t count);
 
 /* derivative_springs.py */
 static inline void derivative_springs__damper_stiffness_t(double* stiffness_out, lanes* stiffness_t_out, double damping, lanes damping_t, double time_step, lanes time_step_t);
-static inline int64_t derivative_springs__open_settling_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_springs__open_equilibrium_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
 static inline void derivative_springs__spring_residual_t(double* residual_out, lanes* residual_t_out, double stiffness, lanes stiffness_t, double rest, lanes rest_t, double deflection, lanes deflection_t, double force, lanes force_t);
 static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
@@ -589,6 +578,21 @@ static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes*
 static inline int64_t derivative_traces__note_point_t(array_double_1d work, array_lanes_1d work_t, int64_t meeting, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
 static inline void derivative_traces__trace_outline_t(double* ordinate_out, lanes* ordinate_t_out, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
 
+/* derivative_traction_integration.py */
+static inline int64_t derivative_traction_integration__open_integrations_t(array_double_1d work, array_lanes_1d work_t, double ratio, lanes ratio_t);
+static inline int64_t derivative_traction_integration__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t);
+static inline int64_t derivative_traction_integration__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t integration, int64_t number);
+static inline int64_t derivative_traction_integration__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t integration, int64_t number, int64_t last);
+static inline int64_t derivative_traction_integration__integrate_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls);
+static inline int64_t derivative_traction_integration__integrate_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t);
+static inline int64_t derivative_traction_integration__integrate_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t);
+static inline int64_t derivative_traction_integration__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t);
+static inline int64_t derivative_traction_integration__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t);
+static inline void derivative_traction_integration__stepped_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t);
+static inline void derivative_traction_integration__slip_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t);
+static inline int64_t derivative_traction_integration__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t);
+static inline void derivative_traction_integration__sqrt_of_t(double* root_out, lanes* root_t_out, double value, lanes value_t);
+
 /* derivative_tractions.py */
 static inline void derivative_tractions__shape_place_t(double* out_0, lanes* out_1, double axis_ratio, lanes axis_ratio_t);
 static inline void derivative_tractions__shape_value_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t column, double place, lanes place_t);
@@ -598,10 +602,6 @@ static inline void derivative_tractions__cut_to_t(double* along_out, lanes* alon
 static inline int64_t derivative_tractions__add_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double across, lanes across_t, double moment, lanes moment_t);
 static inline void derivative_tractions__patch_area_t(double* area_out, lanes* area_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline void derivative_tractions__point_weight_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t strip);
-
-/* derivative_trial.py */
-static inline void derivative_trial__permitted_approach_t(double* approach_out, lanes* approach_t_out, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t);
-static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t);
 
 /* derivative_turning_rules.py */
 static inline bool derivative_turning_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
@@ -619,7 +619,7 @@ static inline void derivative_wear_places__profile_places_t(double* rail_out, la
 /* derivative_wheelset_rules.py */
 static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
-static inline void derivative_wheelset_rules__follow_leaning_roll_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline void derivative_wheelset_rules__follow_roll_on_rolled_rails_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
 static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);

@@ -610,7 +610,7 @@ static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t
     for (repeat = 0; repeat < analyn_contact__ESTIMATE_REPEATS; repeat += 1)
     {
         estimate = penetration;
-        if (pressed_regions__sink_wheel(tables, work, pair, side, estimate) == 0)
+        if (penetrated_regions__sink_wheel(tables, work, pair, side, estimate) == 0)
         {
             /* it overlaps most at the end of a profile */
             *penetration_out = penetration;
@@ -642,7 +642,7 @@ static inline void analyn_contact__solve_estimated(double* penetration_out, int6
     if (!satisfied && count > 1)
     {
         /* regions so close that pressing on each other has no fixed point are one region */
-        deep_points__keep_deepest(work);
+        penetration_maxima__keep_deepest(work);
         count = analyn_contact__gather_regions(tables, work, pair, estimate);
         analyn_contact__solve_fine(&penetration, &satisfied, tables, work, pair, count, force, estimate, by_penetration);
     }
@@ -661,7 +661,7 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
     {
         AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = 0.0;
     }
-    count = pressed_regions__gather_overlaps(tables, work, pair);
+    count = penetrated_regions__gather_overlaps(tables, work, pair);
     for (i = 0; i < count; i += 1)
     {
         widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
@@ -745,7 +745,7 @@ static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int6
     if (share > 0.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0))
     {
         load = auto_contact__total_load(work, count);
-        pressed_regions__raise_wheel(work, sunk);
+        penetrated_regions__raise_wheel(work, sunk);
         strip_contact__strip_contact(&found, &strip_count, &solved, tables, work, pair, side, force, prescribed);
         if (solved)
         {
@@ -763,7 +763,7 @@ static OUT_OF_LINE void auto_contact__auto_contact(double* penetration_out, int6
             *satisfied_out = true;
             return;
         }
-        pressed_regions__raise_wheel(work, sunk);
+        penetrated_regions__raise_wheel(work, sunk);
         analyn_contact__analyn_contact(&penetration, &count, &satisfied, tables, work, pair, side, force, prescribed);
     }
     else if (satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
@@ -2088,7 +2088,7 @@ static inline bool normal_contact__has_coarse_form(array_double_1d tables)
     return (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_ANALYN_STRIP || (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_AUTO;
 }
 
-/* About how fast the penetration under a force falls behind the depth, where a wheel is pressed deeper.
+/* Approximate derivative of (depth - penetration under the force) with respect to the depth.
  *
  * Strips are as long as at that depth, and a strip's pressure keeps its shape.
  */
@@ -2413,7 +2413,7 @@ static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out,
     count = 0;
     for (repeat = 0; repeat < strip_contact__SINKINGS; repeat += 1)
     {
-        if (pressed_regions__sink_wheel(tables, work, pair, side, penetration) == 0)
+        if (penetrated_regions__sink_wheel(tables, work, pair, side, penetration) == 0)
         {
             *out_0 = penetration;
             *count_out = 0;
@@ -2506,8 +2506,8 @@ static inline int64_t strip_contact__open_zones(array_double_1d tables, array_do
 {
     int64_t count, deepest;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
-    count = pressed_regions__gather_overlaps(tables, work, pair);
-    deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
+    count = penetrated_regions__gather_overlaps(tables, work, pair);
+    deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work);
     strip_surfaces__find_zones(tables, work, pair, count, AT(work, deepest + layout__DEEP_POINT_DEPTH));
     strip_surfaces__trace_zones(tables, work, pair, count);
     return count;
@@ -2609,7 +2609,7 @@ static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_d
     {
         back_gap = strip_runs__gap_beside(work, strip, AT(work, strip + layout__STRIP_LEAD) - away) - own;
         move = -strip_lengths__MOVED * (front + front_gap - back - back_gap) / (4.0 * AT(work, strip + layout__STRIP_A) * away);
-        AT(work, strip + layout__STRIP_NEXT_LEAD) += pressed__limited(move, strip_lengths__FARTHEST_MOVE * half);
+        AT(work, strip + layout__STRIP_NEXT_LEAD) += penetrated__limited(move, strip_lengths__FARTHEST_MOVE * half);
     }
     local = strip_pressures__local_displacement(work, tables, first, i);
     rise = double_max(0.5 * (front_gap + back_gap), strip_lengths__FLATTEST * AT(work, strip + layout__STRIP_A) * away * away);
@@ -2794,7 +2794,7 @@ static inline int64_t strip_levels__begin_runs(array_double_1d tables, array_dou
             station = strip_runs__run_station(work, run, AT(tables, waves + layout__WAVES_COS + i));
             j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
             AT(work, strip + layout__STRIP_AXIS) = strip_levels__level_length(work, j, station) / AT(tables, waves + layout__WAVES_SIN + i);
-            AT(work, strip + layout__STRIP_LEAD) = pressed__limited(AT(work, zone + layout__STRIP_ZONE_LEAN) * (station - AT(work, zone + layout__STRIP_ZONE_MIDDLE)), strip_levels__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS));
+            AT(work, strip + layout__STRIP_LEAD) = penetrated__limited(AT(work, zone + layout__STRIP_ZONE_LEAN) * (station - AT(work, zone + layout__STRIP_ZONE_MIDDLE)), strip_levels__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS));
         }
         strip_runs__raise_axes(work, first, (int64_t)AT(tables, waves + layout__WAVES_COUNT));
     }
@@ -3741,7 +3741,7 @@ static inline double strip_runs__run_station(array_double_1d work, int64_t run, 
  */
 static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x)
 {
-    return x * x * (AT(work, strip + layout__STRIP_A) + pressed__limited(AT(work, strip + layout__STRIP_SKEW) * x, AT(work, strip + layout__STRIP_ODD)));
+    return x * x * (AT(work, strip + layout__STRIP_A) + penetrated__limited(AT(work, strip + layout__STRIP_SKEW) * x, AT(work, strip + layout__STRIP_ODD)));
 }
 
 /* Wheel and rail under all strips, their half-lengths, widths and gaps; these as the smooth part of the
@@ -4435,7 +4435,7 @@ static OUT_OF_LINE void wear_places__profile_places(double* rail_out, double* wh
     double rail, wheel;
     rail = patch_places__abscissa_at(tables, work, pair, region, station - AT(work, region + layout__REGION_OFFSET) - AT(work, region + layout__REGION_STATION));
     wheel = AT(work, region + layout__REGION_WHEEL) + rail - AT(work, region + layout__REGION_RAIL);
-    if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), rail, wheel, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), pressed__NODE_SHARP))
+    if (penetrated__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), rail, wheel, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), penetrated__NODE_SHARP))
     {
         wheel = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_WHEEL);
     }

@@ -41,15 +41,10 @@ static inline void first_root__root_before(double* out_0, int64_t* out_1, array_
 static OUT_OF_LINE void own_bounds__bends_between(double* least_out, double* most_out, double* TOO_MANY_out, array_double_1d tables, int64_t profile, double low, double high);
 static OUT_OF_LINE void own_bounds__own_bounds(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, double low, double high, double least, double most);
 
-/* search/rising_cell.py */
-static ALWAYS_INLINE void rising_cell__rate_at_node(double* abscissa_out, double* bend_out, double* stretch_out, double* out_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
-static ALWAYS_INLINE void rising_cell__departure_from_line(double* out_0, double* change_share_out, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest);
-static OUT_OF_LINE bool rising_cell__rises_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell);
-
 /* search/roll.py */
 static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift);
 static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll);
-static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll);
+static inline int64_t roll__roll_rails(array_double_1d work, array_double_1d tables, int64_t inputs, double roll);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
 static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline bool roll__search_both(array_double_1d work, array_double_1d tables, bool known);
@@ -60,6 +55,11 @@ static inline bool roll__on_profiles(array_double_1d tables, int64_t pair, doubl
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
 static inline void roll__roll_between(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known);
 static inline void roll__any_roll(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
+
+/* search/single_minimum.py */
+static ALWAYS_INLINE void single_minimum__rate_at_node(double* abscissa_out, double* bend_out, double* stretch_out, double* out_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
+static ALWAYS_INLINE void single_minimum__departure_from_line(double* out_0, double* change_share_out, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest);
+static OUT_OF_LINE bool single_minimum__rises_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell);
 
 /* search/smallest_gap.py */
 static inline int64_t smallest_gap__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
@@ -546,7 +546,7 @@ static inline bool first_root__is_beside_rail(array_double_1d tables, array_doub
     if (low >= 0)
     {
         reach = bounds__REACH_SHARE * sine * sine * AT(tables, pair + layout__PAIR_RADIUS) * AT(tables, scan + layout__SCAN_STEEPEST);
-        reach += first_root__LEANING_SHARE * AT(tables, pair + layout__PAIR_RADIUS) * fabs(AT(work, at + layout__PLACE_RAIL_SIN));
+        reach += first_root__ROLLED_RAIL_SHARE * AT(tables, pair + layout__PAIR_RADIUS) * fabs(AT(work, at + layout__PLACE_RAIL_SIN));
         furthest = AT(work, at + layout__PLACE_SHIFT) + AT(tables, layout__TABLES_ARM) + AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * high + layout__SCAN_NODE_Y) + reach;
         if (furthest > AT(tables, pair + layout__PAIR_RAIL_Y) + AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START))
         {
@@ -568,7 +568,7 @@ static inline bool first_root__is_certainly_first(array_double_1d work, array_do
     double sine, turned, known;
     bool certain;
     sine = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW);
-    turned = fabs(roll) + first_root__LEANING_SHARE * double_max(fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN)), fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN)));
+    turned = fabs(roll) + first_root__ROLLED_RAIL_SHARE * double_max(fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN)), fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_RAIL_SIN)));
     certain = false;
     if (roll < 0.0)
     {
@@ -927,93 +927,6 @@ static OUT_OF_LINE void own_bounds__own_bounds(double* out_0, double* out_1, arr
 }
 
 
-/* ---- From search/rising_cell.py; change that one.
- *
- * Whether a cell of the raster holds one minimum of the gap at most.
- *
- * The bounds of ``bounds.py`` hold for stretches that begin anywhere in a cell of the rail, and so count a joint
- * of the rail that lies beyond the cell of the wheel.  Where they say too little about the cell of a known
- * minimum, both its ends say more: the rate at which the slope difference rises is known there, and in between
- * it follows a straight line but for a departure that tables bound (prepare/scan_bends.py), and for a jump where
- * there is a joint.
- */
-
-/* Rail abscissa [m], the rail's bend [1/m], how much the outline is stretched [-], and the rate at which
- * the slope difference rises along the wheel [1/m], at a node of the raster.
- */
-static ALWAYS_INLINE void rising_cell__rate_at_node(double* abscissa_out, double* bend_out, double* stretch_out, double* out_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
-{
-    double y_track, z_track, outline_slope, stretch, rate, abscissa, height, slope, bend;
-    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, at, AT(tables, node + layout__SCAN_NODE_Y), AT(tables, node + layout__SCAN_NODE_HEIGHT), AT(tables, node + layout__SCAN_NODE_SLOPE), AT(tables, node + layout__SCAN_NODE_BEND));
-    abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
-    tables__height_slope_bend(&height, &slope, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
-    *abscissa_out = abscissa;
-    *bend_out = bend;
-    *stretch_out = stretch;
-    *out_3 = bend * stretch - rate;
-}
-
-/* By how much the rate may depart from a straight line [1/m] up to the next node, but for the rail's
- * change, if wheel and rail do by ``rest``; and the share of that change which comes on top [-].
- */
-static ALWAYS_INLINE void rising_cell__departure_from_line(double* out_0, double* change_share_out, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest)
-{
-    double share, change_share, stretch;
-    share = rising_cell__CELL_SHARE;
-    change_share = rising_cell__CELL_SHARE;
-    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
-    {
-        stretch = AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_RADIUS) * AT(tables, node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
-        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * stretch;
-        change_share += stretch;
-    }
-    *out_0 = rising_cell__LEAST_DEPARTURE + (1.0 + share) * rest + rising_cell__WHEEL_SHARE * AT(tables, node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
-    *change_share_out = change_share;
-}
-
-/* Whether the slope difference certainly rises all the way from node ``cell`` to the next one, and both
- * are above the rail.
- */
-static OUT_OF_LINE bool rising_cell__rises_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell)
-{
-    int64_t scan, node, rail, joint;
-    double first, first_bend, stretch, first_rate, last, last_bend, last_stretch, last_rate, length, share, jump, rest, departure, change_share, before, least;
-    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
-    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * cell;
-    rising_cell__rate_at_node(&first, &first_bend, &stretch, &first_rate, tables, work, pair, at, node);
-    rising_cell__rate_at_node(&last, &last_bend, &last_stretch, &last_rate, tables, work, pair, at, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (cell + 1));
-    length = last - first;
-    if (!(first_rate > 0.0 && last_rate > 0.0 && length > 0.0 && length < rising_cell__WIDEST_CELL && gap__above_rail(tables, pair, first) && gap__above_rail(tables, pair, last)))
-    {
-        return false;
-    }
-    rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, first));
-    joint = (int64_t)AT(tables, rail + layout__RAIL_CELL_JOINT);
-    while (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) < first)
-    {
-        joint += 1;
-    }
-    share = 1.0;
-    jump = 0.0;
-    if (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) <= last)
-    {
-        share = (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) - first) / length;
-        jump = AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_JUMP);
-        if (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * (joint + 1) + layout__RAIL_JOINT_PLACE) <= last)
-        {
-            return false;
-        }
-    }
-    rest = AT(tables, node + layout__SCAN_NODE_DEPARTURE) + length * (0.125 * length * AT(tables, rail + layout__RAIL_CELL_WAVE) + 0.25 * AT(tables, rail + layout__RAIL_CELL_KINKS));
-    rising_cell__departure_from_line(&departure, &change_share, tables, work, at, node, rest);
-    departure += change_share * (fabs(last_bend - jump - first_bend) + fabs(jump));
-    before = first_rate + share * (last_rate - jump * stretch - first_rate);
-    least = double_min(double_min(first_rate, last_rate), double_min(before, before + jump * stretch));
-    /* where the outline is stretched by so much, it may be folded */
-    return least > departure && change_share < bounds__WIDEST;
-}
-
-
 /* ---- From search/roll.py; change that one.
  *
  * The roll of the wheelset: the angle at which both wheels have the same smallest gap.
@@ -1062,16 +975,16 @@ static inline int64_t roll__place_both(array_double_1d work, array_double_1d tab
     }
     if (AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL) != 0.0)
     {
-        roll__lean_both(work, tables, inputs, roll);
+        roll__roll_rails(work, tables, inputs, roll);
     }
     return 0;
 }
 
 /* Let both rails have their roll below wheels that are placed at ``roll``. */
-static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll)
+static inline int64_t roll__roll_rails(array_double_1d work, array_double_1d tables, int64_t inputs, double roll)
 {
-    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RAIL_Y), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL));
-    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y), -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL));
+    rails__roll_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RAIL_Y), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL));
+    rails__roll_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y), -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL));
     roll__turn_both(work, roll);
     return 0;
 }
@@ -1088,8 +1001,8 @@ static inline int64_t roll__turn_both(array_double_1d work, double roll)
     locus__mirror_roll(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
     {
-        rails__turn_leaning(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE);
-        rails__turn_leaning(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
+        rails__turn_rolled_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE);
+        rails__turn_rolled_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE);
     }
     return 0;
 }
@@ -1400,6 +1313,93 @@ static inline void roll__any_roll(double* roll_out, int64_t* status_out, array_d
     }
     *roll_out = roll;
     *status_out = status;
+}
+
+
+/* ---- From search/single_minimum.py; change that one.
+ *
+ * Whether a cell of the raster holds one minimum of the gap at most.
+ *
+ * The bounds of ``bounds.py`` hold for stretches that begin anywhere in a cell of the rail, and so count a joint
+ * of the rail that lies beyond the cell of the wheel.  Where they say too little about the cell of a known
+ * minimum, both its ends say more: the rate at which the slope difference rises is known there, and in between
+ * it follows a straight line but for a departure that tables bound (prepare/scan_bends.py), and for a jump where
+ * there is a joint.
+ */
+
+/* Rail abscissa [m], the rail's bend [1/m], how much the outline is stretched [-], and the rate at which
+ * the slope difference rises along the wheel [1/m], at a node of the raster.
+ */
+static ALWAYS_INLINE void single_minimum__rate_at_node(double* abscissa_out, double* bend_out, double* stretch_out, double* out_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
+{
+    double y_track, z_track, outline_slope, stretch, rate, abscissa, height, slope, bend;
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, at, AT(tables, node + layout__SCAN_NODE_Y), AT(tables, node + layout__SCAN_NODE_HEIGHT), AT(tables, node + layout__SCAN_NODE_SLOPE), AT(tables, node + layout__SCAN_NODE_BEND));
+    abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
+    tables__height_slope_bend(&height, &slope, &bend, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa);
+    *abscissa_out = abscissa;
+    *bend_out = bend;
+    *stretch_out = stretch;
+    *out_3 = bend * stretch - rate;
+}
+
+/* By how much the rate may depart from a straight line [1/m] up to the next node, but for the rail's
+ * change, if wheel and rail do by ``rest``; and the share of that change which comes on top [-].
+ */
+static ALWAYS_INLINE void single_minimum__departure_from_line(double* out_0, double* change_share_out, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest)
+{
+    double share, change_share, stretch;
+    share = single_minimum__CELL_SHARE;
+    change_share = single_minimum__CELL_SHARE;
+    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
+    {
+        stretch = AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_RADIUS) * AT(tables, node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
+        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * stretch;
+        change_share += stretch;
+    }
+    *out_0 = single_minimum__LEAST_DEPARTURE + (1.0 + share) * rest + single_minimum__WHEEL_SHARE * AT(tables, node + layout__SCAN_NODE_STEEPEST_BENDS + 0);
+    *change_share_out = change_share;
+}
+
+/* Whether the slope difference certainly rises all the way from node ``cell`` to the next one, and both
+ * are above the rail.
+ */
+static OUT_OF_LINE bool single_minimum__rises_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell)
+{
+    int64_t scan, node, rail, joint;
+    double first, first_bend, stretch, first_rate, last, last_bend, last_stretch, last_rate, length, share, jump, rest, departure, change_share, before, least;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * cell;
+    single_minimum__rate_at_node(&first, &first_bend, &stretch, &first_rate, tables, work, pair, at, node);
+    single_minimum__rate_at_node(&last, &last_bend, &last_stretch, &last_rate, tables, work, pair, at, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (cell + 1));
+    length = last - first;
+    if (!(first_rate > 0.0 && last_rate > 0.0 && length > 0.0 && length < single_minimum__WIDEST_CELL && gap__above_rail(tables, pair, first) && gap__above_rail(tables, pair, last)))
+    {
+        return false;
+    }
+    rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, first));
+    joint = (int64_t)AT(tables, rail + layout__RAIL_CELL_JOINT);
+    while (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) < first)
+    {
+        joint += 1;
+    }
+    share = 1.0;
+    jump = 0.0;
+    if (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) <= last)
+    {
+        share = (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) - first) / length;
+        jump = AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_JUMP);
+        if (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * (joint + 1) + layout__RAIL_JOINT_PLACE) <= last)
+        {
+            return false;
+        }
+    }
+    rest = AT(tables, node + layout__SCAN_NODE_DEPARTURE) + length * (0.125 * length * AT(tables, rail + layout__RAIL_CELL_WAVE) + 0.25 * AT(tables, rail + layout__RAIL_CELL_KINKS));
+    single_minimum__departure_from_line(&departure, &change_share, tables, work, at, node, rest);
+    departure += change_share * (fabs(last_bend - jump - first_bend) + fabs(jump));
+    before = first_rate + share * (last_rate - jump * stretch - first_rate);
+    least = double_min(double_min(first_rate, last_rate), double_min(before, before + jump * stretch));
+    /* where the outline is stretched by so much, it may be folded */
+    return least > departure && change_share < bounds__WIDEST;
 }
 
 
@@ -1734,7 +1734,7 @@ static inline bool smallest_gap__search_side(array_double_1d tables, array_doubl
         cell = bounds__node_below(tables, scan, AT(work, side + layout__SIDE_SEARCH_BEST_Y));
         ahead = bounds__rising_from_minimum(tables, work, scan, at, AT(work, side + layout__SIDE_SEARCH_BEST_Y), 1, AT(work, side + layout__SIDE_SEARCH_BEST_RAIL));
         behind = bounds__rising_from_minimum(tables, work, scan, at, AT(work, side + layout__SIDE_SEARCH_BEST_Y), -1, AT(work, side + layout__SIDE_SEARCH_BEST_RAIL));
-        if ((ahead >= 0 && behind >= 0) || rising_cell__rises_in_cell(tables, work, pair, at, cell))
+        if ((ahead >= 0 && behind >= 0) || single_minimum__rises_in_cell(tables, work, pair, at, cell))
         {
             smallest_gap__walk(tables, work, pair, side, cell + smallest_gap__first_step(ahead), 1);
             smallest_gap__walk(tables, work, pair, side, cell + 1 - smallest_gap__first_step(behind), -1);

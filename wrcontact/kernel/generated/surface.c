@@ -28,8 +28,8 @@ static inline int64_t rails__move_rail(array_double_1d work, int64_t place, doub
 static inline bool rails__is_sprung(array_double_1d tables, int64_t index);
 static inline bool rails__on_springs(array_double_1d tables);
 static inline int64_t rails__deflect_rail(array_double_1d work, int64_t place, int64_t deflection);
-static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, double rail_y, double angle);
-static inline int64_t rails__turn_leaning(array_double_1d work, int64_t place);
+static inline int64_t rails__roll_rail(array_double_1d work, int64_t place, double rail_y, double angle);
+static inline int64_t rails__turn_rolled_rail(array_double_1d work, int64_t place);
 static inline void rails__pitch_of_frame(double* sine_out, double* cosine_out, array_double_1d work, int64_t place);
 static inline double rails__upright_share(array_double_1d work, int64_t place, double cosine, double sine);
 static inline void rails__on_track(double* out_0, double* out_1, array_double_1d work, int64_t place, double rail_y, double y, double z);
@@ -426,7 +426,7 @@ static inline double locus__outline_x(array_double_1d tables, array_double_1d wo
  * axle has another yaw and roll, its centre is elsewhere, and down is not the frame's vertical: how far the
  * wheelset has come down moves it sideways too. A place therefore holds for one vertical shift, its
  * ``reference``; the frame's vertical gap is the way down from there to first order only, and where the gap is
- * sought, the reference follows it (wheelset/leaning.py).
+ * sought, the reference follows it (wheelset/rolled_rails.py).
  */
 
 /* Let the rail below a placed wheel be displaced to the field side by ``lateral`` and down by
@@ -466,9 +466,9 @@ static inline int64_t rails__deflect_rail(array_double_1d work, int64_t place, i
 }
 
 /* Let the rail below a placed wheel roll by ``angle`` [rad], field side down, about its highest point,
- * whose nominal place is ``rail_y`` [m]; turn_leaning has to follow.
+ * whose nominal place is ``rail_y`` [m]; turn_rolled_rail has to follow.
  */
-static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, double rail_y, double angle)
+static inline int64_t rails__roll_rail(array_double_1d work, int64_t place, double rail_y, double angle)
 {
     double sine, cosine, across, down;
     circle__sine_cosine(&sine, &cosine, angle);
@@ -488,7 +488,7 @@ static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, doub
 /* Yaw and roll that a placed wheelset has in the frame of its rolled rail: those of its axle, since a
  * wheel is round.
  */
-static inline int64_t rails__turn_leaning(array_double_1d work, int64_t place)
+static inline int64_t rails__turn_rolled_rail(array_double_1d work, int64_t place)
 {
     double sin_roll, cos_roll, along, level, across, sine, cosine;
     sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
