@@ -287,8 +287,8 @@ LAWS = [
     ),
     (
         "stick_weight",
-        "integration.weight * patch.strips[i].width",
-        "patch.strips[i].width",
+        "                * integration.weight\n                * patch.strips[i].width",
+        "                * patch.strips[i].width",
         "a stick zone that fades sticks whole",
         THEORY,
         STRIPS,

@@ -130,6 +130,12 @@ PLACES = {
 }
 
 
+#: What a failure ends with.
+GENERATED = (
+    "`make kernel` and then `make pages` write value_references.csv, nomenclature.md and command_line.md"
+)
+
+
 def constant_of(method):
     """The kernel's constant of a method: MODE_RIGID."""
     return f"{method.family.constant}_{method.name.upper()}"
@@ -166,12 +172,13 @@ def things():
 
 
 def test_everything_is_in_all_its_places():
-    lacking = [
-        f"the {kind} {getattr(one, 'name', one)} is missing in {', '.join(places)}"
+    lacking = {
+        f"the {kind} {folded(one)[0] if kind == 'output' else getattr(one, 'name', one)} is missing in {', '.join(places)}"
         for kind, one in things()
         if (places := missing(kind, one))
-    ]
-    assert lacking == []
+    }
+    if lacking:
+        pytest.fail("\n".join([*sorted(lacking), GENERATED]), pytrace=False)
 
 
 class Nowhere:
