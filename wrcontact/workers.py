@@ -9,12 +9,16 @@ from multiprocessing.spawn import get_preparation_data
 
 from .results.convert import needed
 
-#: Time in which a scheduler must answer [s].
-PATIENCE = 10
+#: Time in which a scheduler must answer, and in which it must have a worker [s].
+PATIENCE, ARRIVAL = 10, 30
+
+
+class ProcessEnded(RuntimeError):
+    """A process of a pool has ended before its work was done."""
 
 
 @contextmanager
-def process_pool(count, broken, begin=None, arguments=()):
+def process_pool(count, begin=None, arguments=(), remark=""):
     """A pool of ``count`` new processes, closed in the end; what has not begun then is not done.
 
     An interrupt ends the process that hands out the work alone. Each process calls ``begin(*arguments)`` before its
@@ -23,9 +27,11 @@ def process_pool(count, broken, begin=None, arguments=()):
 
     Raises
     ------
+    ProcessEnded
+        if a process ends early, with the ``remark`` behind the sentence.
     RuntimeError
-        in the words ``broken`` if a process ends early, and by multiprocessing, before any process is there, if the
-        script that calls this runs it again in each process.
+        by multiprocessing, before any process is there, if the script that calls this runs it again in each
+        process.
     """
     get_preparation_data("")
     context = multiprocessing.get_context("spawn")
@@ -33,7 +39,10 @@ def process_pool(count, broken, begin=None, arguments=()):
     try:
         yield pool
     except BrokenProcessPool:
-        raise RuntimeError(broken) from None
+        raise ProcessEnded(
+            f"a process of {count} has ended early: there is too little memory, or the call does not stand below "
+            f"\"if __name__ == '__main__':\" in a script{remark}"
+        ) from None
     finally:
         pool.shutdown(cancel_futures=True)
 
@@ -71,6 +80,14 @@ def dask_client(scheduler):
         yield client
     finally:
         client.close()
+
+
+def await_workers(client):
+    """RuntimeError where the scheduler of a Dask client has no workers for some time."""
+    try:
+        client.wait_for_workers(1, ARRIVAL)
+    except TimeoutError:
+        raise RuntimeError(f"the scheduler {client.scheduler.address} has no workers") from None
 
 
 def results(executor, most, function, tasks):

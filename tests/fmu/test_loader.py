@@ -15,7 +15,8 @@ import pytest
 from fmpy import read_model_description
 
 import wrcontact
-from tests.helpers.fmus import FMI_HEADERS, needs_glibc
+from tests.helpers.fmi_host import HEADERS
+from tests.helpers.fmus import needs_glibc
 from tests.helpers.paths import HELPERS
 from wrcontact.fmu import SOURCES, build
 from wrcontact.kernel.binding.compiler import LOADER_NAME, CompilerProblem, compile_loader
@@ -37,7 +38,7 @@ def host(fmu, tmp_path_factory):
     folder = tmp_path_factory.mktemp("host")
     source = HELPERS / "python_fmu_host.c"
     subprocess.run(
-        ["cc", "-std=gnu11", "-O1", f"-I{FMI_HEADERS}", str(source), "-o", "host", "-ldl"],
+        ["cc", "-std=gnu11", "-O1", f"-I{HEADERS}", str(source), "-o", "host", "-ldl"],
         cwd=folder,
         check=True,
     )

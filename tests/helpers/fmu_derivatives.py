@@ -2,18 +2,13 @@
 
 import math
 
-from fmi_host import refused
-
 
 def rates(fmu, row, outputs, inputs):
     """Derivatives at one row, a list for each input."""
     instance = fmu.running()
     instance.step(**row)
     unknowns = [fmu.references[name] for name in outputs]
-    return [
-        list(instance.slave.getDirectionalDerivative(unknowns, [fmu.references[name]], [1.0]))
-        for name in inputs
-    ]
+    return [instance.derivative(unknowns, [fmu.references[name]], [1.0]) for name in inputs]
 
 
 def derivatives(fmu, rows, outputs, inputs, start, stations=31):
@@ -22,23 +17,22 @@ def derivatives(fmu, rows, outputs, inputs, start, stations=31):
     unknowns, knowns = ([fmu.references[name] for name in names] for names in (outputs, inputs))
     count = sum(stations if fmu.variables[name].dimensions else 1 for name in outputs)
 
-    def along(slave, knowns, seed, unknowns=unknowns, count=count):
-        sized = {"nSensitivity": count} if fmu.version == 3 else {}
-        return list(slave.getDirectionalDerivative(unknowns, knowns, seed, **sized))
+    def along(instance, knowns, seed, unknowns=unknowns, count=count):
+        return instance.derivative(unknowns, knowns, seed, count)
 
-    def matrix(slave):
-        return [along(slave, [known], [1.0]) for known in knowns]
+    def matrix(instance):
+        return [along(instance, [known], [1.0]) for known in knowns]
+
+    def adjoint(instance, knowns, seed):
+        return instance.derivative(unknowns, knowns, seed, len(knowns), adjoint=True)
 
     instance, seen = fmu.running(stations=stations, **start), []
-    slave = instance.slave
     for row in rows:
         instance.step(**row)
         values, before = instance.get(), instance.saved()
-        found = {"matrix": matrix(slave), "together": along(slave, knowns, [1.0] * len(knowns))}
+        found = {"matrix": matrix(instance), "together": along(instance, knowns, [1.0] * len(knowns))}
         if fmu.version == 3:
-            found["adjoint"] = slave.getAdjointDerivative(
-                unknowns, knowns, [1.0] * count, nSensitivity=len(knowns)
-            )
+            found["adjoint"] = adjoint(instance, knowns, [1.0] * count)
         found["kept"] = instance.saved() == before and instance.get() == values
         seen.append(found)
     early, fresh = fmu.instance(), fmu.instance()
@@ -63,16 +57,13 @@ def derivatives(fmu, rows, outputs, inputs, start, stations=31):
             "too few sensitivities": (one, [1.0], unknowns, count - 1),
         }
     instance.told()
-    answers = {name: (refused(along, slave, *call), instance.told()) for name, call in calls.items()}
+    answers = {name: instance.status_of(along, instance, *call) for name, call in calls.items()}
     if fmu.version == 3:
-        answers["too many seeds"] = (
-            refused(slave.getAdjointDerivative, unknowns, one, [1.0] * (count + 1)),
-            instance.told(),
-        )
-    answers["too early"] = refused(along, fresh.slave, one, [1.0]), fresh.told()
+        answers["too many seeds"] = instance.status_of(adjoint, instance, one, [1.0] * (count + 1))
+    answers["too early"] = fresh.status_of(along, fresh, one, [1.0])
     return {
         "seen": seen,
-        "inside": matrix(early.slave),
+        "inside": matrix(early),
         "calls": answers,
-        "after": matrix(slave) == seen[-1]["matrix"],
+        "after": matrix(instance) == seen[-1]["matrix"],
     }

@@ -3,8 +3,6 @@
 import fmpy
 import numpy as np
 
-from fmi_host import refused
-
 
 def points(fmu, rows, names, start=None):
     """Outputs at every row of inputs, read in continuous-time mode and in event mode without any other
@@ -14,7 +12,7 @@ def points(fmu, rows, names, start=None):
     for row in rows:
         instance.set(**row)
         seen.append(instance.get(*names))
-    instance.slave.enterEventMode()
+    instance.call("EnterEventMode")
     ended = []
     for row in rows:
         instance.set(**row)
@@ -54,7 +52,7 @@ def foreign_states(fmu, rows):
         other = fmu.running("other")
         other.told()
         answers[str(exchange)] = (
-            refused(other.restore, saved),
+            other.refuses(other.restore, saved),
             other.told(),
             other.go_on(rows)[-1] == before,
         )

@@ -42,10 +42,10 @@ def first_instant(fmu, start=None):
     """Outputs before any step, at the default inputs and at others."""
     plain = fmu.running().get()
     instance = fmu.instance()
-    instance.slave.enterInitializationMode()
+    instance.enter()
     instance.set(**(start or {}))
     inside = instance.get()
-    instance.slave.exitInitializationMode()
+    instance.leave()
     return {"default": plain, "in_initialisation": inside, "after_initialisation": instance.get()}
 
 
@@ -153,9 +153,9 @@ def refusals(fmu, cases):
     for name, start in cases.items():
         instance = fmu.instance(name)
         instance.set(**start)
-        failed = instance.refuses(instance.slave.enterInitializationMode)
+        failed = instance.refuses(instance.enter)
         answers[name] = {"refused": failed, "log": instance.told()}
-        instance.slave.reset()
+        instance.reset()
         instance.initialise()
         instance.step(lateral_shift=1e-3)
         answers[name]["after"] = instance.get("roll", "status")

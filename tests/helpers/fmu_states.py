@@ -9,7 +9,7 @@ import threading
 from pathlib import Path
 
 from damages import damages
-from fmi_host import Fmu, refused
+from fmi_host import Fmu
 
 
 def saved_states(fmu, rows, start, taken=5):
@@ -17,13 +17,13 @@ def saved_states(fmu, rows, start, taken=5):
     one = fmu.running("one", **start)
     one.go_on(rows[:taken])
     before = one.get()
-    state = one.state("take")
-    saved = bytes(one.state("pack", state))
+    state = one.take()
+    saved = one.pack(state)
     straight = one.go_on(rows[taken:])
-    one.state("set", state)
+    one.go_back(state)
     restored = one.get()
     back = one.go_on(rows[taken:])
-    one.state("free", state)
+    one.drop(state)
     other = fmu.instance("other")
     other.restore(saved)
     elsewhere = other.go_on(rows[taken:])
@@ -119,7 +119,7 @@ def reset(fmu, start):
     instance = fmu.running(**start)
     instance.step(lateral_shift=5e-3)
     first = instance.get()
-    instance.slave.reset()
+    instance.reset()
     values = instance.get(*start, "lateral_shift")
     instance.set(**start)
     instance.initialise()
@@ -149,11 +149,8 @@ def instances(fmu, parameters, rows):
     for k in range(30):
         one = fmu.running(f"one of many {k}")
         one.step(lateral_shift=1e-3)
-        one.slave.terminate()
-        if fmu.version == 2:  # fmpy's own also unloads the library
-            one.slave.fmi2FreeInstance(one.slave.component)
-        else:
-            one.slave.fmi3FreeInstance(one.slave.component)
+        one.terminate()
+        one.free()
     return {"together": seen, "alone": alone, "parallel": parallel}
 
 
@@ -161,6 +158,6 @@ def vanished_folder(fmu, again, elsewhere):
     """An instance is refused, its folder removed, and the FMU unpacked again elsewhere."""
     instance = fmu.instance()
     instance.set(contact_mode="nonsense")
-    refused(instance.slave.enterInitializationMode)
+    assert instance.refuses(instance.enter)
     shutil.rmtree(fmu.folder)
     return Fmu(again, elsewhere).running("second").get("status", "roll")

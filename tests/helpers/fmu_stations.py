@@ -4,8 +4,6 @@ import math
 
 import fmpy
 
-from fmi_host import refused
-
 
 def outlines(fmu, stations, rows, start):
     """All outputs after each row of inputs, for each number of stations, with the parameters ``start``; the
@@ -29,15 +27,15 @@ def stations_again(fmu, stations, other, rows):
     before = one.get("left.station", "right.pressure")
     one.step(lateral_shift=math.nan)
     kept = one.get("left.station", "right.pressure"), one.get("status")
-    state = one.state("take")
-    saved = one.state("pack", state)
+    state = one.take()
+    saved = one.pack(state)
     straight = one.go_on(rows[10:])
-    one.state("set", state)
+    one.go_back(state)
     held = one.get("left.station", "right.pressure")
     back = one.go_on(rows[10:])
     elsewhere.restore(saved)
     elsewhere.stations = stations
-    one.state("free", state)
+    one.drop(state)
     return {
         "before": before,
         "kept": kept,
@@ -52,16 +50,16 @@ def stations_again(fmu, stations, other, rows):
 def configuration(fmu):
     """What configuration mode takes and what it refuses, with the log of each; and what there is after it."""
     instance = fmu.instance()
-    slave, left = instance.slave, fmu.references["left.station"]
+    left = [fmu.references["left.station"]]
     answers = {}
 
     def attempt(name, call, *arguments, **named):
-        answers[name] = refused(call, *arguments, **named), instance.told()
+        answers[name] = instance.status_of(call, *arguments, **named)
 
     attempt("not entered", instance.set, stations=61)
-    attempt("left, not entered", slave.exitConfigurationMode)
-    slave.enterConfigurationMode()
-    attempt("entered twice", slave.enterConfigurationMode)
+    attempt("left, not entered", instance.call, "ExitConfigurationMode")
+    instance.call("EnterConfigurationMode")
+    attempt("entered twice", instance.call, "EnterConfigurationMode")
     for wrong in (0, 2, 202, 2**64 - 1):
         attempt(f"{wrong}", instance.set, stations=wrong)
     attempt("another parameter", instance.set, gauge=1.43)
@@ -69,37 +67,37 @@ def configuration(fmu):
     attempt("an input", instance.set, yaw=0.01)
     attempt("an output", instance.get, "roll")
     attempt("an integer", instance.get, "status")
-    attempt("as Float64", slave.getFloat64, [fmu.references["stations"]])
-    attempt("time as UInt64", slave.getUInt64, [1])
-    attempt("an output as UInt64", slave.getUInt64, [left])
-    attempt("initialisation", slave.enterInitializationMode)
-    attempt("a step", slave.doStep, 0.0, 1e-3)
+    attempt("as Float64", instance.read, "Float64", [fmu.references["stations"]])
+    attempt("time as UInt64", instance.read, "UInt64", [1])
+    attempt("an output as UInt64", instance.read, "UInt64", left)
+    attempt("initialisation", instance.enter)
+    attempt("a step", instance.do_step)
     kept = instance.get("stations")
     instance.set(stations=7)
-    slave.exitConfigurationMode()
-    attempt("too early", slave.getFloat64, [left], nValues=7)
+    instance.call("ExitConfigurationMode")
+    attempt("too early", instance.read, "Float64", left, 7)
     attempt("fixed outside", instance.set, stations=31)
     instance.set(stations=7)
-    slave.enterInitializationMode()
-    attempt("31 values", slave.getFloat64, [left], nValues=31)
-    after = slave.getFloat64([left], nValues=7)
-    attempt("while initialising", slave.enterConfigurationMode)
-    slave.exitInitializationMode()
-    attempt("while running", slave.enterConfigurationMode)
-    attempt("8 values", slave.getFloat64, [left], nValues=8)
+    instance.enter()
+    attempt("31 values", instance.read, "Float64", left, 31)
+    after = instance.read("Float64", left, 7)
+    attempt("while initialising", instance.call, "EnterConfigurationMode")
+    instance.leave()
+    attempt("while running", instance.call, "EnterConfigurationMode")
+    attempt("8 values", instance.read, "Float64", left, 8)
     instance.stations = 7
-    running = slave.getFloat64([left], nValues=7)
-    slave.terminate()
+    running = instance.read("Float64", left, 7)
+    instance.terminate()
     attempt("after the end", instance.set, stations=7)
-    slave.reset()
+    instance.reset()
     reset, instance.stations = instance.get("stations"), 31
-    slave.enterInitializationMode()
-    slave.exitInitializationMode()
+    instance.enter()
+    instance.leave()
     again = instance.get()
-    slave.reset()
+    instance.reset()
     instance.configure(201)
-    slave.reset()
-    slave.enterInitializationMode()
+    instance.reset()
+    instance.enter()
     instance.stations = 31
     return {
         "calls": answers,

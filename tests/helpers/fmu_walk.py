@@ -12,19 +12,19 @@ from walker import HOME, Walker
 
 def endurance(fmu, steps):
     """Memory before and after many steps with all their reading, and saved states now and then."""
-    slave = fmu.running().slave
-    reals = [v.valueReference for v in fmu.variables.values() if v.causality == "output" and v.type == "Real"]
+    instance = fmu.running()
+    reals = [v.valueReference for v in fmu.of("output", "Real")]
     references, values = (c_uint * len(reals))(*reals), (c_double * len(reals))()
 
     def run(count):
         for k in range(count):
-            slave.setReal([0, 1], [5e-3 * (k % 101 - 50) / 50, 1e-4 * (k % 7)])
-            slave.doStep(0.0, 1e-3)
-            slave.fmi2GetReal(slave.component, references, len(reals), values)
+            instance.write("Real", [0, 1], [5e-3 * (k % 101 - 50) / 50, 1e-4 * (k % 7)])
+            instance.do_step()
+            instance.call("GetReal", references, len(reals), values)
             if k % 100 == 0:
-                state = slave.getFMUstate()
-                slave.setFMUstate(state)
-                slave.freeFMUstate(state)
+                state = instance.take()
+                instance.go_back(state)
+                instance.drop(state)
 
     run(steps // 10)
     gc.collect()
@@ -38,12 +38,8 @@ def walk(fmu, seed, steps, resumed=False):
     """A random walk, now and then going on from a saved state: what was seen on it, as
     the C host's walks (tests/fmu/native/host.c)."""
     instance, elsewhere = fmu.running(logging=False), Walker(~seed % 2**64)
-    reference = {name: variable.valueReference for name, variable in fmu.variables.items()}
-    reals = [
-        v.valueReference
-        for v in fmu.variables.values()
-        if v.causality == "output" and v.type == "Real" and not v.name.startswith("equilibrium.")
-    ]
+    reference, outputs = fmu.references, fmu.of("output", "Real")
+    reals = [v.valueReference for v in outputs if not v.name.startswith("equilibrium.")]
     references, values = (c_uint * len(reals))(*reals), (c_double * len(reals))()
     angle, place, twin = (
         reals.index(reference[f"right.{name}"])
@@ -58,12 +54,11 @@ def walk(fmu, seed, steps, resumed=False):
             before, instance = instance, part(fmu, instance, elsewhere)
             seen["partings"] += 1
             seen["made"] += instance is not before
-        slave = instance.slave
-        slave.setReal([0, 1, 2, 3, 4], row)
-        slave.doStep(0.0, 1e-3)
-        slave.fmi2GetReal(slave.component, references, len(reals), values)
+        instance.write("Real", [0, 1, 2, 3, 4], row)
+        instance.do_step()
+        instance.call("GetReal", references, len(reals), values)
         digest.update(values)
-        if slave.getInteger([reference["status"]]) != [0] or not math.isfinite(math.fsum(values)):
+        if instance.read("Integer", [reference["status"]]) != [0] or not math.isfinite(math.fsum(values)):
             first_bad = first_bad or list(row)
             seen["bad"] += 1
         seen["flange"] += values[angle] > 1.0  # [rad]
@@ -103,23 +98,22 @@ PARTING = 500  # steps from one saved state of a walk to the next, in the mean
 def part(fmu, instance, elsewhere):
     """The instance that goes on from the saved state: this one after steps elsewhere or a
     reset, or another one."""
-    slave, kind = instance.slave, int(1.5 + 1.5 * elsewhere.draw())
-    state = slave.getFMUstate()
+    kind = int(1.5 + 1.5 * elsewhere.draw())
+    state = instance.take()
     if kind < 2:
         for k in range(4):
             elsewhere.move()
-            slave.setReal([0, 1, 2, 3, 4], [math.nan] * 5 if k == 2 else elsewhere.at)
-            slave.doStep(0.0, 1e-3)
-            slave.getReal([fmu.variables["roll"].valueReference])
+            instance.write("Real", [0, 1, 2, 3, 4], [math.nan] * 5 if k == 2 else elsewhere.at)
+            instance.do_step()
+            instance.get("roll")
         if kind == 1:
-            slave.reset()
+            instance.reset()
     else:
-        saved = slave.serializeFMUstate(state)
-        slave.freeFMUstate(state)
-        slave.fmi2FreeInstance(slave.component)  # fmpy's own also unloads the library
+        saved = instance.pack(state)
+        instance.drop(state)
+        instance.free()
         instance = fmu.instance(logging=False)
-        slave = instance.slave
-        state = slave.deSerializeFMUstate(saved)
-    slave.setFMUstate(state)
-    slave.freeFMUstate(state)
+        state = instance.unpack(saved)
+    instance.go_back(state)
+    instance.drop(state)
     return instance

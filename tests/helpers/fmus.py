@@ -1,7 +1,6 @@
 """How tests run an FMU in a fresh process, and what they compare its outputs with."""
 
 import json
-import re
 import shutil
 import subprocess
 import sys
@@ -10,11 +9,11 @@ import time
 import zipfile
 from pathlib import Path
 
-import fmpy
 import numpy as np
 import pytest
 
 from tests.helpers.cases import INPUT_NAMES
+from tests.helpers.fmi_host import signatures
 from tests.helpers.paths import HELPERS
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
@@ -122,9 +121,6 @@ def assert_same(found, wanted, tolerance=SAME):
         assert found[name] == pytest.approx(value, rel=tolerance, abs=tolerance * nominal), name
 
 
-FMI_HEADERS = Path(fmpy.__file__).parent / "c-code"
-
-
 def has_compiler():
     try:
         return bool(compiler_for(PLATFORMS[host_platform()]))
@@ -167,10 +163,7 @@ def stepped(made, row):
 
 def header_functions(version):
     """Names of all functions in the standard's header."""
-    text = Path(FMI_HEADERS, f"fmi{version}Functions.h").read_text()
-    names = re.findall(rf"^ *FMI{version}_Export fmi{version}\w+TYPE +(fmi{version}\w+);", text, re.MULTILINE)
-    assert len(names) == {2: 44, 3: 75}[version]
-    return names
+    return [f"fmi{version}{name}" for name in signatures(version)]
 
 
 def unpacked_library(fmu, version, folder):

@@ -85,7 +85,7 @@ def test_a_worker_has_another_version(tmp_path):
 
 
 def test_a_scheduler_without_workers(tmp_path, monkeypatch):
-    monkeypatch.setattr(workers, "PATIENCE", 0.2)
+    monkeypatch.setattr("wrcontact.workers.ARRIVAL", 0.2)
     with (
         distributed.LocalCluster(n_workers=0, dashboard_address=":0", processes=False) as cluster,
         distributed.Client(cluster) as client,

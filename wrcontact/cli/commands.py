@@ -1,6 +1,5 @@
 """The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check``, ``wear``, ``profiles``, ``export`` and ``figures``."""
 
-import os
 import sys
 import warnings
 from pathlib import Path
@@ -15,6 +14,7 @@ from ..methods.words import did_you_mean
 from ..profiles.remarks import ProfileWarning, remarks_in_lines
 from ..progress import in_lines, working
 from ..status import Status
+from ..stepper import core_count
 from ..system import ContactSystem
 from ..version import __version__
 from .catalogue import profiles
@@ -269,7 +269,7 @@ def sweep(
     else:
         columns = sweep_columns(system, load)
         table = system.evaluate_many(
-            lateral_shift=shifts, outputs=sweep_outputs(columns), processes=os.cpu_count() or 1, **load
+            lateral_shift=shifts, outputs=sweep_outputs(columns), processes=core_count(), **load
         )
         remark.add(table)
         if not remark.useless:
@@ -286,7 +286,7 @@ def _write_sweep(file, system, shifts, chosen, remark):
     if chosen["outputs"] == "all" and file.size_words(len(shifts)):
         print(f"wrcontact: {file.size_words(len(shifts))}", file=sys.stderr)
     with sentences(grid_options), working("sweep", len(shifts)) as advance, file.open(len(shifts)) as write:
-        for part in system.evaluate_parts(lateral_shift=shifts, processes=os.cpu_count() or 1, **chosen):
+        for part in system.evaluate_parts(lateral_shift=shifts, processes=core_count(), **chosen):
             write(part)
             remark.add(part)
             advance(len(part))

@@ -118,16 +118,17 @@ def apart(function, *arguments):
     process (PythonFMU issue 228).  In a separate process this happens after the result has been returned, and
     does no harm.
     """
-    from ..workers import process_pool  # slow to import
+    from ..workers import ProcessEnded, process_pool  # slow to import
 
-    ended = "the process that runs the FMU ended before it returned its results"
     try:
-        with process_pool(1, ended) as helper:
+        with process_pool(1) as helper:
             with undisturbed():
                 answer = helper.submit(function, *arguments)
             return answer.result()
-    except RuntimeError as broken:
-        raise Refused(str(broken), code=1) from None
+    except ProcessEnded:
+        raise Refused("the process that runs the FMU ended before it returned its results", code=1) from None
+    except RuntimeError as wrong:
+        raise Refused(str(wrong), code=1) from None
 
 
 @contextmanager

@@ -42,9 +42,6 @@ def workers(processes, scheduler, pairs):
     if count == 1:
         yield Here(), 1
         return
-    broken = (
-        f"a process of {count} has ended early: there is too little memory, or the call does not stand below "
-        "\"if __name__ == '__main__':\" in a script; pairs that are done are kept, and the next run continues"
-    )
-    with process_pool(count, broken) as pool:
+    kept = "; pairs that are done are kept, and the next run continues"
+    with process_pool(count, remark=kept) as pool:
         yield pool, AHEAD * count

@@ -257,15 +257,11 @@ def shared_parts(tables, solver, rows, places, processes):
         where the processes cannot start or end early.
     """
     parts = [slice(start, min(start + CHUNK, len(rows))) for start in range(0, len(rows), CHUNK)]
-    broken = (
-        f"processes is {processes}; permitted is more than 1 in a script that makes this call below "
-        "\"if __name__ == '__main__':\"; a process has ended early"
-    )
     with TemporaryDirectory() as folder:
         path = Path(folder, "tables.npy")
         np.save(path, tables)
         count = min(processes, len(parts))
-        with process_pool(count, broken, _begin, (path, solver, places)) as pool:
+        with process_pool(count, _begin, (path, solver, places)) as pool:
             for part, (found, status) in zip(parts, pool.map(_evaluated, [rows[part] for part in parts])):
                 yield part, found, status
 

@@ -11,14 +11,13 @@ from ..methods import Halfspace
 from ..progress import silently
 from ..results.convert import needed
 from ..version import __version__
+from ..workers import await_workers
 from .grid import block_at
 from .specification import SweepSpecification
 from .stores import EMPTY, plain
 
 #: Blocks that are sent to the scheduler of Dask at once.
 BATCH = 200
-#: Time in which a scheduler has to have a worker [s].
-PATIENCE = 30.0
 #: Trials to send the task to the workers.
 TRIALS = 5
 
@@ -129,20 +128,12 @@ def _solve_once(task, client, corners, advance):
 def _shipped(task, client):
     """The ``task`` with every worker; again where one dies meanwhile."""
     for trial in range(TRIALS):
-        _await_workers(client)
+        await_workers(client)
         try:
             return client.scatter(task, broadcast=True, hash=False)
         except (TimeoutError, KeyError):  # the scheduler looks for a worker that it has just lost
             if trial == TRIALS - 1:
                 raise
-
-
-def _await_workers(client):
-    """RuntimeError where the scheduler has no workers for some time."""
-    try:
-        client.wait_for_workers(1, PATIENCE)
-    except TimeoutError:
-        raise RuntimeError(f"the scheduler {client.scheduler.address} has no workers") from None
 
 
 def _solve(corner, task):

@@ -1,18 +1,14 @@
 """What tests of the native FMUs run: packed profiles, C hosts; each made once for a worker."""
 
-import json
 import shutil
 import subprocess
-import sys
 
 import pytest
-from fmpy import read_model_description
 
 from tests.helpers import c_host
-from tests.helpers.cases import REAL_INPUT_NAMES, stored
-from tests.helpers.fmus import FMI_HEADERS, measured, unpacked_library
+from tests.helpers.cases import stored
+from tests.helpers.fmus import measured
 from tests.helpers.kept import locked
-from tests.helpers.paths import HELPERS
 from wrcontact.fmu import native
 from wrcontact.kernel.binding.compiler import digest
 from wrcontact.storage.atomic import write_atomically
@@ -40,28 +36,10 @@ def packed(tmp_path_factory, kept):
     return dict(zip((2, 3), kept("native", wheel=wheel, rail=rail))), wheel, rail
 
 
-@pytest.fixture(scope="session", params=(2, 3))
-def raw(request, fmus, tmp_path_factory):
-    """What native_raw.py saw with the library of a version of FMI, in a folder without resources."""
-    version, folder = request.param, tmp_path_factory.mktemp("Räder & Schienen 轮轨")
-    described = read_model_description(str(fmus[version]))
-    given = {
-        "token": described.instantiationToken or described.guid,
-        "references": {v.name: v.valueReference for v in described.modelVariables},
-        "inputs": REAL_INPUT_NAMES,
-    }
-    command = [
-        sys.executable,
-        str(HELPERS / "native_raw.py"),
-        str(version),
-        str(unpacked_library(fmus[version], version, folder)),
-        str(FMI_HEADERS),
-    ]
-    done = subprocess.run(
-        command, input=json.dumps(given), capture_output=True, text=True, encoding="utf-8", timeout=300
-    )
-    assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-4000:]}"
-    return version, json.loads(done.stdout)
+@pytest.fixture(params=(2, 3))
+def native_fmu(request, hosts):
+    """A version of FMI, and how to ask its FMU a scenario."""
+    return request.param, hosts(request.param).ask
 
 
 @pytest.fixture(scope="session")

@@ -6,7 +6,8 @@ import zipfile
 
 import numpy as np
 
-from tests.helpers.fmus import FMI_HEADERS, needs_glibc, unpacked_library
+from tests.helpers.fmi_host import HEADERS
+from tests.helpers.fmus import needs_glibc, unpacked_library
 from tests.helpers.paths import ROOT
 from wrcontact import ContactSystem
 
@@ -57,7 +58,7 @@ def test_the_lines_of_the_page_set_the_number_of_stations(fmus, tmp_path):
         token = re.search(r'instantiationToken="(.*?)"', archive.read("modelDescription.xml").decode())[1]
     library = unpacked_library(fmus[3], 3, tmp_path)
     (tmp_path / "page.c").write_text(PROGRAM % (token, lines))
-    compiled(["cc", "-std=c11", f"-I{FMI_HEADERS}", "page.c", str(library), "-o", "page"], tmp_path)
+    compiled(["cc", "-std=c11", f"-I{HEADERS}", "page.c", str(library), "-o", "page"], tmp_path)
     said = subprocess.run([tmp_path / "page"], text=True, capture_output=True)
     assert said.returncode == 0 and not said.stderr, said.stderr
     wanted = ContactSystem(stations=61).evaluate().left.outline.pressure
