@@ -42,7 +42,8 @@ TESTS = f'{INSTALL} ".[test]" && .venv/bin/python -m pytest -q -n auto --dist wo
 
 PYTHON = ".venv/bin/python"
 PYTEST = (PYTHON, "-m", "pytest", "-q", "-n", "auto")
-INSTALLED = (PYTHON, "-m", "pip", "install", "-q", "--no-compile")
+#: What is installed meets "wrcontact" already, so that pip adds what an extra needs and nothing else.
+EXTRA = (PYTHON, "-m", "pip", "install", "-q", "--no-compile")
 EXTRAS = ("cluster", "films", "site", "tables", "vehicle")
 #: Extras that one file of tests wants, which does not run every day.
 SELDOM = {
@@ -82,7 +83,7 @@ class Run:
         return self.done[-1].code == 0
 
     def together(self, steps):
-        """Run several, {name: command}, side by side; what each of them says is shown at its end."""
+        """Run several, {name: command}, one a core at a time; what each of them says is shown at its end."""
         print(f"== {', '.join(steps)} (after {time.monotonic() - self.began:.0f} s)", flush=True)
 
         def ended(name):
@@ -91,7 +92,7 @@ class Run:
             print(f"-- {name}", shown.getvalue(), sep="\n", end="", flush=True)
             return done
 
-        with ThreadPoolExecutor(len(steps)) as pool:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
             self.done += pool.map(ended, steps)
 
     def ended(self, name, command, environment, screen):
@@ -270,7 +271,18 @@ def all_steps(run, work, turn, changed):
         WRCONTACT_KERNEL="compiled",
     )
     extras = [*EXTRAS, *(extra for extra, tests in SELDOM.items() if due(tests, turn, changed))]
-    run.step("what wrcontact can use is installed", [*INSTALLED, f".[{','.join(extras)}]"])
+    single = {"what wrcontact can use is installed": [*EXTRA, f"wrcontact[{','.join(extras)}]"]}
+    if due("benchmarks", turn, changed):  # errors are measured by tests/docs/test_tables.py
+        for kind in ("times", "studies"):
+            single[f"benchmarks of {kind} run"] = [PYTHON, "-m", "benchmarks", "--quick", kind]
+    single["the tests see a share of the planted errors"] = [
+        *(PYTHON, "-m", "tests.helpers.plant_errors"),
+        *("--share", 4, "--turn", turn, "--workers", 1),
+    ]
+    single["the generated C is that of the kernel's Python"] = [
+        *(PYTHON, "tools/transpile_kernel.py", "--check"),
+    ]
+    run.together(single)  # each of them has one process
 
     today = {"WRCONTACT_TURN": turn} | ({CHANGED: work / "changed"} if changed is not None else {})
     features = said(run.folder / PYTHON, "-c", FEATURES, folder=run.folder).strip()
@@ -281,17 +293,6 @@ def all_steps(run, work, turn, changed):
         **OLDER,
         **today,
     )
-    single = {  # each of them has one or two processes
-        "the generated C is that of the kernel's Python": [PYTHON, "tools/transpile_kernel.py", "--check"],
-        "the tests see a share of the planted errors": [
-            *(PYTHON, "-m", "tests.helpers.plant_errors"),
-            *("--share", 4, "--turn", turn, "--workers", 1),
-        ],
-    }
-    if due("benchmarks", turn, changed):
-        # errors are measured by tests/docs/test_tables.py
-        single["all other benchmarks run"] = [PYTHON, "-m", "benchmarks", "--quick", "times", "studies"]
-    run.together(single)
     run.step(
         "the full tests",
         [*PYTEST, "--dist", "worksteal", "--durations", 60, "-m", "full and not platforms and not complete"],
@@ -300,10 +301,7 @@ def all_steps(run, work, turn, changed):
         **today,
     )
     if due("platforms", turn, changed):
-        run.step(
-            "what builds for other machines is installed",
-            [*INSTALLED, ".[release]"],
-        )
+        run.step("what builds for other machines is installed", [*EXTRA, "wrcontact[release]"])
         run.step(
             "FMUs and wheels for other machines",
             [*PYTEST, "--dist", "loadfile", "-m", "platforms and not complete"],

@@ -87,8 +87,6 @@ NOT_COPIED = shutil.ignore_patterns(
     "dist",
     "*.egg-info",
 )
-#: Plugins of pytest that a copy's tests do without: what they import takes longer than most tests.
-PLUGINS = ("cacheprovider", "hypothesispytest", "xdist", "xdist.looponfail", "zarr")
 #: The tests end within this on a slow machine [s]; an error that keeps them running is seen.
 PATIENCE = 1800
 
@@ -112,7 +110,7 @@ def run_tests(tree, tests, *options):
         "pytest",
         "-q",
         "-rfE",
-        *(f"-pno:{plugin}" for plugin in PLUGINS),
+        "-pno:cacheprovider",
         f"--basetemp={tree}.scratch",
         *options,
         *tests,
@@ -120,6 +118,7 @@ def run_tests(tree, tests, *options):
     # not what a test run tells its workers, whose folders are not this run's
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
     environment |= {
+        "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",  # what plugins import takes longer than most tests
         "PYTHONPATH": str(tree),
         "WRCONTACT_KERNEL": "compiled",
         "COLUMNS": "1000",
