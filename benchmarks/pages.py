@@ -147,7 +147,6 @@ TABLES = {
         validation.worn_creep_table,
         "|ΔF| over friction times load: mean / 95 of 100 / worst. The last column is over `analyn_strip`.",
     ),
-    "curvature": Table(CURVATURE, ("curvature",), tables.curvature_table, ERRORS),
     "choices": Table(CURVATURE, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
     "manchester": Table(ELASTIC, ("manchester",), tables.manchester_table),
     "elastic": Table(ELASTIC, ("elastic_times",), tables.elastic_table),

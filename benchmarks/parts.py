@@ -16,7 +16,6 @@ from wrcontact.study.figure import Study
 
 from . import (
     creep,
-    curvature,
     errors,
     random_poses,
     realtime,
@@ -187,7 +186,6 @@ PARTS = {
     "tangential_times": Part(TIMES, creep.tangential_times),
     "conformal": Part(STUDIES, lambda effort: errors.turning_patches(quick=effort is rows.QUICK)),
     "halfspace": Part(STUDIES, halfspace_errors),
-    "curvature": Part(STUDIES, lambda effort: curvature.study(quick=effort is rows.QUICK)),
     "conicity_noise": Part(STUDIES, lambda effort: studies.noisy_conicities()),
     "elastic_roll": Part(STUDIES, lambda effort: errors.roll_steps(quick=effort is rows.QUICK)),
     "profile_noise": Part(STUDIES, lambda effort: studies.noise_study(quick=effort is rows.QUICK)),

@@ -340,36 +340,6 @@ def elastic_table(parts):
     )
 
 
-def curvature_table(parts):
-    found = dict(parts["curvature"]["rows"])
-    cases = found.pop("cases")
-    text = grid(
-        [
-            "lateral curvature",
-            "positions: mean",
-            "worst",
-            "random: mean",
-            "worst",
-            "noisy, as read: mean",
-            "95 %",
-            "against no noise: mean",
-        ],
-        [
-            [
-                name,
-                *(three(values) for kind in ("positions", "random", "noisy") for values in row[kind]),
-                three(row["clean"]),
-            ]
-            for name, row in found.items()
-        ],
-    )
-    counts = "{} positions, {} random and {} noisy cases".format(*cases["count"])
-    return (
-        f"{text}\n\n{counts}. The noise itself moves the half-space's answer by "
-        f"{three(cases['moved'])} % in the mean."
-    )
-
-
 def noise_table(parts):
     found = parts["profile_noise"]["rows"]
     read = [name for name in found if "not smoothed" not in name]

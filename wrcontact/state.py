@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from .interface.index import PLACES
 from .interface.inputs import INPUT_NAMES
 from .kernel.layout import PATCH_LIMIT, PATCH_OUTPUTS_SIZE, SIDE_PATCH, SIDE_PATCH_COUNT, STRIP_OUTPUTS_SIZE
 from .methods.words import did_you_mean
 from .results.columns import Kept
 from .results.fields import Outline, PatchFields, SideFields, Strips, WheelsetFields, WornOutline
-from .results.inputs import PLACES, Inputs, Rows
-from .results.layout import SIDES, USUAL, Layout
+from .results.inputs import Inputs, Rows
+from .results.layout import SIDE_STARTS, USUAL, Layout
 from .results.views import N, number
 from .results.words import shown, unit_name
 from .status import Status
@@ -84,7 +85,7 @@ class Side(SideFields[N], Generic[N, K]):
 
     @property
     def _side(self) -> str:
-        return "right" if self._offset == SIDES["right"] else "left"
+        return "right" if self._offset == SIDE_STARTS["right"] else "left"
 
     def to_dict(self) -> dict[str, Any]:
         """All values by name, as those of every part of a result; strips where they are computed."""
@@ -156,12 +157,12 @@ class WheelsetState(WheelsetFields[N], Generic[N, K, S]):
     @property
     def left(self) -> Side[N, K]:
         """The left wheel."""
-        return Side(self._values, SIDES["left"], self.layout)
+        return Side(self._values, SIDE_STARTS["left"], self.layout)
 
     @property
     def right(self) -> Side[N, K]:
         """The right wheel."""
-        return Side(self._values, SIDES["right"], self.layout)
+        return Side(self._values, SIDE_STARTS["right"], self.layout)
 
     @property
     def equilibrium(self) -> Equilibrium:
@@ -279,7 +280,7 @@ class WheelsetState(WheelsetFields[N], Generic[N, K, S]):
     def _one_in_words(self):
         words = [Status(int(self.status)).name.lower().replace("_", " ")]
         words += [f"roll {shown(self.roll, 'rad')} deg"] * (self.roll == self.roll)
-        for name in SIDES:
+        for name in SIDE_STARTS:
             side = getattr(self, name)
             numbers = [
                 f"{shown(self[f'{name}.{key}'], unit)} {unit_name(unit)}"

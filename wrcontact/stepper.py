@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .interface.calls import PLACES, START_ROW, unknown_input
+from .interface.calls import START_ROW, unknown_input
+from .interface.index import KEYWORDS
 from .interface.inputs import INPUT_NAMES
 from .kernel import layout
 from .kernel.binding.library import PythonKernel, default_kernel
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from .keywords import Depth, Sides
 
 #: What of an evaluation can be wanted: sides and depth of the outputs, with the kernel's numbers.
-SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
+SIDE_FLAGS = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
 DEPTHS = {"all": layout.DEPTH_ALL, "patches": layout.DEPTH_PATCHES, "geometry": layout.DEPTH_GEOMETRY}
 #: Where the wheelset's force and moment are among the outputs.
 FORCE, MOMENT = (
@@ -144,7 +145,7 @@ class Stepper:
         numbers = self.numbers
         try:
             for name, value in motion.items():
-                numbers[PLACES[name]] = value
+                numbers[KEYWORDS[name]] = value
         except KeyError:
             raise unknown_input(name) from None
         if self._bound.step() > layout.UNLOADED:
@@ -280,10 +281,10 @@ class Stepper:
         """Compute only this from now on; the arguments of :meth:`wrcontact.ContactSystem.stepper`."""
         if self._wanted == (side, outputs):
             return
-        check_choice("side", side, SIDES)
+        check_choice("side", side, SIDE_FLAGS)
         check_choice("outputs", outputs, DEPTHS)
         settings = layout.Tables.at(self._tables)
-        settings.sides, settings.depth = SIDES[side], DEPTHS[outputs]
+        settings.sides, settings.depth = SIDE_FLAGS[side], DEPTHS[outputs]
         layout.Work.at(self._workspace).known = False
         self._wanted = (side, outputs)
 

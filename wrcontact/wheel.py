@@ -20,7 +20,7 @@ from .interface.one_wheel import checked_wheel, unknown_wheel_input, unknown_whe
 from .kernel import layout
 from .methods.numbers import check_choice
 from .results.columns import DEPTH_SIZES
-from .results.layout import SIDES
+from .results.layout import SIDE_STARTS
 from .results.names import listed
 from .results.views import N
 from .state import K, S, Side, WheelsetState
@@ -49,7 +49,7 @@ class WheelState(Side[N, K], Generic[N, K, S]):
 
     def __init__(self, state: WheelsetState[N, K, S], side: Literal["left", "right"]) -> None:
         """The wheel of this ``side`` of a wheelset's ``state``."""
-        super().__init__(state._values, SIDES[side], state.layout)
+        super().__init__(state._values, SIDE_STARTS[side], state.layout)
         self._state, self.side = state, side
 
     @property
@@ -140,7 +140,7 @@ class WheelContact:
         side: Literal["left", "right"] = "right",
         **parameters: Unpack[WheelKeywords],
     ) -> None:
-        check_choice("side", side, SIDES)
+        check_choice("side", side, SIDE_STARTS)
         self.side = side
         self.system = WheelSystem(**checked_wheel({"wheel": wheel, "rail": rail, **parameters}))
 

@@ -13,11 +13,11 @@ import wrcontact
 from data.manchester import FRICTION, POISSON, SHEAR, error, rows
 from tests.helpers.cases import system
 from tests.helpers.inside import work_of
+from wrcontact.conventions import SIDES
 from wrcontact.halfspace import pressed_rolling, rolling_step
 from wrcontact.halfspace.rolling.extrapolation import roll_ellipse
 from wrcontact.halfspace.rolling.pressure import Outline
 from wrcontact.halfspace.rolling_step import roll_strips
-from wrcontact.interface.outputs import SIDES
 
 POSE = {
     "lateral_shift": 3e-3,

@@ -9,7 +9,7 @@ import pytest
 import wrcontact
 from tests.helpers.cases import CREEP_MODELS, system
 from tests.helpers.inside import counts_of, work_of
-from wrcontact.interface.outputs import SIDES
+from wrcontact.conventions import SIDES
 from wrcontact.kernel import layout
 from wrcontact.kernel.creep.creep_force import solve_creep_force
 

@@ -391,4 +391,29 @@ ANSWERS = [
         LOADER,
         "fmu_src/python/loader.c",
     ),
+    # --- what native FMUs refuse
+    (
+        "half_a_list",
+        " && !refused; i += 1)                                                                \\\n            APPLY;",
+        "; i += 1)                                                                \\\n            APPLY;",
+        "a list that is refused is set",
+        "fmu/test_life_cycle.py",
+        "fmu_src/native/fmi2_values.c",
+    ),
+    (
+        "behind_the_stop",
+        "if (time + size > self->core.stop",
+        "if (time > self->core.stop",
+        "a step ends after the stopTime",
+        "fmu/test_life_cycle.py",
+        "fmu_src/native/wheelset.c",
+    ),
+    (
+        "damaged_bytes",
+        " || saved->checksum != checksum(&saved->core, sizeof saved->core))",
+        ")",
+        "a damaged state is restored",
+        "fmu/native/test_misuse.py",
+        "fmu_src/native/wheelset_states.c",
+    ),
 ]

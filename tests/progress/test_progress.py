@@ -190,7 +190,6 @@ LONG_WORK = (
     "benchmarks/__main__.py",
     "benchmarks/parts.py",
     "benchmarks/random_poses.py",
-    "benchmarks/curvature.py",
     "benchmarks/errors.py",
     "benchmarks/studies.py",
     "wrcontact/cli/commands.py",

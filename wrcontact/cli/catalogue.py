@@ -7,14 +7,13 @@ import typer
 from rich import box
 from rich.table import Table
 
+from ..interface.index import KINDS
 from ..methods.words import did_you_mean
 from ..profiles.catalogue import every_profile, standard_name, standard_profile, words_on_missing
 from ..profiles.standards import PATTERNS, names, standards
 from .errors import Refused, check_file, sentences
 from .pictures import PICTURES
 from .report import console
-
-KINDS = ("rail", "wheel")
 
 
 def profiles(
@@ -61,7 +60,7 @@ def _profile(name):
     """The profile of this name, a rail or a wheel."""
     known = standard_name(name)
     if known is None:
-        lost = next(filter(None, (words_on_missing(name, kind) for kind in KINDS)), None)
+        lost = next(filter(None, (words_on_missing(name, kind) for kind in KINDS[::-1])), None)
         if lost:
             raise Refused(f"NAME is {name!r}{lost}")
         every = (*names("rail"), *names("wheel"), *PATTERNS)
@@ -80,7 +79,7 @@ def _list():
     table = Table(box=box.SIMPLE, pad_edge=False)
     for heading in ("name", "kind", "also called", "standard", "sources", "remark"):
         table.add_column(heading, no_wrap=heading in ("name", "kind"))
-    for kind in KINDS:
+    for kind in KINDS[::-1]:
         for name in names(kind):
             table.add_row(name, kind, *_row(standards()[kind + "s"][name]))
     for name in PATTERNS:
@@ -89,7 +88,7 @@ def _list():
         table.add_row(name, "wheel", *row[:-1], sizes)
     out = console()
     out.print(table)
-    lost = ", ".join(name for kind in KINDS for name in standards()["missing"][kind])
+    lost = ", ".join(name for kind in KINDS[::-1] for name in standards()["missing"][kind])
     out.print(f"No public source with enough numbers was found of {lost}.", soft_wrap=True)
 
 

@@ -16,7 +16,7 @@ from rich.table import Table
 from ..conventions import MILLIMETRE, SIDES
 from ..interface.variables import (
     FIRST_WEAR,
-    INPUT,
+    INPUT_VARIABLES,
     INTEGER,
     OUTPUT,
     REAL,
@@ -102,13 +102,13 @@ def stored_run():
 
 def stored_inputs(stored):
     """Names of the inputs in the run; the other inputs keep their start values."""
-    return [v.name for v in VARIABLES if v.causality == INPUT and v.name in stored]
+    return [name for name in INPUT_VARIABLES if name in stored]
 
 
 def all_inputs(stored):
     """Every input during the run, arrays (n,) by name."""
     rest = np.ones(len(stored["time"]))
-    return {v.name: stored.get(v.name, v.start * rest) for v in VARIABLES if v.causality == INPUT}
+    return {v.name: stored.get(v.name, v.start * rest) for v in INPUT_VARIABLES.values()}
 
 
 def apart(function, *arguments):

@@ -4,6 +4,7 @@ from typing import Annotated
 
 import typer
 
+from ..interface.index import KINDS
 from ..profiles.files import SMOOTHING
 from ..profiles.options import ENDINGS, ProfileFile, parsed
 from ..profiles.options import WORDS as FILE_WORDS
@@ -11,8 +12,6 @@ from .adding import adding, option
 from .errors import Refused, sentences
 from .groups import FILES
 from .options import number
-
-KINDS = ("wheel", "rail")
 
 
 def reads_files(command):

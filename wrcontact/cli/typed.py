@@ -4,7 +4,7 @@ keywords."""
 import re
 
 from ..interface.parameters import PARAMETERS
-from ..interface.variables import INPUT, REAL, UNITS, VARIABLES
+from ..interface.variables import INPUT_VARIABLES, REAL, UNITS, VARIABLES
 from ..methods.numbers import UnusualValueWarning
 from ..profiles.options import ENDINGS
 from ..results.words import unit_name
@@ -27,14 +27,13 @@ def display_of(variable):
     return UNITS[variable.unit].display if variable.type == REAL else ""
 
 
-INPUTS = {v.name: v for v in VARIABLES if v.causality == INPUT}
 OPTIONS = {v.keyword: option_of(v) for v in VARIABLES if v.keyword in PARAMETERS} | {
     "smoothing": "--smoothing-um"
 }
 #: The same with inputs, for descriptions: of names that are no ordinary words.
 DESCRIBED = {
     name: option
-    for name, option in (OPTIONS | {v.name: option_of(v) for v in INPUTS.values()}).items()
+    for name, option in (OPTIONS | {v.name: option_of(v) for v in INPUT_VARIABLES.values()}).items()
     if "_" in name
 }
 #: Keywords that are ordinary words, too; they are keywords at the beginning of a sentence.
@@ -53,10 +52,10 @@ class Typed(Terms):
         self.aside = aside
 
     def name(self, name):
-        return self.aside.get(name) or option_of(INPUTS[name])
+        return self.aside.get(name) or option_of(INPUT_VARIABLES[name])
 
     def value(self, name, value, limit=float("nan")):
-        unit, factor = INPUTS[name].unit, UNITS[INPUTS[name].unit].display_factor
+        unit, factor = INPUT_VARIABLES[name].unit, UNITS[INPUT_VARIABLES[name].unit].display_factor
         return f"{distinct(value * factor, limit * factor)} {unit_name(unit)}".rstrip()
 
     def length(self, value):
@@ -104,5 +103,8 @@ def remark_lines(remark):
         return [f"{remark.kind} profile {remark.name}: {of_file(one, remark.kind)}" for one in remark.remarks]
     factor, unit = UNITS[remark.unit].display_factor, unit_name(remark.unit)
     value, low, high = (f"{number * factor:g}" for number in (remark.value, *remark.usual))
-    option, behind = OPTIONS.get(remark.name) or option_of(INPUTS[remark.name]), f" {unit}" if unit else ""
+    option, behind = (
+        OPTIONS.get(remark.name) or option_of(INPUT_VARIABLES[remark.name]),
+        f" {unit}" if unit else "",
+    )
     return [f"{option} is {value}{behind}; usual is {low} ... {high}{behind}. It is used as it is."]

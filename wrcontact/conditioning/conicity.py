@@ -21,9 +21,9 @@ from ..results.words import ShortText
 
 #: Amplitudes of the report [m].
 AMPLITUDES = np.arange(1.0, 9.0) * 1e-3
-#: Points of the sum over half an oscillation; its error is proportional to 1 / PLACES^2, 1e-6 of the
+#: Points of the sum over half an oscillation; its error is proportional to 1 / POINTS^2, 1e-6 of the
 #: conicity.
-PLACES = 2000
+POINTS = 2000
 #: Rolling radii that differ by less [m] over the whole amplitude count as equal: profiles are printed to 1
 #: nm.
 LEVEL = 1e-9
@@ -108,13 +108,13 @@ class Swing:
     def half_wave(self, first, last):
         """Distance x from the turning point ``first`` to ``last`` for e r0 = 1; the substitution y = middle +
         amplitude sin(phi) removes the singularities at both ends."""
-        phi = math.pi * ((np.arange(PLACES) + 0.5) / PLACES - 0.5)
+        phi = math.pi * ((np.arange(POINTS) + 0.5) / POINTS - 0.5)
         middle, amplitude = 0.5 * (first + last), 0.5 * (last - first)
         y = middle + amplitude * np.sin(phi)
         # equal but for the rounding of the turn
         level = np.where(phi < 0.0, self.energy(first), self.energy(last))
         speed = np.sqrt(2.0 * np.maximum(level - self.energy(y), np.finfo(float).tiny))
-        return np.sum(amplitude * np.cos(phi) / speed) * math.pi / PLACES
+        return np.sum(amplitude * np.cos(phi) / speed) * math.pi / POINTS
 
     def conicity(self, amplitude):
         """tan(gamma) [1], middle of the oscillation [m], and "" or the reason why there is none.  Of several

@@ -9,6 +9,7 @@ from operator import attrgetter
 import numpy as np
 
 from ..conventions import SIDES
+from ..interface.index import KINDS
 from ..interface.units import UNITS, by_name
 from ..profiles.remarks import Grave
 from ..results.words import fixed, unit_name
@@ -19,7 +20,6 @@ from .remarks import RUNNING
 
 #: Units that are shown instead of the usual ones: factor from SI.
 FACTORS = {"um": 1e6, "m": 1.0, "mm/mm": 1.0, "mrad/mm": 1.0}
-KINDS = ("wheel", "rail")
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..results.layout import SIDES
+from ..results.layout import SIDE_STARTS
 from ..state import Patch, Side
 from .patch import CreepPatch, check_number, outlined_patch
 
@@ -70,7 +70,9 @@ def rolling_patch(patch: Patch, **more) -> CreepPatch:
         raise ValueError(
             "patch has many poses; permitted is that of one pose, such as table[0].right.patches[0]"
         )
-    outline = Side(values, max(first for first in SIDES.values() if first <= place), patch.layout).outline
+    outline = Side(
+        values, max(first for first in SIDE_STARTS.values() if first <= place), patch.layout
+    ).outline
     station, half_length, pressure = own_outline(
         patch, *(np.asarray(run) for run in (outline.station, outline.half_length, outline.pressure))
     )

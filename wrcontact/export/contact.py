@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ..conventions import SIDES
 from ..interface.friction import Friction
 from ..profiles.placement import place_rail
 from ..profiles.remarks import ProfileWarning
@@ -21,7 +22,6 @@ from ..status import Status
 from ..storage.atomic import write_atomically
 
 MM = 1e3
-SIDES = ("left", "right")
 #: Distance of the flange back from the running circle [mm], from which CONTACT places the wheels; any number would do.
 BACK = 70.0
 #: Size of CONTACT's elements along and across [mm].

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from ..interface.calls import check_count
+from ..interface.index import KINDS
 from ..methods.numbers import check_choice
 from ..profiles import Profile
 from ..progress import working
@@ -14,8 +15,6 @@ from .folder import Folder
 from .pair import PICTURES, examine
 from .table import Fleet, empty_row
 from .workers import Here, workers
-
-KINDS = ("wheel", "rail")
 
 
 def check_fleet(

@@ -3,9 +3,9 @@ wheels that carry their loads and not a wheelset that floats."""
 
 import math
 
-from ..interface.inputs import HEIGHT_LIMIT, INPUTS
+from ..interface.index import ROWS
+from ..interface.inputs import HEIGHT_LIMIT
 
-ROWS = {row.name: row for row in INPUTS}
 HEIGHT, ROLL = "vertical_shift_input", "roll_input"
 #: How close a wheel's load must come to the load that it starts with: a jump may be in between.
 CLOSE = 1e-6

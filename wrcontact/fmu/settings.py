@@ -1,7 +1,7 @@
 """Start values of parameters and inputs that a build fixes, by their names in the FMU, for tools that cannot
 set them."""
 
-from ..interface.inputs import INPUTS
+from ..interface import index
 from ..interface.one_wheel import wheel_inputs
 from ..interface.parameters import PARAMETERS
 from ..interface.variables import PLACE, VARIABLES
@@ -12,8 +12,6 @@ from ..methods.words import did_you_mean
 ROWS = {row.fmu_name: row for row in PARAMETERS.values() if row.fmu_name}
 #: Profiles are chosen, and packed, by arguments of their own.
 SETTABLE = [name for name in ROWS if not name.endswith("_profile")]
-#: Inputs of a wheelset.
-INPUT_ROWS = {row.name: row for row in INPUTS}
 
 
 def settings_of(words, side=None):
@@ -37,7 +35,7 @@ def settings_of(words, side=None):
 def inputs_of(side=None):
     """Rows of the inputs by the names that the FMU of a wheelset, or of one wheel on this ``side``, has for
     them."""
-    return wheel_inputs(side) if side else INPUT_ROWS
+    return wheel_inputs(side) if side else index.ROWS
 
 
 def _value(name, value, inputs):

@@ -7,7 +7,7 @@ from ..interface.friction import FRICTION as FRICTION_INPUTS
 from ..interface.inputs import DEFLECTIONS, RATES, TIME_STEP, TORQUES
 from ..interface.inputs import MOTION as MOTION_INPUTS
 from ..interface.inputs import RAILS as RAIL_INPUTS
-from ..interface.variables import INPUT, OUTPUT, VARIABLES
+from ..interface.variables import INPUT_VARIABLES, OUTPUT, VARIABLES
 from .archive import SOURCES
 from .description import xml_file
 from .variants import WHEELSET
@@ -80,7 +80,7 @@ def terminals(names):
         for variable in VARIABLES
         if variable.causality == OUTPUT and not variable.name.startswith(SIDES)
     ]
-    inputs = {variable.name for variable in VARIABLES if variable.causality == INPUT}
+    inputs = set(INPUT_VARIABLES)
     groups = {
         "pose": (
             "pose",

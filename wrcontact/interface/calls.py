@@ -8,13 +8,13 @@ import numpy as np
 
 from ..methods.numbers import is_plain, unit_behind, warn_unusual
 from ..methods.words import did_you_mean
+from .index import KEYWORDS
 from .inputs import INPUTS
 from .parameters import GROUPS, LEFT, PARAMETERS
 
-#: Places in the kernel's inputs of those that can be given without their names, and of all by keyword.
+#: Places in the kernel's inputs of those that can be given without their names, and their keywords.
 POSITIONAL = [place for place, row in enumerate(INPUTS) if row.positional]
 NAMED = [INPUTS[place].keyword for place in POSITIONAL]
-PLACES = {row.keyword: place for place, row in enumerate(INPUTS)}
 STARTS = [row.start for row in INPUTS]
 START_ROW = memoryview(np.array(STARTS, dtype=float))
 #: Inputs with a usual range, with their places; what an input is without being given lies within it.
@@ -29,7 +29,7 @@ def given_inputs(arguments, keywords):
     for place, value in zip(POSITIONAL, arguments):
         given[place] = value if type(value) in NUMBERS else checked_input(place, value)
     for name, value in keywords.items():
-        place = PLACES.get(name)
+        place = KEYWORDS.get(name)
         if place is None:
             raise unknown_input(name)
         given[place] = value if type(value) in NUMBERS else checked_input(place, value)
@@ -62,7 +62,7 @@ def single_number(value):
 
 def unknown_input(name):
     """The TypeError on a keyword that no input has."""
-    hint = did_you_mean(name, PLACES) or f"; inputs are {', '.join(PLACES)}"
+    hint = did_you_mean(name, KEYWORDS) or f"; inputs are {', '.join(KEYWORDS)}"
     if name in PARAMETERS:
         hint = f"; {name} is a parameter of ContactSystem"
     return TypeError(f"there is no input {name!r}{hint}")
@@ -71,7 +71,7 @@ def unknown_input(name):
 def unknown_parameter(name):
     """The TypeError on a keyword that no parameter has."""
     hint = did_you_mean(name, [*PARAMETERS, *GROUPS])
-    if name in PLACES:
+    if name in KEYWORDS:
         hint = f"; {name} is an input of evaluate"
     own = name.removesuffix("_profile")  # wheel_profile, left_rail_profile, ... of FMUs
     if own != name and own.removeprefix(LEFT) in ("wheel", "rail"):

@@ -2,9 +2,9 @@
 
 from functools import cache
 
+from ..conventions import SIDES
 from ..methods.words import did_you_mean
 from .inputs import INPUTS
-from .outputs import SIDES
 from .parameters import LEFT, PARAMETERS
 
 #: Inputs and parameters of a wheelset that have no meaning for one wheel, and why.

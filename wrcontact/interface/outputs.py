@@ -372,5 +372,3 @@ STRIPS = (
     Output("power", "W/m", 1e5, "friction power per width"),
     Output("slip", "m/s", 0.01, "sliding velocity: friction power over creep force", 0.0),
 )
-
-SIDES = ("left", "right")

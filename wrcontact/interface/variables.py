@@ -10,8 +10,9 @@ import math
 import re
 from dataclasses import dataclass, replace
 
+from ..conventions import SIDES
 from .inputs import ANSWERED, INPUTS
-from .outputs import SIDE, SIDES, STATION_COUNT, WEAR, WHEELSET
+from .outputs import SIDE, STATION_COUNT, WEAR, WHEELSET
 from .parameters import PARAMETERS
 from .references import numbered
 from .rows import AXES, Blocks, Run, Vector
@@ -197,6 +198,7 @@ VARIABLES = (*_indexed(_inputs()), *_parameters(), *_equilibrium(), *_indexed(_o
 #: Place of every variable in the table, and its value reference in FMI 2.0.
 PLACE = {variable.name: place for place, variable in enumerate(VARIABLES)}
 REFERENCE = numbered(PLACE, 2)
+INPUT_VARIABLES = {v.name: v for v in VARIABLES if v.causality == INPUT}
 
 #: Place of the first of the equilibrium's two outputs.
 EQUILIBRIUM = PLACE["equilibrium.vertical_shift"]

@@ -2,10 +2,9 @@
 
 import numpy as np
 
+from ..conventions import SIDES
 from ..kernel import layout
 from ..methods.numbers import check_choice
-
-SIDES = {"left": 0, "right": 1}
 
 
 def rail_reaction(tables, inputs, outputs, side):
@@ -22,12 +21,13 @@ def rail_reaction(tables, inputs, outputs, side):
     side : "left" or "right".
     """
     check_choice("side", side, SIDES)
+    index = SIDES.index(side)
     settings, given = layout.Tables.at(tables), layout.Inputs.at(np.array(inputs))
     found = layout.Outputs.at(np.array(outputs))
-    out, sign = found.left[SIDES[side]], 1.0 if side == "right" else -1.0
+    out, sign = found.left[index], 1.0 if side == "right" else -1.0
     across = getattr(given, f"{side}_rail_lateral") + out.rail_deflection_lateral
     down = getattr(given, f"{side}_rail_vertical") + out.rail_deflection_vertical
-    point = np.array([0.0, sign * settings.pairs[SIDES[side]].rail_y + across, down])
+    point = np.array([0.0, sign * settings.pairs[index].rail_y + across, down])
     centre = np.array([0.0, given.lateral_shift, found.vertical_shift - settings.height])
     force = np.array(out.force[:])
     return -force, -(np.array(out.moment[:]) + np.cross(centre - point, force))

@@ -14,7 +14,7 @@ from .style import MM
 
 SPARE = 2e-3  # [m] around the patches
 #: Places of a compliant wheelset by the names that a model of its motion has for them.
-PLACES = {"vertical_shift_input": "vertical_shift", "roll_input": "roll"}
+FOLLOWING = {"vertical_shift_input": "vertical_shift", "roll_input": "roll"}
 
 
 @dataclass(frozen=True)
@@ -37,9 +37,9 @@ def frames_of(system, run, frames):
     names = run.names
     given = {row.keyword: row.name for row in INPUTS if row.name in names and not row.hint}
     if system.parameters["contact_mode"] == "compliant":
-        given = {place: name for place, name in PLACES.items() if name in names} | given
+        given = {place: name for place, name in FOLLOWING.items() if name in names} | given
     else:
-        given = {keyword: name for keyword, name in given.items() if keyword not in PLACES}
+        given = {keyword: name for keyword, name in given.items() if keyword not in FOLLOWING}
     if "lateral_shift" not in given:
         raise ValueError("the run has no 'lateral_shift'; permitted is a run that has it")
     count = len(run["lateral_shift"])

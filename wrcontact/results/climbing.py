@@ -18,12 +18,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..conventions import SIDES
 from ..methods.numbers import is_plain
 from ..storage.atomic import open_atomically
 from .guiding import _finite, _positive, low_pass, sliding_mean
 from .runs import Run
 
-SIDES = ("left", "right")
 #: Patches of a wheel that results have.
 PATCHES = (1, 2, 3)
 #: Shares of the values of a run below its reported values, EN 14363.

@@ -9,7 +9,7 @@ import numpy as np
 from ..kernel import layout
 from ..methods.numbers import check_choice
 from ..methods.words import did_you_mean
-from .layout import SIDES, is_run
+from .layout import SIDE_STARTS, is_run
 
 #: The number of a side's outputs that each depth computes.
 DEPTH_SIZES = {"all": layout.SIDE_SIZE, "patches": layout.SIDE_STATION, "geometry": layout.SIDE_PENETRATION}
@@ -43,12 +43,12 @@ def selected(side, outputs, rows):
     ValueError
         if one of them does not exist.
     """
-    check_choice("side", side, ("both", *SIDES))
+    check_choice("side", side, ("both", *SIDE_STARTS))
     if not isinstance(outputs, str) or outputs not in DEPTH_SIZES:
         return _named(side, outputs, rows)
     if side == "both" and outputs == "all":
         return Selection(side, outputs, None)
-    chosen = SIDES if side == "both" else (side,)
+    chosen = SIDE_STARTS if side == "both" else (side,)
     places = [place for name, place in rows.places.items() if _is_wanted(name, place, chosen, outputs)]
     if outputs == "all" and rows.wear:
         places.extend(range(*rows.strips(side)))
@@ -58,7 +58,11 @@ def selected(side, outputs, rows):
 def _is_wanted(name, place, sides, depth):
     """Whether the output ``name`` at this place is one of the wheelset, or of ``sides`` to this ``depth``."""
     owner = _owner(name)
-    return owner == "both" or owner in sides and (depth == "all" or place - SIDES[owner] < DEPTH_SIZES[depth])
+    return (
+        owner == "both"
+        or owner in sides
+        and (depth == "all" or place - SIDE_STARTS[owner] < DEPTH_SIZES[depth])
+    )
 
 
 def _named(side, outputs, rows):
@@ -100,7 +104,7 @@ def _matching(name, known, verb):
 def _owner(name):
     """Whose output this is: "left", "right", or "both" for the wheelset's."""
     side = name.partition(".")[0]
-    return side if side in SIDES else "both"
+    return side if side in SIDE_STARTS else "both"
 
 
 def _depth(name, place):
@@ -110,7 +114,7 @@ def _depth(name, place):
     if name in ALWAYS:
         return "geometry"
     owner = _owner(name)
-    loaded = owner == "both" or place - SIDES[owner] >= layout.SIDE_PENETRATION
+    loaded = owner == "both" or place - SIDE_STARTS[owner] >= layout.SIDE_PENETRATION
     return "patches" if loaded or name.endswith(".patch_count") else "geometry"
 
 

@@ -5,12 +5,11 @@ import re
 
 import numpy as np
 
-from ..interface.variables import INPUT, VARIABLES
+from ..interface.variables import INPUT_VARIABLES
 from .layout import OUTPUTS, is_run, variable_of
 
 #: Dimensions of a data set, and what follows their names in those of outputs.
 AXES = ("x", "y", "z")
-INPUT_VARIABLES = {v.name: v for v in VARIABLES if v.causality == INPUT}
 
 
 class NeedsPackage(ImportError):

@@ -8,15 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..interface.index import PLACES
 from ..interface.inputs import INPUT_NAMES, INPUTS
 from ..methods.numbers import unit_behind
 from ..methods.words import did_you_mean
 from .fields import InputFields
 from .views import number
 from .words import short
-
-#: Places by the names of an FMU and by those of Python's keywords.
-PLACES = {name: place for place, row in enumerate(INPUTS) for name in (row.name, row.keyword)}
 
 
 class Rows:

@@ -9,7 +9,8 @@ from ..interface.rows import Run
 from ..interface.variables import OUTPUT, VARIABLES
 from ..kernel import layout
 
-SIDES = {"left": layout.OUT_LEFT, "right": layout.OUT_RIGHT}
+#: Places of the first output of each side.
+SIDE_STARTS = {"left": layout.OUT_LEFT, "right": layout.OUT_RIGHT}
 #: Runs of an outline, with wear_outputs those of wear behind them.
 RUNS = tuple(row.name for row in SIDE if isinstance(row, Run))
 WEAR_RUNS = tuple(row.name for row in WEAR)
@@ -77,7 +78,7 @@ class Layout:
         if name in WEAR_RUNS:
             first = self._wear + (right * len(WEAR_RUNS) + WEAR_RUNS.index(name)) * self.stations
         elif self._is_usual:
-            first = SIDES[side] + layout.SIDE_STATION + RUNS.index(name) * self.stations
+            first = SIDE_STARTS[side] + layout.SIDE_STATION + RUNS.index(name) * self.stations
         else:
             first = layout.OUTPUT_COUNT + (right * len(RUNS) + RUNS.index(name)) * self.stations
         return slice(first, first + self.stations)
@@ -104,7 +105,7 @@ USUAL = Layout()
 @cache
 def _places(rows):
     places = {name: variable.index for name, variable in OUTPUTS.items() if not is_run(name)}
-    for side in SIDES:
+    for side in SIDE_STARTS:
         for run in (*RUNS, *WEAR_RUNS * rows.wear):
             first = rows.run(side, run).start
             places |= {f"{side}.{run}[{j + 1}]": first + j for j in range(rows.stations)}

@@ -2,19 +2,17 @@
 
 from functools import cache, lru_cache
 
-from ..interface.inputs import INPUTS
+from ..interface.index import PLACES, ROWS
 from ..interface.variables import INTEGER
 from ..methods.words import did_you_mean
 from .columns import ALWAYS, DEPTH_SIZES, selected
 from .layout import variable_of
 
-INPUT_ROWS = {row.name: (place, row) for place, row in enumerate(INPUTS)}
-
 
 @cache
 def places(rows):
     """{name: place} of all inputs, and of the outputs in rows with this Layout."""
-    return {name: place for name, (place, _) in INPUT_ROWS.items()} | rows.places
+    return {name: PLACES[name] for name in ROWS} | rows.places
 
 
 def place_of(name, rows):
@@ -31,13 +29,12 @@ def differentiated_inputs(by):
     """Places of the inputs, a tuple of names, that derivatives are taken by."""
     found = []
     for name in by:
-        if name not in INPUT_ROWS:
-            hint = did_you_mean(name, INPUT_ROWS) or f"; inputs are {', '.join(INPUT_ROWS)}"
+        if name not in ROWS:
+            hint = did_you_mean(name, ROWS) or f"; inputs are {', '.join(ROWS)}"
             raise ValueError(f"by has {name!r}; permitted are names of inputs{hint}")
-        place, row = INPUT_ROWS[name]
-        if row.switch:
+        if ROWS[name].switch:
             raise ValueError(f"by has {name!r}, which is true or false; derivatives are by numbers")
-        found.append(place)
+        found.append(PLACES[name])
     return found
 
 

@@ -18,6 +18,7 @@ import math
 import numpy as np
 
 from .. import status as outcomes
+from ..interface.index import PROFILES
 from ..interface.inputs import USUAL_LOAD
 from ..interface.parameters import LEFT, RIGID_RAILS, SIDED
 from ..interface.variables import (
@@ -50,9 +51,7 @@ from .fmi_state_machine import (
 )
 from .resources import packed_profile
 
-INPUTS, LOAD = layout.INPUT_COUNT, layout.IN_NORMAL_FORCE
-#: Keywords of profiles; an FMU's parameters have "_profile" behind them.
-PROFILES = ("wheel", "rail", "left_wheel", "left_rail")
+LOAD = layout.IN_NORMAL_FORCE
 PARAMETERS = {v.name: v for v in VARIABLES if v.causality == PARAMETER}
 BY_REFERENCE = {REFERENCE[v.name]: v for v in VARIABLES}
 STATUS_REFERENCE = REFERENCE["status"]
@@ -196,10 +195,10 @@ class Session:
         if references != self._inputs or self.machine.phase == TERMINATED:
             self._settable(references, values, REAL)
             self._input_places = [_place(reference, REAL) for reference in references]
-            only_inputs = all(place < INPUTS for place in self._input_places)
+            only_inputs = all(place < layout.INPUT_COUNT for place in self._input_places)
             self._inputs = list(references) if only_inputs else None
         for place, value in zip(self._input_places, values, strict=True):
-            if place >= INPUTS:
+            if place >= layout.INPUT_COUNT:
                 self._set_parameter(VARIABLES[place], value)
             if present[place] != value:
                 present[place] = value
@@ -274,7 +273,7 @@ class Session:
     def _evaluate(self):
         """One step of the kernel, and its outcome."""
         stepper, values = self._stepper, self._values
-        stepper.inputs[:] = values[:INPUTS]
+        stepper.inputs[:] = values[: layout.INPUT_COUNT]
         outcome = stepper.step()
         count = min(len(stepper.outputs), STATUS - FIRST_OUTPUT)  # strips are no variables
         values[FIRST_OUTPUT : FIRST_OUTPUT + count] = stepper.outputs[:count]
@@ -305,18 +304,21 @@ class Session:
             if self._balance is None:
                 self._balance = self._build({**self.parameters, **RIGID_RAILS, "contact_mode": "elastic"})
             self._balance.state[:] = 0.0
-            self._balance.inputs[:] = values[:INPUTS]
+            self._balance.inputs[:] = values[: layout.INPUT_COUNT]
             outcome, found = self._balance.step(), self._balance.outputs
         if outcome <= outcomes.Status.UNLOADED:
             values[EQUILIBRIUM:FIRST_OUTPUT] = found[layout.OUT_VERTICAL_SHIFT], found[layout.OUT_ROLL]
         elif self.status <= outcomes.Status.UNLOADED:  # otherwise the step has logged why
-            self.log("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
+            self.log("equilibrium: " + outcomes.explain(outcome, values[: layout.INPUT_COUNT], held=True))
         self._balanced = True
 
     def _log_status(self):
         self.log(
             outcomes.explain(
-                self.status, self._values[:INPUTS], self.parameters["contact_mode"] == "compliant", held=True
+                self.status,
+                self._values[: layout.INPUT_COUNT],
+                self.parameters["contact_mode"] == "compliant",
+                held=True,
             )
         )
         self._logged = True

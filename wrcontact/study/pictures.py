@@ -4,6 +4,8 @@ CSV.
 Lines are exact, dots are the source's searches, broken lines are elastic contact or the complete theory.
 """
 
+from functools import partial
+
 import numpy as np
 
 from ..plots.patch import finer
@@ -26,15 +28,15 @@ COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")  # of cases side by side,
 JUMP = 3.0  # [mm] a line is interrupted where its value jumps by more between two points
 THEORY = {"color": INK, "linewidth": 1.1, "linestyle": (0, (4, 2))}
 UPRIGHT = 2.5  # patches longer than so many widths are not drawn to one scale
-WIDE = 10.5  # [in]
 
 
 @styled
 def source_figure(figure):
     """The picture of a :class:`~wrcontact.study.figure.SourceFigure`."""
-    picture = new_figure(*SIZES.get(figure.number, (WIDE, 4.2)))
+    draw, size = DRAWN[figure.number]
+    picture = new_figure(*size)
     picture.suptitle(f"{figure.number}  {figure.title}", x=0.01, ha="left")
-    DRAWN[figure.number](picture, figure)
+    draw(picture, figure)
     return picture
 
 
@@ -91,7 +93,15 @@ AXES = {
 }
 
 
-def draw_inset(panel, figure, bounds, wanted, span, title=""):
+def every(name):
+    return True
+
+
+def exact(name):
+    return "exact" in name
+
+
+def draw_inset(panel, figure, bounds, span, title="", wanted=every):
     """A smaller panel inside another one, with a part of the curves over ``span`` [mm]; it is returned."""
     inset = panel.inset_axes(bounds)
     lateral_curves(inset, figure, wanted, span=span, legend=False)
@@ -101,8 +111,23 @@ def draw_inset(panel, figure, bounds, wanted, span, title=""):
     return inset
 
 
-def every(name):
-    return True
+def draw_panel(panel, figure, title, *, wanted=every, zones=False, marked="", **look):
+    """Curves over the lateral shift, with the zones of the wheel or not, and with lines at the figure's numbers
+    that begin with the word ``marked``; the rest is that of :func:`lateral_curves`."""
+    lateral_curves(panel, figure, wanted, **look)
+    if zones:
+        draw_zones(panel)
+    names = (name for name in figure.numbers if name.endswith("at [mm]"))
+    mark_jumps(panel, [figure.numbers[name] for name in names if marked and name.startswith(marked)])
+    panel.set_title(title)
+
+
+def draw_panels(picture, figure, *rows, **grid):
+    """A panel for each row of arguments of :func:`draw_panel`, beside each other."""
+    panels = picture.subplots(1, len(rows), **grid)
+    for panel, row in zip(panels, rows):
+        draw_panel(panel, figure, **row)
+    return panels
 
 
 def mark_jumps(panel, shifts):
@@ -123,35 +148,6 @@ def mark_jumps(panel, shifts):
                 fontsize=8,
                 color=QUIET,
             )
-
-
-def draw_roll(picture, figure):
-    whole, near = picture.subplots(1, 2)
-    lateral_curves(whole, figure, every)
-    lateral_curves(near, figure, every, span=(4.3, 6.6), legend=False)
-    mark_jumps(
-        near,
-        (figure.numbers["bend to the flange root at [mm]"], figure.numbers["bend to the flange at [mm]"]),
-    )
-    whole.set_title("Whole range")
-    near.set_title("Around the two jumps of the contact: the roll bends there")
-
-
-def draw_place(picture, figure):
-    whole, near = picture.subplots(1, 2, width_ratios=(1.5, 1))
-    for panel, span in ((whole, None), (near, (4.3, 8.0))):
-        lateral_curves(panel, figure, every, span=span, legend=span is None)
-        draw_zones(panel)
-    mark_jumps(
-        near,
-        [
-            value
-            for name, value in figure.numbers.items()
-            if name.startswith("jump") and name.endswith("at [mm]")
-        ],
-    )
-    whole.set_title("Whole range")
-    near.set_title("Flange root and flange")
 
 
 def draw_zones(panel):
@@ -198,51 +194,31 @@ def draw_place_and_errors(picture, figure):
 
 
 def draw_two_searches(picture, figure):
-    kinds = (
-        ("Rigid contact", lambda name: "elastic" not in name),
-        ("Elastic contact at 78.5 kN", lambda name: "elastic" in name),
+    rows = (
+        {"title": "Rigid contact", "wanted": lambda name: "elastic" not in name},
+        {"title": "Elastic contact at 78.5 kN", "wanted": lambda name: "elastic" in name},
     )
-    for panel, (title, wanted) in zip(picture.subplots(1, 2, sharey=True), kinds):
-        lateral_curves(panel, figure, wanted, span=(0, 8), legend=False)
-        inset = draw_inset(panel, figure, (0.14, 0.14, 0.5, 0.5), wanted, (4.4, 5.6))
+    panels = draw_panels(
+        picture, figure, *(row | {"span": (0, 8), "legend": False} for row in rows), sharey=True
+    )
+    for panel, row in zip(panels, rows):
+        inset = draw_inset(panel, figure, (0.14, 0.14, 0.5, 0.5), (4.4, 5.6), wanted=row["wanted"])
         panel.indicate_inset_zoom(inset, edgecolor=QUIET)
-        panel.set_title(title)
     handles = {line.get_label(): line for panel in picture.axes for line in panel.lines}
     picture.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3)
 
 
-def draw_by_yaw(picture, figure):
+def draw_by_yaw(picture, figure, loc, ylim=None, **inset):
+    """Exact lines and the source's dots for each yaw, with an ``inset`` of :func:`draw_inset`."""
     panel = picture.subplots()
-    lateral_curves(panel, figure, lambda name: "exact" in name, legend=False)
-    lateral_curves(panel, figure, lambda name: "search" in name, legend=False)
-    lines = [line for line in panel.lines if "exact" in line.get_label()]
+    for wanted in (exact, lambda name: "search" in name):
+        lateral_curves(panel, figure, wanted, legend=False)
+    lines = [line for line in panel.lines if exact(line.get_label())]
     dots = next(line for line in panel.lines if "search" in line.get_label())
-    panel.legend(
-        [*lines, dots],
-        [*(line.get_label() for line in lines), "source's 3-D search, dx 0.1 mm"],
-        loc="lower left" if "roll" in figure.title.lower() else "upper left",
-    )
-    return panel
-
-
-def draw_roll_by_yaw(picture, figure):
-    panel = draw_by_yaw(picture, figure)
-    draw_inset(
-        panel,
-        figure,
-        (0.14, 0.32, 0.38, 0.5),
-        lambda name: "exact" in name,
-        (0, 5.3),
-        "tread and flange root",
-    )
+    names = [*(line.get_label() for line in lines), "source's 3-D search, dx 0.1 mm"]
+    panel.legend([*lines, dots], names, loc=loc)
     panel.set_xlim(0, 8)
-
-
-def draw_shift_by_yaw(picture, figure):
-    panel = draw_by_yaw(picture, figure)
-    panel.set_xlim(0, 8)
-    inset = draw_inset(panel, figure, (0.27, 0.3, 0.36, 0.62), every, (0, 6.3), "before flange contact")
-    inset.set_ylim(-0.5, 11)
+    draw_inset(panel, figure, **inset).set_ylim(ylim)
 
 
 # --- where the contact is --------------------------------------------------------------------------
@@ -464,31 +440,8 @@ def draw_lateral(picture, figure):
     }
     for panel, name in zip(picture.subplots(2, 1), titles):
         at = np.array(figure.columns[f"y_{name} [mm]"])
-        noisy = figure.columns[f"{name}, rough, coordinates to 1 um [1/m]"]
-        panel.plot(
-            at,
-            noisy,
-            linestyle="",
-            marker=".",
-            markersize=2.5,
-            color=COLOURS[1],
-            alpha=0.8,
-            label="three nodes, coordinates to 1 um",
-        )
-        panel.plot(
-            at,
-            figure.columns[f"{name}, rough [1/m]"],
-            color=COLOURS[0],
-            label="three nodes 0.2 mm apart, exact profile",
-        )
-        panel.plot(
-            at,
-            figure.columns[f"{name}, smooth [1/m]"],
-            color=INK,
-            linestyle=(0, (4, 1.5)),
-            linewidth=1.2,
-            label="circle through 6 mm",
-        )
+        for kind, look in LATERAL.items():
+            panel.plot(at, figure.columns[f"{name}, {kind} [1/m]"], **look)
         panel.set(
             ylim=(-45, 110),
             xlim=(at.min(), at.max()),
@@ -499,31 +452,62 @@ def draw_lateral(picture, figure):
     picture.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=3)
 
 
+#: How each lateral curvature is drawn; later ones lie over earlier ones.
+LATERAL = {
+    "rough, coordinates to 1 um": {
+        "linestyle": "",
+        "marker": ".",
+        "markersize": 2.5,
+        "color": COLOURS[1],
+        "alpha": 0.8,
+        "label": "three nodes, coordinates to 1 um",
+    },
+    "rough": {"color": COLOURS[0], "label": "three nodes 0.2 mm apart, exact profile"},
+    "smooth": {"color": INK, "linestyle": (0, (4, 1.5)), "linewidth": 1.2, "label": "circle through 6 mm"},
+}
+
+ROLL = (
+    {"title": "Whole range"},
+    {
+        "title": "Around the two jumps of the contact: the roll bends there",
+        "span": (4.3, 6.6),
+        "legend": False,
+        "marked": "bend",
+    },
+)
+PLACE = (
+    {"title": "Whole range", "zones": True},
+    {
+        "title": "Flange root and flange",
+        "span": (4.3, 8.0),
+        "legend": False,
+        "zones": True,
+        "marked": "jump",
+    },
+)
+ROLL_INSET = {"bounds": (0.14, 0.32, 0.38, 0.5), "span": (0, 5.3), "title": "tread and flange root"}
+SHIFT_INSET = {"bounds": (0.27, 0.3, 0.36, 0.62), "span": (0, 6.3), "title": "before flange contact"}
+WIDE, HIGHER, OUTLINES = (10.5, 4.2), (10.5, 4.8), (7.5, 3.9)  # [in]
+#: What draws each figure, and the size of its picture [in].
 DRAWN = {
-    "4.4": draw_roll, "4.5": draw_place, "4.6": draw_place_and_errors, "5.6": draw_two_searches,
-    "5.7": draw_picture, "5.8": draw_roll_by_yaw, "5.9": draw_shift_by_yaw, "7.1": draw_picture,
-    "7.2": draw_separation, "7.3": draw_picture, "7.4": draw_separation, "7.5": draw_longitudinal,
-    "7.6": draw_patches, "7.7": draw_longitudinal, "7.8": draw_patches, "7.9": draw_longitudinal_with_picture,
-    "7.10": draw_patches, "7.11": draw_lateral, "7.12": draw_torn, "7.13": draw_torn, "7.14": draw_torn,
-    "7.15": draw_patches, "7.16": draw_patches, "7.17": draw_patches,
-}  # fmt: skip
-SIZES = {
-    "5.6": (WIDE, 5.2),
-    "5.7": (7.5, 3.9),
-    "5.8": (WIDE, 5.4),
-    "7.1": (7.5, 3.9),
-    "7.2": (WIDE, 4.8),
-    "7.3": (7.5, 3.9),
-    "7.4": (WIDE, 4.8),
-    "7.6": (WIDE, 4.8),
-    "7.8": (WIDE, 4.8),
-    "7.9": (WIDE, 7.4),
-    "7.10": (WIDE, 4.8),
-    "7.11": (WIDE, 6.6),
-    "7.12": (WIDE, 4.8),
-    "7.13": (WIDE, 4.8),
-    "7.14": (WIDE, 4.8),
-    "7.15": (WIDE, 4.8),
-    "7.16": (WIDE, 4.8),
-    "7.17": (WIDE, 4.8),
-}  # fmt: skip  [in]
+    "4.4": (lambda *on: draw_panels(*on, *ROLL), WIDE),
+    "4.5": (lambda *on: draw_panels(*on, *PLACE, width_ratios=(1.5, 1)), WIDE),
+    "4.6": (draw_place_and_errors, WIDE),
+    "5.6": (draw_two_searches, (10.5, 5.2)),
+    "5.7": (draw_picture, OUTLINES),
+    "5.8": (partial(draw_by_yaw, loc="lower left", wanted=exact, **ROLL_INSET), (10.5, 5.4)),
+    "5.9": (partial(draw_by_yaw, loc="upper left", ylim=(-0.5, 11), **SHIFT_INSET), WIDE),
+    "7.1": (draw_picture, OUTLINES),
+    "7.2": (draw_separation, HIGHER),
+    "7.3": (draw_picture, OUTLINES),
+    "7.4": (draw_separation, HIGHER),
+    "7.5": (draw_longitudinal, WIDE),
+    "7.6": (draw_patches, HIGHER),
+    "7.7": (draw_longitudinal, WIDE),
+    "7.8": (draw_patches, HIGHER),
+    "7.9": (draw_longitudinal_with_picture, (10.5, 7.4)),
+    "7.10": (draw_patches, HIGHER),
+    "7.11": (draw_lateral, (10.5, 6.6)),
+    **dict.fromkeys(("7.12", "7.13", "7.14"), (draw_torn, HIGHER)),
+    **dict.fromkeys(("7.15", "7.16", "7.17"), (draw_patches, HIGHER)),
+}

@@ -9,21 +9,10 @@ import math
 import numpy as np
 
 from ..interface.calls import checked_input, unknown_input
-from ..interface.inputs import INPUTS
+from ..interface.index import PLACES, keyword_of, row_of
 from ..methods.numbers import unit_behind
 from ..methods.words import did_you_mean
-from ..results.inputs import PLACES
 from ..results.words import short
-
-
-def keyword_of(name):
-    """The keyword of an input, by that or by its name in an FMU; None if there is none."""
-    return INPUTS[PLACES[name]].keyword if name in PLACES else None
-
-
-def row_of(keyword):
-    """The row of an input in the table of inputs."""
-    return INPUTS[PLACES[keyword]]
 
 
 def checked_axes(axes):

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..interface.calls import checked_input
+from ..interface.index import PLACES
 from ..methods.numbers import check_choice, unit_behind
 from ..methods.words import did_you_mean
-from ..results.inputs import PLACES
 from ..results.layout import variable_of
 from ..results.words import ShortText, shown, unit_name
 from .grid import keyword_of, row_of

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..interface.calls import given_inputs, warn_of_inputs
+from ..interface.index import PROFILES
 from ..interface.parameters import LEFT, PARAMETERS
 from ..methods.numbers import unit_behind
 from ..methods.own import functions_in
@@ -22,8 +23,6 @@ from ..system import ContactSystem
 from ..version import __version__
 from .grid import checked_axes, checked_inputs, row_of, words_of
 
-#: Keywords of profiles, which are attributes of a system, too.
-PROFILES = ("wheel", "rail", "left_wheel", "left_rail")
 #: Differences between two specifications that a sentence names.
 MOST = 3
 

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..interface.index import KINDS
 from ..methods.numbers import check_choice
 from ..profiles.profile import Profile
 from ..state import WheelsetState
@@ -29,8 +30,6 @@ from .laws import law_of
 from .rows import BY_TIME, distances, prefixes_of, rows_of_file, rows_of_table, whole_of
 from .update import DEEPEST, smoothed, worn_profile
 
-#: What wears of each side.
-KINDS = ("wheel", "rail")
 #: What wears of a wheelset, and of one wheel.
 PARTS, PARTS_OF_ONE = (
     tuple(f"{prefix}{kind}" for kind in KINDS for prefix in prefixes_of(side)) for side in (None, "right")

@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 
+from ...conventions import SIDES
 from ..remarks import Refusal
 from .base import Format, left_out, number_of, points_of, register
 
@@ -12,7 +13,6 @@ INCH = 25.4  # [mm]
 TREAD_DATUM = {"european": 70.0, "us1": (2 + 27 / 32) * INCH, "us2": (3 + 1 / 16) * INCH}
 COMMENT = re.compile(r"[\"!%].*")
 FIRST = {"wheel": "wheelprofile", "rail": "railprofile"}
-SIDES = ("left", "right")
 
 
 def read(text, kind, select):
