@@ -28,7 +28,7 @@ import wrcontact
 from data import halfspace_reference
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import default_kernel
-from wrcontact.kernel.contact import frame, pressed, traces
+from wrcontact.kernel.contact import frame, penetrated, traces
 from wrcontact.profiles.placement import readable_wheel
 from wrcontact.progress import tracked, working
 
@@ -116,7 +116,7 @@ def normal_gaps(tables, work, s):
             gap, _, _ = frame.normal_gap(pair, work.contact.frame, float(s[j]), 1e-10)
             if gap >= frame.NO_GAP:
                 break
-            g[j], A[j] = gap, pressed.met_curvature(pair, work.contact.frame) / 2
+            g[j], A[j] = gap, penetrated.met_curvature(pair, work.contact.frame) / 2
     return g, A
 
 
