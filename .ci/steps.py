@@ -296,7 +296,7 @@ def all_steps(run, work, turn, changed):
     run.step(
         "the full tests",
         [*PYTEST, "--dist", "worksteal", "--durations", 60, "-m", "full and not platforms and not complete"],
-        WRCONTACT_FUZZ_RUNS=1,
+        WRCONTACT_FUZZ_CALLS=30_000,
         WRCONTACT_IMPORTERS="all",
         **today,
     )

@@ -71,11 +71,13 @@ def systems():
         yield f"{model}, compliant, rails on springs", options
 
 
-def worst_steps(count):
-    """Rows by system: the SHARES of the evaluations over ``count`` random poses and, of the same number of
+def worst_steps(count, only=None):
+    """Rows by system, or by those of ``only`` these names: the SHARES of the evaluations over ``count`` random poses and, of the same number of
     steps, the hunting run; and the worst of both over the median of the random poses."""
     found = {}
     for name, options in systems():
+        if only is not None and name not in only:
+            continue
         counts = [
             evaluations(rows, **options)
             for rows in (random_rows(count), rounded(np.transpose(motion(count))))

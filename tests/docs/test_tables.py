@@ -6,16 +6,17 @@ import re
 import numpy as np
 import pytest
 
-from benchmarks import pages, parts, record, rows
+from benchmarks import pages, parts, record, rows, worst
 from benchmarks.pages import TABLES
 from tests.helpers.paths import ROOT
 from tests.helpers.same_numbers import SINGLE_POSES, differences
 
 #: Errors that another file's test computes again, since it has them anyway.
-ELSEWHERE = {"en15302"}  # tests/benchmarks/test_en15302.py
+ELSEWHERE = {"en15302", "worst_steps"}  # tests/benchmarks/test_en15302.py, and below
 QUICK = [name for name, part in parts.PARTS.items() if part.kind == parts.ERRORS and name not in ELSEWHERE]
+WORST = [name for name, _ in worst.systems()]
 #: Long ones, with nothing that the others have not met on another machine.
-ONE_MACHINE = {"worn_pairs", "worst_steps"}
+ONE_MACHINE = {"worn_pairs"}
 #: Studies of at most some minutes; the half-space's own rows have a test below.
 LONG = ("elastic_roll", "profile_noise", "conicity_noise", "source_figures")
 
@@ -72,6 +73,15 @@ def test_errors_are_those_of_today(name):
     found = record.short(parts.PARTS[name].measure(rows.FULL))
     wider = SINGLE_POSES if name == "elastic_trials" else None
     assert differences(found, record.load(name)["rows"], wider=wider) == []
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", WORST)
+@pytest.mark.turns(4)
+def test_worst_steps_are_those_of_today(name):
+    """If this fails, too: ``python -m benchmarks --write errors``."""
+    found = record.short(worst.worst_steps(parts.STEPS, [name]))
+    assert differences(found, {name: record.load("worst_steps")["rows"][name]}) == []
 
 
 @pytest.mark.full

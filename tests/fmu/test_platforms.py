@@ -8,6 +8,7 @@ import struct
 import subprocess
 import sys
 import sysconfig
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 
@@ -34,6 +35,7 @@ from wrcontact.fmu import build_fmu, native, online
 from wrcontact.fmu.online import compile_kernel
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 from wrcontact.kernel import layout
+from wrcontact.kernel.binding import compiler
 from wrcontact.kernel.binding.compiler import CompilerProblem, chosen_platform, compiler_for, requirements
 from wrcontact.kernel.binding.files import HERE as KERNEL
 from wrcontact.kernel.binding.files import LIBRARY_NAME, PLATFORMS, host_platform, library_name
@@ -113,11 +115,21 @@ def test_a_failing_compiler_leaves_this_machines_kernel(monkeypatch, capsys):
 # --- what libraries need and export ---------------------------------------------------------------
 
 
+@contextmanager
+def less_optimised():
+    """Within this a compiler takes a third of the time; wheels and digests are of libraries as they are given
+    away."""
+    with pytest.MonkeyPatch.context() as changed:
+        changed.setattr(compiler, "FLAGS", (*compiler.FLAGS, "-O1"))
+        yield
+
+
 @pytest.fixture(scope="session")
 def fmus(tmp_path_factory):
     """The native FMUs for every platform, unpacked, by version of FMI."""
     folders = {}
-    made = native.build_native_fmus(tmp_path_factory.mktemp("native"), platforms=list(PLATFORMS))
+    with less_optimised():
+        made = native.build_native_fmus(tmp_path_factory.mktemp("native"), platforms=list(PLATFORMS))
     for version, fmu in zip((2, 3), made):
         assert validate_fmu(str(fmu)) == []
         folders[version] = Path(fmpy.extract(str(fmu), tmp_path_factory.mktemp(f"fmi{version}")))
@@ -129,7 +141,14 @@ def kernels():
     """The kernel's library of a platform by its name, compiled once; or that in the folder
     WRCONTACT_TEST_KERNELS, for the wheels of a release."""
     given = os.environ.get("WRCONTACT_TEST_KERNELS")
-    return (lambda name: Path(given, library_name(name)).read_bytes()) if given else cache(compile_kernel)
+    if given:
+        return lambda name: Path(given, library_name(name)).read_bytes()
+
+    def compiled(name):
+        with less_optimised():
+            return compile_kernel(name)
+
+    return cache(compiled)
 
 
 def share(names, chosen):
@@ -302,7 +321,8 @@ def test_values_on_other_machines(fmus, run_on, tmp_path, name, version, setting
 @pytest.fixture(scope="session")
 def python_fmu(tmp_path_factory):
     """The Python FMU, unpacked."""
-    fmu = build_fmu(tmp_path_factory.mktemp("python"))
+    with less_optimised():
+        fmu = build_fmu(tmp_path_factory.mktemp("python"))
     return Path(fmpy.extract(str(fmu), tmp_path_factory.mktemp("unpacked")))
 
 

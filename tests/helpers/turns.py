@@ -39,8 +39,8 @@ WEEKLY = {
         "benchmarks/worn_pairs.py",
         "data/worn_",
     ),
-    "tests/docs/test_tables.py::test_errors_are_those_of_today[worst_steps]": ("benchmarks/worst.py",),
     "tests/docs/test_tables.py::test_studies_are_those_of_today": ("benchmarks/", "wrcontact/study/"),
+    "tests/docs/test_tables.py::test_worst_steps_are_those_of_today": ("benchmarks/worst.py",),
     "tests/docs/test_types.py": (
         "tools/make_fields.py",
         "wrcontact/__init__.py",

@@ -218,7 +218,7 @@ def test_what_is_weekly_runs_once_a_week_and_where_its_files_have_changed():
             assert all(due(name, turn, changed) for turn in range(WEEK))
     row = "tests/docs/test_tables.py::test_errors_are_those_of_today"
     assert due(f"{row}[table_errors]", 1, []) and due(f"{row}[table_errors]", 2, [])
-    assert sum(due(f"{row}[worst_steps]", turn, []) for turn in range(WEEK)) == 1
+    assert sum(due(f"{row}[worn_pairs]", turn, []) for turn in range(WEEK)) == 1
     assert sum(due("tests/loop/test_energy.py::test_x", turn, []) for turn in range(WEEK)) == 1
     assert due("tests/wear/test_run.py", 1, []) and due("anything", 2, [])
 

@@ -255,10 +255,10 @@ def test_a_thousand_poses(poses):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("part", range(4))
-@pytest.mark.turns(4)
+@pytest.mark.parametrize("part", range(10))
+@pytest.mark.turns(10)
 def test_fifty_thousand_poses(part):
-    check_scenes(25, 500, 62, first=25 * part, loads=4)
+    check_scenes(10, 500, 62, first=10 * part, loads=4)
 
 
 @pytest.mark.complete
