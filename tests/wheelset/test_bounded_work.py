@@ -33,9 +33,13 @@ CONTRADICTED = [
     (-0.0050861321730791675, 0.001738413404493426, 247857.2705299917),
     (-0.00011841995995655677, -0.003472530344036509, 48866.972497927665),
 ]
-#: Measured: 61 trials at most over 10 000 random poses, at a jump, which is found to 1e-12 m, 11 in the median;
-#: those of the rigid roll are among them.
-MOST_TRIALS = 70
+#: Poses with one, in which a trial far above it had D of the wrong sign: the bracket closed where a wheel lacks
+#: 5e-4 and 1.3e-3 of its load.
+MISJUDGED = [(-0.006053683, 0.032544573, 199839.794226237), (-0.00603373, 0.028837116, 31393.34541602)]
+#: Measured: 52 trials at most over 10 000 random poses, 11 in the median; those of the rigid roll are among them.
+MOST_TRIALS = 60
+#: Measured: 16 ... 24, and 38 ... 44 where a bracket around the jump was halved.
+TRIALS_AT_JUMP = 27
 
 
 def trials(stepper, pose):
@@ -53,10 +57,17 @@ def test_elastic_trials_are_few(pose, model):
     assert status == 0 and count <= MOST_TRIALS
 
 
+@pytest.mark.parametrize("pose", AT_JUMPS)
+@pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
+def test_a_jump_is_found_in_few_trials(pose, model):
+    count, status = trials(elastic(normal_model=model).stepper(), pose)
+    assert status == 0 and count <= TRIALS_AT_JUMP
+
+
 @pytest.mark.parametrize("pose", CONTRADICTED)
 def test_a_contradiction_ends_newton_s_method(pose):
     count, status = trials(elastic(normal_model="analyn").stepper(), pose)
-    assert status == 0 and count <= 42
+    assert status == 0 and count <= 24
 
 
 @pytest.mark.full
@@ -98,16 +109,43 @@ def test_a_wheel_that_jumps_stands_where_it_carries_no_less_than_its_load(pose):
     assert left > 0.01 and abs(right) < 1e-9
 
 
-@pytest.mark.parametrize("pose", HIDDEN)
-def test_an_equilibrium_that_a_search_finds_is_one(pose):
+@pytest.mark.parametrize(
+    "pose, model", [(pose, "analyn") for pose in HIDDEN] + [(pose, "analyn_strip") for pose in MISJUDGED]
+)
+def test_an_equilibrium_that_a_search_finds_is_one(pose, model):
     """Both wheels carry their loads in the compliant form."""
     shift, yaw, force = pose
-    state = elastic().evaluate(shift, yaw, force)
-    pressed = compliant().evaluate(
+    state = elastic(normal_model=model).evaluate(shift, yaw, force)
+    pressed = compliant(normal_model=model).evaluate(
         shift, yaw, vertical_shift_input=state.vertical_shift, roll_input=state.roll
     )
     for side in (pressed.left, pressed.right):
         assert carried(side, "normal") == pytest.approx(force, rel=1e-6)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("model", ["hertz", "analyn", "analyn_strip"])
+def test_wheels_carry_their_loads_or_stand_at_a_jump(model):
+    """The compliant form carries both loads where the elastic one stands, or less 0.1 nm higher and more 0.1 nm
+    lower.  At jumps of Hertz 30 of 4000 poses stand, of the others fewer."""
+    random = np.random.default_rng(371)
+    shift, yaw = random.uniform(-6.6e-3, 6.6e-3, 4000), random.uniform(-0.0349, 0.0349, 4000)
+    force = 10 ** random.uniform(3.5, 5.3, 4000)
+    inputs = {"lateral_shift": shift, "yaw": yaw}
+    stands = elastic(normal_model=model).evaluate_many(**inputs, normal_force=force)
+    assert (stands.status == 0).all()
+
+    def lack(away):
+        pressed = compliant(normal_model=model).evaluate_many(
+            **inputs, vertical_shift_input=stands.vertical_shift + away, roll_input=stands.roll
+        )
+        return np.array([pressed.left.normal_force, pressed.right.normal_force]) / force - 1
+
+    balanced = (abs(lack(0.0)) < 1e-6).all(axis=0)
+    at_jump = (lack(-1e-10) < 1e-6).all(axis=0) & (lack(1e-10) > -1e-6).all(axis=0)
+    wrong = np.flatnonzero(~balanced & ~at_jump)
+    assert not wrong.size, [(shift[i], yaw[i], force[i]) for i in wrong]
+    assert balanced.mean() > 0.98
 
 
 # --- rails on springs -------------------------------------------------------------------------------------

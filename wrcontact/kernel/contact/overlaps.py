@@ -52,6 +52,15 @@ WIDENINGS: Final[int] = 6
 def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float):
     """List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
     number."""
+    list_deep_points(pair, overlap, side, height)
+    if overlap.count > 0:
+        merge_points(pair, overlap)
+    return overlap.count
+
+
+@seldom
+def list_deep_points(pair: Pair, overlap: Overlap, side: SideSearch, height: float):
+    """The same of all deepest points, before those of one region are joined."""
     place = side.place
     samples = overlap.samples
     node = node_below(pair.scan, side.best_y)
@@ -69,8 +78,6 @@ def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
         list_beside_smallest_gap(pair, overlap, side)
     if overlap.count > 0:
         find_saddles(pair, overlap, place)
-        merge_points(pair, overlap)
-    return overlap.count
 
 
 @seldom

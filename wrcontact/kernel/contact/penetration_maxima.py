@@ -17,6 +17,7 @@ from ..layout import (
     Pair,
     Place,
     copy,
+    inlined,
     seldom,
 )
 from ..surface.tables import height_slope
@@ -136,6 +137,29 @@ def drop_point(overlap: Overlap, entry: int):
     remove_point(overlap, entry)
 
 
+@inlined
+def are_joined(depth: float, point: DeepPoint, following: DeepPoint) -> bool:
+    """Whether two neighbouring points of an overlap with this largest ``depth`` [m] are one region."""
+    lower = min(point.depth, following.depth)
+    return depth - point.between < MERGE * depth or lower - point.between < LEAST_HUMP
+
+
+@seldom
+def region_pattern(overlap: Overlap, deepest_alone: bool) -> int:
+    """A number that tells which of the points on the list are regions of their own, and which is the deepest;
+    or the latter alone."""
+    deepest = deepest_entry(overlap)
+    pattern = deepest
+    if not deepest_alone:
+        for entry in range(overlap.count - 1):
+            pattern = 2 * pattern
+            if not are_joined(
+                overlap.points[deepest].depth, overlap.points[entry], overlap.points[entry + 1]
+            ):
+                pattern += 1
+    return pattern
+
+
 @seldom
 def merge_points(pair: Pair, overlap: Overlap):
     """Join points with a low saddle between them, or hardly one, and keep REGION_LIMIT of them."""
@@ -144,8 +168,7 @@ def merge_points(pair: Pair, overlap: Overlap):
     while entry < overlap.count - 1:
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        lower = min(point.depth, following.depth)
-        if depth - point.between < MERGE * depth or lower - point.between < LEAST_HUMP:
+        if are_joined(depth, point, following):
             less = entry
             if point.depth > following.depth:
                 less = entry + 1

@@ -97,6 +97,7 @@ class Broyden:
     best: float  # sum of both residuals where it was smallest [m],
     best_height: float  # and where that was [m, rad]
     best_roll: float
+    stalled: float  # trials since then
 
 
 @record
@@ -107,6 +108,24 @@ class Bracket:
     high: float
     at_low: float  # the value there [m]
     at_high: float
+
+
+@record
+class Jump:
+    """The way from one end of a bracket of the roll to the other, on which a wheel's load jumps."""
+
+    roll: float  # of its first end [rad]
+    height: float  # and the wheelset's there [m]
+    turn: float  # to the other end [rad]
+    climb: float  # [m]
+    sign: float  # of how much lower the wheel carries its load than it stands, at the first end
+    pattern: int  # of its regions there (deep_points.region_pattern); -1 where its load is compared
+    near: float  # the jump lies between these shares of the way [-]
+    far: float
+    searched: float  # how wide the bracket was when a jump was sought last [m]
+    found: bool  # whether one was found
+    apart_low: float  # the bracketed difference of heights at both ends [m]
+    apart_high: float
 
 
 @record
@@ -287,6 +306,7 @@ class Contact:
     frames: KeptFrames
     overlap: Overlap
     deep_points: DeepPoints * 2  # of the left and right wheel, as the last search has left them
+    changing: DeepPoints  # of a wheel whose regions change between two rolls, none joined
 
 
 #: What follows the runs of wear in a row: strips of the patches of both sides, and a number that makes rows
@@ -313,6 +333,7 @@ class Work:
     broyden: Broyden
     height_bracket: Bracket
     roll_bracket: Bracket
+    jump: Jump
     trials: RollTrials
     reference: Reference
     equilibrium: RailEquilibrium

@@ -90,7 +90,11 @@ def height_residual(tables: Tables, work: Work, index: int, force: float, height
         approach = permitted_approach(support, work.sides[index], height)
         status = lower_wheel(tables, work, index, approach)
         if status == VALID:
+            # what regions carry is known with their patches
+            filling = work.contact.filling
+            work.contact.filling = True
             count, status = load_side(tables, work, index, 0.0, work.contact.frame.depth)
+            work.contact.filling = filling
             residual = approach
             if carried_load(work.contact.regions, count) > force:
                 residual = -approach

@@ -40,6 +40,9 @@ from .residuals import balance_both, depth_outcome, estimate_approach, turn_near
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 18
+#: Nor will it where so many trials in a row have found no smaller residuals: there it alternates between the two
+#: sides of a jump.
+STALLED: Final[float] = 5.0
 #: Strips are solved coarsely in the first trials, until a move is shorter [m]: the residual that it leaves is
 #: then as large as what is off in coarse penetrations.
 COARSE: Final[float] = 1.5e-5
@@ -124,7 +127,8 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
         work.contact.following = trial > 0
         if trial > 0 and work.contact.coarse and moved < COARSE:
             work.contact.coarse = False
-            # the change to the whole model does not show how residuals follow a move
+            # the change to the whole model does not show how residuals follow a move, nor which are smallest
+            method.best = FARTHEST
             method.move_height = 0.0
             method.move_roll = 0.0
         elif trial > 0 and moved < NOT_LAST:
@@ -146,7 +150,7 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
             work.supports[1].height - height,
             fabs(method.move_height) + fabs(method.move_roll) < NEAR,
         )
-        if not find_move(method, work.supports, arm, residual_rate(tables)):
+        if method.stalled > STALLED or not find_move(method, work.supports, arm, residual_rate(tables)):
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
             if work.contact.filling and gaps_hold(tables, work, roll):
@@ -171,9 +175,12 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
 
 @seldom
 def note_best(method: Broyden, supports: Supports, height: float, roll: float):
-    """Note ``height`` [m] and ``roll`` [rad] of the trial if its residuals are the smallest so far."""
+    """Note ``height`` [m] and ``roll`` [rad] of the trial if its residuals are the smallest so far, else that
+    it has found no smaller ones."""
     lack = fabs(supports[0].height - height) + fabs(supports[1].height - height)
+    method.stalled += 1.0
     if lack < method.best:
+        method.stalled = 0.0
         method.best = lack
         method.best_height = height
         method.best_roll = roll

@@ -3,8 +3,9 @@
 The height at which a wheel carries its load hardly depends on the height of the trial (elastic.py), so that
 each trial gives D(roll) = height_right - height_left, and a better height for the next one.  Every trial now
 searches for all deepest points.  So D is a function of the roll, which jumps where a region comes or goes.
-Newton's method finds its root; where a step has not halved D, the bracket of the roll is halved.  If it
-encloses a jump, no roll is an equilibrium, and the one of the jump is taken, at the height at which the wheel
+Newton's method finds its root; where a step has not halved D, the bracket of the roll is cut: beside the jump of
+one wheel where one is found (jumps.py), which takes some trials, else half way, which takes one for each bit.  If
+it encloses a jump, no roll is an equilibrium, and the one of the jump is taken, at the height at which the wheel
 that does not jump carries its load.
 """
 
@@ -12,9 +13,10 @@ from math import fabs
 from typing import Final
 
 from ..contact.penetrated import limited
-from ..layout import NOT_CONVERGED, ROLL_LIMIT, UNLOADED, Bracket, Supports, Tables, Work, seldom
+from ..layout import NOT_CONVERGED, ROLL_LIMIT, UNLOADED, Bracket, Jump, Supports, Tables, Work, seldom
 from ..normal.normal_contact import residual_rate
 from .brackets import height_residual
+from .jumps import find_jump
 from .residuals import depth_outcome, turn_near, turn_to
 
 #: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
@@ -34,6 +36,14 @@ LEAST_LEVER: Final[float] = 1e-2
 #: 1e-7 m, which 1e-9 would leave 1 % off.
 ENCLOSINGS: Final[int] = 60
 JUMP_SHARP: Final[float] = 1e-12
+#: A trial shows on which side of the root it is where the steady wheel misses its height by no more than this
+#: share of D [-], or this [m]: 8 micrometres from it D = 0.3 micrometres had the wrong sign.
+NEAR_SHARE: Final[float] = 0.25
+NEAR_HEIGHT: Final[float] = 1e-7
+#: Wider than any bracket [m].
+FARTHEST: Final[float] = 1.0
+#: Where D falls by more than so many times what the levers say, it jumps [-].
+STEEP: Final[float] = 4.0
 #: In so narrow a bracket a value of D above this is a jump, and no equilibrium [m].
 UNBALANCED: Final[float] = 1e-9
 #: A step that has not reduced D by this factor halves the bracket; D falls by at least this share of what the
@@ -60,13 +70,11 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
     ``roll`` and ``height`` on; NOT_CONVERGED where none is found."""
     bracket = work.roll_bracket
     supports = work.supports
-    arm = tables.arm
     rate = residual_rate(tables)
-    below = False
-    above = False
     before = 0.0
     move = 0.0
     moved = LONGEST_MOVE
+    begin_cuts(work.jump)
     if not turn_to(tables, work, roll):
         return roll, NOT_CONVERGED
     for trial in range(ENCLOSINGS):
@@ -80,50 +88,105 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
         slope = slope_apart(supports, move, apart - before)
         steady = int(fabs(lack_right) < fabs(lack_left))
         lack = (supports[steady].height - height) / rate
-        note_end(bracket, apart, roll, height + lack)
-        below = below or apart > 0.0
-        above = above or not apart > 0.0
-        enclosed = below and above
-        width = arm * (bracket.high - bracket.low)
-        if enclosed and width < JUMP_SHARP and fabs(apart) > UNBALANCED:
+        near = fabs(lack) < NEAR_SHARE * fabs(apart) or fabs(lack) < NEAR_HEIGHT
+        if near:
+            note_end(work, apart, roll, height + lack)
+        enclosed = work.jump.apart_low > 0.0 and work.jump.apart_high <= 0.0
+        if enclosed and bracket_width(tables, bracket) < JUMP_SHARP and fabs(apart) > UNBALANCED:
             roll, status = stand_at_jump(tables, work, steady, left, right)
             return roll, status
         following = roll - apart / slope
-        if enclosed and (
-            not (following > bracket.low and following < bracket.high) or fabs(apart) > REDUCED * fabs(before)
-        ):
-            following = 0.5 * (bracket.low + bracket.high)
+        inside = following > bracket.low and following < bracket.high
+        cut = near and (work.jump.found or not inside or fabs(apart) > REDUCED * fabs(before))
+        if enclosed and cut:
+            following = cut_bracket(tables, work, steady, left, right, roll, fabs(lack))
+        elif enclosed and not inside:
+            # the same roll again, nearer to where the wheels carry their loads
+            following = roll
         before = apart
-        move = limited(following - roll, LONGEST_MOVE / arm)
+        move = limited(following - roll, LONGEST_MOVE / tables.arm)
         sink = lack + float(2 * steady - 1) * supports[steady].lever * move
         if not enclosed:
             # in one order for a wheelset and its mirror image
             sink = 0.5 * ((lack_left - supports[0].lever * move) + (lack_right + supports[1].lever * move))
+        elif cut:
+            share = (following - bracket.low) / (bracket.high - bracket.low)
+            sink = bracket.at_low + share * (bracket.at_high - bracket.at_low) - height
         sink = limited(sink, LONGEST_MOVE)
-        moved = fabs(sink) + arm * fabs(move)
-        if fabs(sink) < ELASTIC_SHARP and arm * fabs(move) < ELASTIC_SHARP:
+        moved = fabs(sink) + tables.arm * fabs(move)
+        if fabs(sink) < ELASTIC_SHARP and tables.arm * fabs(move) < ELASTIC_SHARP:
             if work.contact.filling and satisfied and gaps_hold(tables, work, roll):
-                supports[0].height = height + sink
-                supports[1].height = height + sink
+                set_heights(supports, height + sink)
                 return roll + move, depth_outcome(work, status)
-            below = False
-            above = False
+            begin_cuts(work.jump)
         height += sink
         roll += move
         if not fabs(roll) < ROLL_LIMIT or not turn_near(tables, work, roll):
-            return roll, NOT_CONVERGED
+            break
     return roll, NOT_CONVERGED
 
 
 @seldom
-def note_end(bracket: Bracket, apart: float, roll: float, height: float):
-    """Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket; ``height`` [m] goes with it."""
+def note_end(work: Work, apart: float, roll: float, height: float):
+    """Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket; ``height`` [m] goes with it.  What
+    was known of the other end at this same roll, farther from the height, is forgotten."""
+    bracket = work.roll_bracket
+    if bracket.low == roll:
+        work.jump.apart_low = -FARTHEST
+    if bracket.high == roll:
+        work.jump.apart_high = FARTHEST
     if apart > 0.0:
         bracket.low = roll
         bracket.at_low = height
+        work.jump.apart_low = apart
     else:
         bracket.high = roll
         bracket.at_high = height
+        work.jump.apart_high = apart
+
+
+@seldom
+def bracket_width(tables: Tables, bracket: Bracket):
+    """Width of the bracket at the wheels [m].  Where D rises its low end is the higher one."""
+    return tables.arm * fabs(bracket.high - bracket.low)
+
+
+@seldom
+def begin_cuts(jump: Jump):
+    """Neither end of the bracket is known, and no jump is sought or found yet."""
+    jump.apart_low = -FARTHEST
+    jump.apart_high = FARTHEST
+    jump.searched = FARTHEST
+    jump.found = False
+
+
+@seldom
+def cut_bracket(
+    tables: Tables, work: Work, steady: int, left: float, right: float, roll: float, missed: float
+):
+    """Next roll [rad] within the bracket after one at an end of it, ``roll``, where the ``steady`` wheel has
+    ``missed`` its height by so much [m]: beside a jump of the other one, if one is found, or half way.
+
+    After a search that has not halved the bracket, halving does.
+    """
+    bracket = work.roll_bracket
+    jump = work.jump
+    supports = work.supports
+    following = 0.5 * (bracket.low + bracket.high)
+    width = bracket_width(tables, bracket)
+    jump.found = False
+    if width < REDUCED * jump.searched:
+        jump.searched = width
+        force = left
+        if steady == 0:
+            force = right
+        smooth = fabs(supports[0].lever + supports[1].lever) * fabs(bracket.high - bracket.low)
+        steep = jump.apart_low - jump.apart_high > max(STEEP * smooth, UNBALANCED)
+        place = find_jump(tables, work, 1 - steady, force, roll, missed, steep)
+        if place > bracket.low and place < bracket.high:
+            following = place
+            jump.found = True
+    return following
 
 
 @seldom
@@ -174,17 +237,19 @@ def stand_beside(
     load; the outcome."""
     if not turn_to(tables, work, roll):
         return NOT_CONVERGED
-    work.contact.filling = False
+    work.contact.filling = True
     satisfied, status = level_both(tables, work, left, right, height)
-    if satisfied:
-        height += (work.supports[steady].height - height) / residual_rate(tables)
-        work.contact.filling = True
-        satisfied, status = level_both(tables, work, left, right, height)
     if not satisfied:
         status = NOT_CONVERGED
-    work.supports[0].height = height
-    work.supports[1].height = height
+    set_heights(work.supports, height)
     return depth_outcome(work, status)
+
+
+@seldom
+def set_heights(supports: Supports, height: float):
+    """Both wheels carry their loads at ``height`` [m]."""
+    supports[0].height = height
+    supports[1].height = height
 
 
 @seldom
