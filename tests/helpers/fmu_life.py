@@ -140,12 +140,14 @@ def phases(fmu):
     return {"ahead": ahead, "then": instance.get("roll"), "phases": answers}
 
 
-def brought_to(fmu, phase):
-    """An instance in a phase of its life."""
-    instance = fmu.instance()
-    for call in (instance.enter, instance.leave, instance.terminate)[: PHASES.index(phase)]:
-        call()
-    return instance
+def brought_to(fmu, phase, exchange=False):
+    """An instance in one of PHASES, or one for model exchange in one of MODES."""
+    one, known = fmu.instance(kind=0 if exchange else None), MODES if exchange else PHASES
+    steps = one.enter, one.leave, lambda: one.call("EnterContinuousTimeMode"), one.terminate
+    for step in (steps if exchange else (*steps[:2], one.terminate))[: known.index(phase)]:
+        step()
+    one.told()
+    return one
 
 
 def goes_on(instance, phase):
@@ -250,29 +252,18 @@ def exchange_modes(fmu):
     rows, answers, steps = of_exchange(fmu.version), {}, {}
     for name, (call, _) in rows.items():
         for mode in MODES:
-            one = in_mode(fmu, mode)
+            one = brought_to(fmu, mode, exchange=True)
             answers[f"{name}, {mode}"] = one.status_of(call, one)
         one = fmu.running()
         steps[name] = one.status_of(call, one)
-    wanted, one = work(fmu.running()), in_mode(fmu, "continuous")
+    wanted, one = work(fmu.running()), brought_to(fmu, "continuous", exchange=True)
     one.set(lateral_shift=3e-3)
     return {"exchange": answers, "steps": steps, "again": again(one) == wanted}
 
 
-def in_mode(fmu, mode):
-    """An instance for model exchange in a mode of its life."""
-    one = fmu.instance(kind=0)
-    names = "ExitInitializationMode", "EnterContinuousTimeMode", "Terminate"
-    steps = (one.enter, *(lambda name=name: one.call(name) for name in names))
-    for step in steps[: MODES.index(mode)]:
-        step()
-    one.told()
-    return one
-
-
 def exchange_pointers(fmu):
     """Answers that have no place, and a run after them."""
-    wanted, one = work(fmu.running()), in_mode(fmu, "event")
+    wanted, one = work(fmu.running()), brought_to(fmu, "event", exchange=True)
     answers = {name: one.status_of(call, one) for name, call in without_places(fmu.version).items()}
     one.call("EnterContinuousTimeMode")
     return {"answers": answers, "equal": work(one, steps=False) == wanted}

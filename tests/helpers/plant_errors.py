@@ -240,7 +240,8 @@ def plant(errors, workers, tests, options=()):
             outcomes = list(pool.map(lambda error: examine(error, plain, tests, options), errors))
         seen_by = sorted({outcome.test for outcome in outcomes if outcome.test.startswith("tests/")})
         make_kernel(plain, any(asks_for_derivatives(plain, test.partition("::")[0]) for test in seen_by))
-        return outcomes, not seen_by or run_tests(plain, seen_by, *options)[0] == 0
+        chosen = options if "-m" in options else [*options, "-m", "not complete"]  # full ones were among them
+        return outcomes, not seen_by or run_tests(plain, seen_by, *chosen)[0] == 0
 
 
 def main(arguments=None):
