@@ -54,8 +54,8 @@ LAWS = [
     ),
     (
         "jump_short",
-        "share = jump.near - sharp",
-        "share = jump.near - 100.0 * sharp",
+        "LEAST_BEYOND: Final[float] = 2e-13",
+        "LEAST_BEYOND: Final[float] = 2e-8",
         "trials beside a jump hardly narrow its bracket",
         "wheelset/test_bounded_work.py",
         "wrcontact/kernel/wheelset/jumps.py",
