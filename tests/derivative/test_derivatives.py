@@ -24,6 +24,7 @@ from tests.helpers.derivatives import (
     scale,
     stepped,
 )
+from tests.helpers.fuzzing import cut
 from tests.helpers.inside import rates_along, solver_of, workspace_of
 from tools.differentiate import derivative_modules
 from tools.transpile_kernel import source_modules
@@ -239,6 +240,33 @@ def test_a_width_that_ends_where_there_is_no_gap():
         status, rates = derivative(stepper, row, number)
         assert status == 0 and np.isfinite(rates).all()
         assert rates.any() == (number in (IN_LATERAL_SHIFT, IN_YAW, IN_ROLL, IN_VERTICAL_SHIFT, *RAILS))
+
+
+#: The right wheel's patch at 10 kN reaches over an end of the wheel: over its outer one on a wide gauge, or over the one
+#: of a wheel whose inner part is cut off [mm].
+ENDS = {
+    "outer, 0.2 mm left": ({"gauge": 1.57055}, 1e-5),
+    "outer, 1 mm left": ({"gauge": 1.56895}, 1e-5),
+    "inner, 0.3 mm left": ({"wheel": cut("S1002", start=-13.4)}, 3e-3),
+    "inner, 1 mm left": ({"wheel": cut("S1002", start=-17.73)}, 4.5e-3),
+}
+
+
+@pytest.mark.filterwarnings("ignore::wrcontact.ProfileWarning")
+@pytest.mark.parametrize("case", ENDS)
+def test_a_patch_that_ends_where_the_wheel_ends_has_the_derivatives_of_differences(case):
+    """The end stays where it is on the wheel: the patch there becomes wider or narrower as the wheel moves, and its
+    load is no longer the same."""
+    parameters, shift = ENDS[case]
+    stepper = wrcontact.ContactSystem(**parameters).stepper()
+    row = input_row(shift, 0.0, 0.0, 10e3, 0.0)
+    for number in (IN_LATERAL_SHIFT, IN_NORMAL_FORCE):
+        status, rates = derivative(stepper, row, number)
+        wanted, apart, _ = differences(stepper, row, number)
+        size = scale(rates, number)
+        clear = CONTINUOUS & (apart <= CLEAR * size)
+        assert status == 0 and clear.sum() > 0.9 * CONTINUOUS.sum()
+        assert np.max(np.abs(rates - wanted)[clear] / size[clear]) < KINK / 10
 
 
 @pytest.mark.full

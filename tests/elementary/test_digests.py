@@ -16,8 +16,8 @@ from tests.helpers.kernel_runs import needs_library
 from tests.helpers.paths import ROOT
 from tests.helpers.platforms import needs, needs_zig
 from tools.make_fixed_tables import made_tables
-from wrcontact.kernel.binding.compiler import ZIG, find_compiler
-from wrcontact.kernel.binding.files import host_platform
+from wrcontact.kernel.binding.compiler import compiler_for, find_compiler
+from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 from wrcontact.kernel.binding.fixed_tables import stored_tables
 from wrcontact.kernel.binding.library import Kernel
 from wrcontact.kernel.layout import INFLUENCE_MAP
@@ -92,7 +92,9 @@ def test_of_the_uncompiled_kernel():
 
 @needs_zig
 def test_of_a_library_that_zig_builds():
-    assert digests.differences(digests.run(digests.built_kernel([*ZIG, "-mcpu=baseline"]), MANY)) == []
+    """As for a wheel of this platform."""
+    kernel = digests.built_kernel(compiler_for(PLATFORMS[host_platform()]))
+    assert digests.differences(digests.run(kernel, MANY)) == []
 
 
 @needs_zig

@@ -27,8 +27,8 @@ import wrcontact
 from tests.helpers.paths import HELPERS
 from wrcontact.interface.inputs import INPUT_NAMES, INPUTS
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.compiler import FLAGS, FMU_UNITS, ZIG, compile_library
-from wrcontact.kernel.binding.files import HERE, host_platform
+from wrcontact.kernel.binding.compiler import FLAGS, FMU_UNITS, ZIG, compile_library, compiler_for
+from wrcontact.kernel.binding.files import HERE, PLATFORMS, host_platform
 from wrcontact.kernel.binding.fixed_tables import fixed_tables
 from wrcontact.kernel.binding.library import Kernel, declare, default_kernel
 from wrcontact.kernel.binding.setup import setup_of
@@ -196,7 +196,8 @@ def run(kernel=None, count=POSES, only=None):
 def built_kernel(compiler, flags=()):
     """A kernel of this process from a library by a compiler's command."""
     with tempfile.TemporaryDirectory() as folder:
-        library = ctypes.CDLL(str(compile_library(folder, compiler=compiler, extra_flags=flags)))
+        file = compile_library(folder, compiler=compiler, extra_flags=flags, units=FMU_UNITS)
+        library = ctypes.CDLL(str(file))
     declare(library)
     return Kernel(library)
 
@@ -293,7 +294,7 @@ def main():
     if options.on:
         found = emulated(options.on, options.count)
     elif options.zig:
-        found = run(built_kernel([*ZIG, "-mcpu=baseline"]), options.count)
+        found = run(built_kernel(compiler_for(PLATFORMS[host_platform()])), options.count)
     else:
         found = run(count=options.count)
     if options.write:

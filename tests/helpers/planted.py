@@ -19,6 +19,27 @@ Error = namedtuple("Error", "name old new meaning first module", defaults=[""])
 
 ERRORS = [
     Error(
+        "end_from_minimum",
+        "y = held(frame.traces[WHEEL].abscissa - direction * width * frame.plane.cos)",
+        "y = region.wheel",
+        "of a width that ends at a profile's end the derivative is sought beyond that end",
+        "derivative/test_derivatives.py",
+    ),
+    Error(
+        "end_inner",
+        "inner = held(width) * (1.0 - 10.0 * HALVED_SHARP)",
+        "inner = held(width) * (1.0 + 10.0 * HALVED_SHARP)",
+        "the derivative of a width that ends at a profile's end is taken behind that end",
+        "derivative/test_derivatives.py",
+    ),
+    Error(
+        "end_of_wheel",
+        "if nonzero(out) and (y < pair.wheel.start + WIDTH_TRACE or",
+        "if nonzero(out) and (y < pair.wheel.start - WIDTH_TRACE or",
+        "a width that ends at the wheel's inner end does not follow that end",
+        "derivative/test_derivatives.py",
+    ),
+    Error(
         "same_penetration",
         "if prescribed == self._penetration:  # by value: an array may have changed in place",
         "if self._penetration is not None:  # by value: an array may have changed in place",

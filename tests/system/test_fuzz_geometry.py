@@ -1,7 +1,7 @@
 """Rigid contact at very many poses: what has to hold of wheel and rail surfaces, against a
 witness that shares no code.
 
-Fifty thousand poses run in CI, a million with ``-m complete``. A failure prints the pose as a line
+Of fifty thousand poses a tenth runs in CI each day, a million with ``-m complete``. A failure prints the pose as a line
 of Python; ``cut`` in it is tests.helpers.fuzzing.cut.
 """
 

@@ -10,7 +10,20 @@ from ..contact.penetrated import LINE_SHARP, meet_wheel
 from ..contact.separation import separation_jet
 from ..contact.traces import start_traces
 from ..contact.widths import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width
-from ..layout import RAIL, WHEEL, Frame, Origin, Overlap, Pair, Place, Region, SideSearch, Tables, Work
+from ..layout import (
+    RAIL,
+    SEPARATION_NORMAL,
+    WHEEL,
+    Frame,
+    Origin,
+    Overlap,
+    Pair,
+    Place,
+    Region,
+    SideSearch,
+    Tables,
+    Work,
+)
 from ..normal.analyn import load_regions, region_influence, region_load, solve_penetrations
 from ..normal.strip_pressures import eliminate
 from ..surface.locus import outline_jet
@@ -54,8 +67,12 @@ def width_jet(
     pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, width: float, tolerance: float
 ):
     """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as
-    ``zone_width`` measures it."""
-    start_traces(frame, region.station, region.rail, region.wheel)
+    ``zone_width`` measures it; the traces are near that place before."""
+    y = region.wheel
+    if pair.tables.separation == SEPARATION_NORMAL:
+        # sought from where the traces are: from the minimum, Newton's first step may lead beyond the wheel's end
+        y = held(frame.traces[WHEEL].abscissa - direction * width * frame.plane.cos)
+    start_traces(frame, region.station, region.rail, y)
     gap, rate, bend = separation_jet(pair, frame, origin, region.station + direction * width, tolerance)
     return gap, rate
 

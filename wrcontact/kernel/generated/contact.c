@@ -34,6 +34,7 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables,
 
 /* contact/overlaps.py */
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height);
+static OUT_OF_LINE int64_t overlaps__list_deep_points(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height);
 static OUT_OF_LINE bool overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden);
 static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
@@ -79,6 +80,8 @@ static OUT_OF_LINE int64_t penetration_maxima__last_touched(array_double_1d tabl
 static OUT_OF_LINE int64_t penetration_maxima__keep_deepest(array_double_1d work);
 static OUT_OF_LINE int64_t penetration_maxima__remove_point(array_double_1d work, int64_t entry);
 static OUT_OF_LINE int64_t penetration_maxima__drop_point(array_double_1d work, int64_t entry);
+static ALWAYS_INLINE bool penetration_maxima__are_joined(array_double_1d work, double depth, int64_t point, int64_t following);
+static OUT_OF_LINE int64_t penetration_maxima__region_pattern(array_double_1d work, bool deepest_alone);
 static OUT_OF_LINE int64_t penetration_maxima__merge_points(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t penetration_maxima__keep_points(array_double_1d work, int64_t kept);
 static inline int64_t penetration_maxima__follow_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t kept, int64_t place, double height);
@@ -785,6 +788,17 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables,
  */
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height)
 {
+    overlaps__list_deep_points(tables, work, pair, side, height);
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > 0)
+    {
+        penetration_maxima__merge_points(tables, work, pair);
+    }
+    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+}
+
+/* The same of all deepest points, before those of one region are joined. */
+static OUT_OF_LINE int64_t overlaps__list_deep_points(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height)
+{
     int64_t place, node, start, stop, entry;
     bool searched;
     place = side + layout__SIDE_SEARCH_PLACE;
@@ -812,9 +826,8 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) > 0)
     {
         overlaps__find_saddles(tables, work, pair, place);
-        penetration_maxima__merge_points(tables, work, pair);
     }
-    return (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
+    return 0;
 }
 
 /* List the deepest points between the sample ``entry`` and the next one; whether that took a search. */
@@ -1881,10 +1894,41 @@ static OUT_OF_LINE int64_t penetration_maxima__drop_point(array_double_1d work, 
     return 0;
 }
 
+/* Whether two neighbouring points of an overlap with this largest ``depth`` [m] are one region. */
+static ALWAYS_INLINE bool penetration_maxima__are_joined(array_double_1d work, double depth, int64_t point, int64_t following)
+{
+    double lower;
+    lower = double_min(AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, following + layout__DEEP_POINT_DEPTH));
+    return depth - AT(work, point + layout__DEEP_POINT_BETWEEN) < penetration_maxima__MERGE * depth || lower - AT(work, point + layout__DEEP_POINT_BETWEEN) < penetration_maxima__LEAST_HUMP;
+}
+
+/* A number that tells which of the points on the list are regions of their own, and which is the deepest;
+ * or the latter alone.
+ */
+static OUT_OF_LINE int64_t penetration_maxima__region_pattern(array_double_1d work, bool deepest_alone)
+{
+    int64_t deepest, pattern, entry, entry_end;
+    deepest = penetration_maxima__deepest_entry(work);
+    pattern = deepest;
+    if (!deepest_alone)
+    {
+        entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) - 1;
+        for (entry = 0; entry < entry_end; entry += 1)
+        {
+            pattern = 2 * pattern;
+            if (!penetration_maxima__are_joined(work, AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deepest + layout__DEEP_POINT_DEPTH), layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1)))
+            {
+                pattern += 1;
+            }
+        }
+    }
+    return pattern;
+}
+
 /* Join points with a low saddle between them, or hardly one, and keep REGION_LIMIT of them. */
 static OUT_OF_LINE int64_t penetration_maxima__merge_points(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    double depth, lower;
+    double depth;
     int64_t entry, point, following, less;
     depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work) + layout__DEEP_POINT_DEPTH);
     entry = 0;
@@ -1892,8 +1936,7 @@ static OUT_OF_LINE int64_t penetration_maxima__merge_points(array_double_1d tabl
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1);
-        lower = double_min(AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, following + layout__DEEP_POINT_DEPTH));
-        if (depth - AT(work, point + layout__DEEP_POINT_BETWEEN) < penetration_maxima__MERGE * depth || lower - AT(work, point + layout__DEEP_POINT_BETWEEN) < penetration_maxima__LEAST_HUMP)
+        if (penetration_maxima__are_joined(work, depth, point, following))
         {
             less = entry;
             if (AT(work, point + layout__DEEP_POINT_DEPTH) > AT(work, following + layout__DEEP_POINT_DEPTH))

@@ -51,10 +51,14 @@ static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, dou
 /* wheelset/enclosing.py */
 static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height);
 static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
-static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, int64_t bracket, double apart, double roll, double height);
+static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, double apart, double roll, double height);
+static OUT_OF_LINE double enclosing__bracket_width(array_double_1d work, array_double_1d tables, int64_t bracket);
+static OUT_OF_LINE int64_t enclosing__begin_cuts(array_double_1d work);
+static OUT_OF_LINE double enclosing__cut_bracket(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double missed);
 static OUT_OF_LINE double enclosing__slope_apart(array_double_1d work, double move, double change);
 static OUT_OF_LINE void enclosing__stand_at_jump(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t steady, double left, double right);
 static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double height);
+static OUT_OF_LINE int64_t enclosing__set_heights(array_double_1d work, double height);
 static OUT_OF_LINE bool enclosing__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
 
 /* wheelset/fatigue.py */
@@ -104,6 +108,12 @@ static inline bool input_checks__is_moving(array_double_1d work, array_double_1d
 static inline bool input_checks__is_rail_moving(array_double_1d work, int64_t inputs);
 static inline bool input_checks__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline bool input_checks__has_wear(array_double_1d tables);
+
+/* wheelset/jumps.py */
+static OUT_OF_LINE double jumps__find_jump(array_double_1d tables, array_double_1d work, int64_t index, double force, double roll, double missed, bool steep);
+static OUT_OF_LINE int64_t jumps__narrow_jump(array_double_1d tables, array_double_1d work, int64_t index, double force, double sharp);
+static OUT_OF_LINE int64_t jumps__compare_pattern(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE int64_t jumps__compare_load(array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
 
 /* wheelset/prescribed_height.py */
 static OUT_OF_LINE bool prescribed_height__search_near(array_double_1d tables, array_double_1d work, int64_t index, int64_t row);
@@ -341,7 +351,7 @@ static OUT_OF_LINE void brackets__height_residual(double* residual_out, bool* sa
 {
     int64_t support, status, count;
     double residual, approach;
-    bool satisfied;
+    bool satisfied, filling;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     status = residuals__balance_side(tables, work, index, force, height);
     residual = AT(work, support + layout__SUPPORT_HEIGHT) - height;
@@ -353,7 +363,11 @@ static OUT_OF_LINE void brackets__height_residual(double* residual_out, bool* sa
         status = side__lower_wheel(tables, work, index, approach);
         if (status == layout__VALID)
         {
+            /* what regions carry is known with their patches */
+            filling = AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0;
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
             side__load_side(&count, &status, tables, work, index, 0.0, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)filling;
             residual = approach;
             if (brackets__carried_load(work, count) > force)
             {
@@ -1254,7 +1268,8 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
         if (trial > 0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0 && moved < elastic__COARSE)
         {
             AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)false;
-            /* the change to the whole model does not show how residuals follow a move */
+            /* the change to the whole model does not show how residuals follow a move, nor which are smallest */
+            AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST) = elastic__FARTHEST;
             AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
             AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
         }
@@ -1282,7 +1297,7 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
         }
         elastic__note_best(work, height, roll);
         elastic__update(work, AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height, AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height, fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) < elastic__NEAR);
-        if (!elastic__find_move(work, arm, normal_contact__residual_rate(tables)))
+        if (AT(work, layout__WORK_BROYDEN + layout__BROYDEN_STALLED) > elastic__STALLED || !elastic__find_move(work, arm, normal_contact__residual_rate(tables)))
         {
             *roll_out = roll;
             *NOT_CONVERGED_out = layout__NOT_CONVERGED;
@@ -1331,13 +1346,17 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
     *NOT_CONVERGED_out = layout__NOT_CONVERGED;
 }
 
-/* Note ``height`` [m] and ``roll`` [rad] of the trial if its residuals are the smallest so far. */
+/* Note ``height`` [m] and ``roll`` [rad] of the trial if its residuals are the smallest so far, else that
+ * it has found no smaller ones.
+ */
 static OUT_OF_LINE int64_t elastic__note_best(array_double_1d work, double height, double roll)
 {
     double lack;
     lack = fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) + fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height);
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_STALLED) += 1.0;
     if (lack < AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST))
     {
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_STALLED) = 0.0;
         AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST) = lack;
         AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_HEIGHT) = height;
         AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_ROLL) = roll;
@@ -1427,8 +1446,9 @@ static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, dou
  * The height at which a wheel carries its load hardly depends on the height of the trial (elastic.py), so that
  * each trial gives D(roll) = height_right - height_left, and a better height for the next one.  Every trial now
  * searches for all deepest points.  So D is a function of the roll, which jumps where a region comes or goes.
- * Newton's method finds its root; where a step has not halved D, the bracket of the roll is halved.  If it
- * encloses a jump, no roll is an equilibrium, and the one of the jump is taken, at the height at which the wheel
+ * Newton's method finds its root; where a step has not halved D, the bracket of the roll is cut: beside the jump of
+ * one wheel where one is found (jumps.py), which takes some trials, else half way, which takes one for each bit.  If
+ * it encloses a jump, no roll is an equilibrium, and the one of the jump is taken, at the height at which the wheel
  * that does not jump carries its load.
  */
 
@@ -1457,16 +1477,14 @@ static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* stat
  */
 static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
 {
-    double arm, rate, before, move, moved, lack_left, lack_right, apart, slope, lack, width, following, sink;
-    bool below, above, satisfied, enclosed;
+    double rate, before, move, moved, lack_left, lack_right, apart, slope, lack, following, sink, share;
     int64_t trial, status, steady;
-    arm = AT(tables, layout__TABLES_ARM);
+    bool satisfied, near, enclosed, inside, cut;
     rate = normal_contact__residual_rate(tables);
-    below = false;
-    above = false;
     before = 0.0;
     move = 0.0;
     moved = enclosing__LONGEST_MOVE;
+    enclosing__begin_cuts(work);
     if (!residuals__turn_to(tables, work, roll))
     {
         *roll_out = roll;
@@ -1489,12 +1507,13 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
         slope = enclosing__slope_apart(work, move, apart - before);
         steady = (int64_t)(fabs(lack_right) < fabs(lack_left));
         lack = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_HEIGHT) - height) / rate;
-        enclosing__note_end(work, layout__WORK_ROLL_BRACKET, apart, roll, height + lack);
-        below = below || apart > 0.0;
-        above = above || !(apart > 0.0);
-        enclosed = below && above;
-        width = arm * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
-        if (enclosed && width < enclosing__JUMP_SHARP && fabs(apart) > enclosing__UNBALANCED)
+        near = fabs(lack) < enclosing__NEAR_SHARE * fabs(apart) || fabs(lack) < enclosing__NEAR_HEIGHT;
+        if (near)
+        {
+            enclosing__note_end(work, apart, roll, height + lack);
+        }
+        enclosed = AT(work, layout__WORK_JUMP + layout__JUMP_APART_LOW) > 0.0 && AT(work, layout__WORK_JUMP + layout__JUMP_APART_HIGH) <= 0.0;
+        if (enclosed && enclosing__bracket_width(work, tables, layout__WORK_ROLL_BRACKET) < enclosing__JUMP_SHARP && fabs(apart) > enclosing__UNBALANCED)
         {
             enclosing__stand_at_jump(&roll, &status, tables, work, steady, left, right);
             *roll_out = roll;
@@ -1502,60 +1521,128 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
             return;
         }
         following = roll - apart / slope;
-        if (enclosed && (!(following > AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) && following < AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) || fabs(apart) > enclosing__REDUCED * fabs(before)))
+        inside = following > AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) && following < AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
+        cut = near && (AT(work, layout__WORK_JUMP + layout__JUMP_FOUND) == 1.0 || !inside || fabs(apart) > enclosing__REDUCED * fabs(before));
+        if (enclosed && cut)
         {
-            following = 0.5 * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) + AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
+            following = enclosing__cut_bracket(tables, work, steady, left, right, roll, fabs(lack));
+        }
+        else if (enclosed && !inside)
+        {
+            /* the same roll again, nearer to where the wheels carry their loads */
+            following = roll;
         }
         before = apart;
-        move = penetrated__limited(following - roll, enclosing__LONGEST_MOVE / arm);
+        move = penetrated__limited(following - roll, enclosing__LONGEST_MOVE / AT(tables, layout__TABLES_ARM));
         sink = lack + (double)(2 * steady - 1) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_LEVER) * move;
         if (!enclosed)
         {
             /* in one order for a wheelset and its mirror image */
             sink = 0.5 * (lack_left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) * move + (lack_right + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER) * move));
         }
+        else if (cut)
+        {
+            share = (following - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW)) / (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
+            sink = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) + share * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW)) - height;
+        }
         sink = penetrated__limited(sink, enclosing__LONGEST_MOVE);
-        moved = fabs(sink) + arm * fabs(move);
-        if (fabs(sink) < enclosing__ELASTIC_SHARP && arm * fabs(move) < enclosing__ELASTIC_SHARP)
+        moved = fabs(sink) + AT(tables, layout__TABLES_ARM) * fabs(move);
+        if (fabs(sink) < enclosing__ELASTIC_SHARP && AT(tables, layout__TABLES_ARM) * fabs(move) < enclosing__ELASTIC_SHARP)
         {
             if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && satisfied && enclosing__gaps_hold(tables, work, roll))
             {
-                AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = height + sink;
-                AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = height + sink;
+                enclosing__set_heights(work, height + sink);
                 *roll_out = roll + move;
                 *NOT_CONVERGED_out = residuals__depth_outcome(work, status);
                 return;
             }
-            below = false;
-            above = false;
+            enclosing__begin_cuts(work);
         }
         height += sink;
         roll += move;
         if (!(fabs(roll) < layout__ROLL_LIMIT) || !residuals__turn_near(tables, work, roll))
         {
-            *roll_out = roll;
-            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
-            return;
+            break;
         }
     }
     *roll_out = roll;
     *NOT_CONVERGED_out = layout__NOT_CONVERGED;
 }
 
-/* Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket; ``height`` [m] goes with it. */
-static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, int64_t bracket, double apart, double roll, double height)
+/* Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket; ``height`` [m] goes with it.  What
+ * was known of the other end at this same roll, farther from the height, is forgotten.
+ */
+static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, double apart, double roll, double height)
 {
+    if (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) == roll)
+    {
+        AT(work, layout__WORK_JUMP + layout__JUMP_APART_LOW) = -enclosing__FARTHEST;
+    }
+    if (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) == roll)
+    {
+        AT(work, layout__WORK_JUMP + layout__JUMP_APART_HIGH) = enclosing__FARTHEST;
+    }
     if (apart > 0.0)
     {
-        AT(work, bracket + layout__BRACKET_LOW) = roll;
-        AT(work, bracket + layout__BRACKET_AT_LOW) = height;
+        AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = roll;
+        AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = height;
+        AT(work, layout__WORK_JUMP + layout__JUMP_APART_LOW) = apart;
     }
     else
     {
-        AT(work, bracket + layout__BRACKET_HIGH) = roll;
-        AT(work, bracket + layout__BRACKET_AT_HIGH) = height;
+        AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = roll;
+        AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = height;
+        AT(work, layout__WORK_JUMP + layout__JUMP_APART_HIGH) = apart;
     }
     return 0;
+}
+
+/* Width of the bracket at the wheels [m].  Where D rises its low end is the higher one. */
+static OUT_OF_LINE double enclosing__bracket_width(array_double_1d work, array_double_1d tables, int64_t bracket)
+{
+    return AT(tables, layout__TABLES_ARM) * fabs(AT(work, bracket + layout__BRACKET_HIGH) - AT(work, bracket + layout__BRACKET_LOW));
+}
+
+/* Neither end of the bracket is known, and no jump is sought or found yet. */
+static OUT_OF_LINE int64_t enclosing__begin_cuts(array_double_1d work)
+{
+    AT(work, layout__WORK_JUMP + layout__JUMP_APART_LOW) = -enclosing__FARTHEST;
+    AT(work, layout__WORK_JUMP + layout__JUMP_APART_HIGH) = enclosing__FARTHEST;
+    AT(work, layout__WORK_JUMP + layout__JUMP_SEARCHED) = enclosing__FARTHEST;
+    AT(work, layout__WORK_JUMP + layout__JUMP_FOUND) = (double)false;
+    return 0;
+}
+
+/* Next roll [rad] within the bracket after one at an end of it, ``roll``, where the ``steady`` wheel has
+ * ``missed`` its height by so much [m]: beside a jump of the other one, if one is found, or half way.
+ *
+ * After a search that has not halved the bracket, halving does.
+ */
+static OUT_OF_LINE double enclosing__cut_bracket(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double missed)
+{
+    double following, width, force, smooth, place;
+    bool steep;
+    following = 0.5 * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) + AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
+    width = enclosing__bracket_width(work, tables, layout__WORK_ROLL_BRACKET);
+    AT(work, layout__WORK_JUMP + layout__JUMP_FOUND) = (double)false;
+    if (width < enclosing__REDUCED * AT(work, layout__WORK_JUMP + layout__JUMP_SEARCHED))
+    {
+        AT(work, layout__WORK_JUMP + layout__JUMP_SEARCHED) = width;
+        force = left;
+        if (steady == 0)
+        {
+            force = right;
+        }
+        smooth = fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER)) * fabs(AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
+        steep = AT(work, layout__WORK_JUMP + layout__JUMP_APART_LOW) - AT(work, layout__WORK_JUMP + layout__JUMP_APART_HIGH) > double_max(enclosing__STEEP * smooth, enclosing__UNBALANCED);
+        place = jumps__find_jump(tables, work, 1 - steady, force, roll, missed, steep);
+        if (place > AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) && place < AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH))
+        {
+            following = place;
+            AT(work, layout__WORK_JUMP + layout__JUMP_FOUND) = (double)true;
+        }
+    }
+    return following;
 }
 
 /* How D follows the roll [m], from the levers of both sides and its ``change`` [m] by the last ``move``
@@ -1616,21 +1703,22 @@ static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array
     {
         return layout__NOT_CONVERGED;
     }
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
     enclosing__level_both(&satisfied, &status, tables, work, left, right, height);
-    if (satisfied)
-    {
-        height += (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_HEIGHT) - height) / normal_contact__residual_rate(tables);
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
-        enclosing__level_both(&satisfied, &status, tables, work, left, right, height);
-    }
     if (!satisfied)
     {
         status = layout__NOT_CONVERGED;
     }
+    enclosing__set_heights(work, height);
+    return residuals__depth_outcome(work, status);
+}
+
+/* Both wheels carry their loads at ``height`` [m]. */
+static OUT_OF_LINE int64_t enclosing__set_heights(array_double_1d work, double height)
+{
     AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = height;
     AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = height;
-    return residuals__depth_outcome(work, status);
+    return 0;
 }
 
 /* Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
@@ -2517,6 +2605,178 @@ static inline bool input_checks__has_creep_forces(array_double_1d tables, array_
 static inline bool input_checks__has_wear(array_double_1d tables)
 {
     return AT(tables, layout__TABLES_WEAR) == 1.0 && (int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL;
+}
+
+
+/* ---- From wheelset/jumps.py; change that one.
+ *
+ * Where one wheel's load jumps, on the way from one end of a bracket of the roll to the other.
+ *
+ * The difference of heights that is bracketed (enclosing.py) does not show where in the bracket it jumps, so that
+ * halving takes a trial of both wheels for each bit.  Here the height between both ends is interpolated, since the
+ * other wheel is steady, and the wheel that jumps is followed by itself.  Mostly its regions change: one comes or goes,
+ * or another one becomes the deepest.  The deepest points show that without any load: a region changes where a saddle is
+ * as deep as deep_points.MERGE permits, or where two points are equally deep.  Where regions stay, since a curvature
+ * jumps, the wheel's load is compared.
+ *
+ * The interpolated height is off by the square of the bracket's width, and so is the place of the jump: some trials
+ * beside it narrow the bracket to what rounding leaves.
+ */
+
+/* Where the next trial of a bracket is [rad], from its end at ``roll`` on, at which the sides are: beside
+ * the jump of side ``index`` under ``force`` [N], and beyond it from the nearer end by what a height that
+ * is ``missed`` by so much [m] asks for.  The end at ``roll`` itself where none is found.  Loads are compared where
+ * the bracket is ``steep``.
+ */
+static OUT_OF_LINE double jumps__find_jump(array_double_1d tables, array_double_1d work, int64_t index, double force, double roll, double missed, bool steep)
+{
+    double width, sharp, share;
+    AT(work, layout__WORK_JUMP + layout__JUMP_ROLL) = roll;
+    AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT) = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+    AT(work, layout__WORK_JUMP + layout__JUMP_TURN) = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
+    AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB) = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+    AT(work, layout__WORK_JUMP + layout__JUMP_SIGN) = (double)(1 - 2 * index);
+    if (roll == AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW))
+    {
+        AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT) = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW);
+        AT(work, layout__WORK_JUMP + layout__JUMP_TURN) = -AT(work, layout__WORK_JUMP + layout__JUMP_TURN);
+        AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB) = -AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB);
+        AT(work, layout__WORK_JUMP + layout__JUMP_SIGN) = -AT(work, layout__WORK_JUMP + layout__JUMP_SIGN);
+    }
+    width = AT(tables, layout__TABLES_ARM) * fabs(AT(work, layout__WORK_JUMP + layout__JUMP_TURN));
+    sharp = double_max(missed, jumps__LEAST_BEYOND) / width;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)true;
+    AT(work, layout__WORK_JUMP + layout__JUMP_PATTERN) = (double)(-1);
+    AT(work, layout__WORK_JUMP + layout__JUMP_NEAR) = 1.0;
+    overlaps__list_deep_points(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT));
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) <= layout__REGION_LIMIT)
+    {
+        penetration_maxima__keep_points(work, layout__WORK_CONTACT + layout__CONTACT_CHANGING);
+        AT(work, layout__WORK_JUMP + layout__JUMP_PATTERN) = (double)penetration_maxima__region_pattern(work, (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_HERTZ);
+        jumps__narrow_jump(tables, work, index, force, 0.25 * sharp);
+    }
+    if (AT(work, layout__WORK_JUMP + layout__JUMP_NEAR) == 1.0 && steep)
+    {
+        AT(work, layout__WORK_JUMP + layout__JUMP_PATTERN) = (double)(-1);
+        jumps__narrow_jump(tables, work, index, force, 0.25 * sharp);
+    }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
+    share = AT(work, layout__WORK_JUMP + layout__JUMP_NEAR) - sharp;
+    if (AT(work, layout__WORK_JUMP + layout__JUMP_NEAR) < 0.5)
+    {
+        share = AT(work, layout__WORK_JUMP + layout__JUMP_FAR) + sharp;
+    }
+    if (AT(work, layout__WORK_JUMP + layout__JUMP_NEAR) == 1.0)
+    {
+        share = 0.0;
+    }
+    return roll + share * AT(work, layout__WORK_JUMP + layout__JUMP_TURN);
+}
+
+/* Narrow the part of the bracket, from ``near`` to ``far``, in which the side jumps, to ``sharp`` [-];
+ * ``near`` is 1 where it does not jump.
+ */
+static OUT_OF_LINE int64_t jumps__narrow_jump(array_double_1d tables, array_double_1d work, int64_t index, double force, double sharp)
+{
+    double near, far, lost, step, share;
+    bool jumps;
+    int64_t i, outcome;
+    near = 0.0;
+    far = 1.0;
+    lost = 1.0;
+    jumps = (int64_t)AT(work, layout__WORK_JUMP + layout__JUMP_PATTERN) < 0;
+    step = 1.0;
+    if (jumps)
+    {
+        step = 0.5;
+    }
+    for (i = 0; i < jumps__JUMP_STEPS; i += 1)
+    {
+        share = near + step;
+        roll__turn_both(work, AT(work, layout__WORK_JUMP + layout__JUMP_ROLL) + share * AT(work, layout__WORK_JUMP + layout__JUMP_TURN));
+        if ((int64_t)AT(work, layout__WORK_JUMP + layout__JUMP_PATTERN) >= 0)
+        {
+            outcome = jumps__compare_pattern(tables, work, index, AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT) + share * AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB));
+        }
+        else
+        {
+            outcome = jumps__compare_load(tables, work, index, force, AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT) + share * AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB));
+        }
+        if (outcome == jumps__LOST)
+        {
+            lost = share;
+            step *= 0.5;
+        }
+        else if (outcome == jumps__SAME)
+        {
+            near = share;
+            step = far - near;
+            if (jumps)
+            {
+                step *= 0.5;
+            }
+        }
+        else
+        {
+            jumps = true;
+            far = share;
+            step = 0.5 * (far - near);
+        }
+        if (step < sharp)
+        {
+            break;
+        }
+    }
+    if (lost > near && lost < far)
+    {
+        far = lost;
+    }
+    AT(work, layout__WORK_JUMP + layout__JUMP_NEAR) = near;
+    AT(work, layout__WORK_JUMP + layout__JUMP_FAR) = far;
+    return 0;
+}
+
+/* Whether side ``index`` has the same regions at ``height`` [m], at the roll to which it is turned: SAME,
+ * and the points that are followed are those here; OTHER; or LOST, where they cannot be followed.
+ */
+static OUT_OF_LINE int64_t jumps__compare_pattern(array_double_1d tables, array_double_1d work, int64_t index, double height)
+{
+    int64_t pair, outcome;
+    pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
+    if (penetration_maxima__follow_overlaps(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_CHANGING, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE, height) == 0)
+    {
+        return jumps__LOST;
+    }
+    outcome = jumps__OTHER;
+    if (penetration_maxima__region_pattern(work, (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_HERTZ) == (int64_t)AT(work, layout__WORK_JUMP + layout__JUMP_PATTERN))
+    {
+        outcome = jumps__SAME;
+        penetration_maxima__keep_points(work, layout__WORK_CONTACT + layout__CONTACT_CHANGING);
+    }
+    return outcome;
+}
+
+/* Whether side ``index`` carries more than ``force`` [N] at ``height`` [m], or less, as at the first end
+ * of the bracket: SAME; OTHER; or LOST, where it is not known.
+ */
+static OUT_OF_LINE int64_t jumps__compare_load(array_double_1d tables, array_double_1d work, int64_t index, double force, double height)
+{
+    int64_t outcome;
+    if (!roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index))
+    {
+        return jumps__LOST;
+    }
+    if (residuals__balance_side(tables, work, index, force, height) > layout__UNLOADED)
+    {
+        return jumps__LOST;
+    }
+    outcome = jumps__OTHER;
+    if (AT(work, layout__WORK_JUMP + layout__JUMP_SIGN) * (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT) - height) > 0.0)
+    {
+        outcome = jumps__SAME;
+    }
+    return outcome;
 }
 
 
