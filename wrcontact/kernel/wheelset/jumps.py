@@ -14,11 +14,11 @@ beside it narrow the bracket to what rounding leaves.
 from math import fabs
 from typing import Final
 
-from ..contact.deep_points import follow_overlaps, keep_points, region_pattern
+from ..contact.penetration_maxima import follow_overlaps, keep_points, region_pattern
 from ..contact.overlaps import list_deep_points
 from ..layout import MODEL_HERTZ, REGION_LIMIT, UNLOADED, Tables, Work, seldom
 from ..search.roll import follow_side, turn_both
-from .trial import balance_side
+from .residuals import balance_side
 
 #: Steps to a jump at most.
 JUMP_STEPS: Final[int] = 40
