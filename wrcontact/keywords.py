@@ -311,6 +311,8 @@ class PoseInputs(TypedDict, total=False):
     """Left wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
     right_axle_torque: float
     """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
+    track_position: float
+    """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""
 
 
 class TableInputs(TypedDict, total=False):
@@ -394,6 +396,8 @@ class TableInputs(TypedDict, total=False):
     """Left wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
     right_axle_torque: ArrayLike
     """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
+    track_position: ArrayLike
+    """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""
 
 
 class WheelInputs(TypedDict, total=False):
@@ -445,3 +449,5 @@ class WheelInputs(TypedDict, total=False):
     """Vertical deflection of its springs one rail_time_step ago [m]; by default 0."""
     axle_torque: float
     """Torque of motor or brake on the wheelset about its axle, positive where it drives forward; read where wheel_rate is 0 with free_rolling [N.m]; by default 0."""
+    track_position: float
+    """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""
