@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.helpers.sections import nose, nose_points
-from wrcontact import ContactSystem, RailSections
+from wrcontact import RailSections
 
 MM = 1e-3
 POSITIONS = np.linspace(-0.1, 0.1, 5)
@@ -184,13 +184,3 @@ def test_a_toml_that_cannot_be_used_is_refused(tmp_path, text, sentence):
 def test_other_endings_are_refused(tmp_path):
     with pytest.raises(ValueError, match=r"ends in \.csv; permitted are \.slcs and \.toml"):
         RailSections.from_file(tmp_path / "own.csv")
-
-
-def test_a_system_says_that_it_takes_rails_with_one_section(tmp_path):
-    """The evaluation of a wheelset does not have sections."""
-    with pytest.raises(
-        ValueError, match="rail is RailSections 'nose', which change along the track; permitted are"
-    ):
-        ContactSystem(rail=nose(POSITIONS))
-    with pytest.raises(ValueError, match="left_rail is RailSections 'nose'"):
-        ContactSystem(rail=(nose(POSITIONS), "UIC60"))
