@@ -77,6 +77,11 @@ def changing_kernel():
     return ChangingKernel(default_kernel().library)
 
 
+def bind_changing(tables, state, workspace, inputs, outputs):
+    """:meth:`ChangingKernel.bind` of this process, as a function that can be pickled."""
+    return changing_kernel().bind(tables, state, workspace, inputs, outputs)
+
+
 class Kernel:
     """The kernel; ``library`` is what ``open_library`` returns, or None for the Python source."""
 

@@ -24,6 +24,8 @@ from ..layout import (
 from ..search.roll import follow_side
 from ..search.smallest_gap import search_side
 from ..sections.section_surface import section_jet
+from ..surface.locus import outline_point, outline_x
+from ..surface.tables import height_slope
 from ..wheelset.at_height import GRAZING
 from ..wheelset.side import load_side, press_side, solve_side, touch_side
 from ..wheelset.trial import DEEPEST
@@ -158,7 +160,16 @@ def turn_point(pair: Pair, work: Work, index: int, height: float):
     )
     point.y_rail = y - sections.lateral
     point.z_rail = z
-    point.x_wheel = x * place.cos_yaw + (y - place.shift) * place.sin_yaw
+    # where the wheel stands, which a pressed one is moved from to touch
+    wheel_z, wheel_slope = height_slope(pair.wheel, point.y_wheel)
+    y_frame, z_frame, outline_slope = outline_point(side.place, point.y_wheel, wheel_z, wheel_slope)
+    wheel_x, wheel_y, wheel_down = point_in_track(
+        sections.frame,
+        sections.frame.centre[0] + outline_x(pair, side.place, point.y_wheel),
+        y_frame,
+        z_frame,
+    )
+    point.x_wheel = wheel_x * place.cos_yaw + (wheel_y - place.shift) * place.sin_yaw
     r = point.rolling_radius
     point.z_wheel = sqrt(max(r * r - point.x_wheel * point.x_wheel, 0.0)) - place.radius
     point.x_track = x

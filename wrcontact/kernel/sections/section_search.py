@@ -265,16 +265,7 @@ def judge_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox, 
     m = spread.bend_around
     c = spread.twist
     bend = spread.bend_across
-    by_angle = fabs(at.around) * turn + c * half * turn - 0.5 * m * turn * turn
-    if m > 0.0:
-        reach = fabs(at.around) + c * half
-        by_angle = min(reach * reach / (2.0 * m), fabs(at.around) * turn + c * half * turn)
-    by_place = fabs(at.across) * half - 0.5 * min(bend, 0.0) * half * half
-    steepest = max(fabs(spread.least_rise), fabs(spread.most_rise)) * half
-    steepest += max(fabs(spread.least_turn), fabs(spread.most_turn)) * turn
-    fall = min(by_angle + by_place, steepest)
-    if m > 0.0 and bend * m > c * c:
-        fall = min(fall, convex_fall(fabs(at.across), fabs(at.around), bend, c, m, half))
+    fall, by_angle, by_place = largest_fall(search, half, turn)
     if at.gap - fall >= search.best - SETTLED:
         return 0
     if search.inside and no_minimum(pair, search, box, angle, half, turn):
@@ -297,6 +288,27 @@ def judge_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox, 
         write_box(other, y, box.high, box.back, box.ahead)
         box.high = y
     return 2
+
+
+def largest_fall(search: SectionSearch, half: float, turn: float):
+    """How far the gap can fall [m] over ``half`` [m] and ``turn`` [rad] to either side of the place in ``search.at``, by the
+    bounds in ``search.spread``; and the parts of it by the angle and by the abscissa."""
+    at = search.at
+    spread = search.spread
+    m = spread.bend_around
+    c = spread.twist
+    bend = spread.bend_across
+    by_angle = fabs(at.around) * turn + c * half * turn - 0.5 * m * turn * turn
+    if m > 0.0:
+        reach = fabs(at.around) + c * half
+        by_angle = min(reach * reach / (2.0 * m), fabs(at.around) * turn + c * half * turn)
+    by_place = fabs(at.across) * half - 0.5 * min(bend, 0.0) * half * half
+    steepest = max(fabs(spread.least_rise), fabs(spread.most_rise)) * half
+    steepest += max(fabs(spread.least_turn), fabs(spread.most_turn)) * turn
+    fall = min(by_angle + by_place, steepest)
+    if m > 0.0 and bend * m > c * c:
+        fall = min(fall, convex_fall(fabs(at.across), fabs(at.around), bend, c, m, half))
+    return fall, by_angle, by_place
 
 
 def slopes_away(pair: Pair, spread: SectionSpread, box: SectionBox) -> bool:
