@@ -5,6 +5,8 @@ cell and around it, and are widened by a share of their range. tests/sections/te
 samples.
 """
 
+from weakref import WeakKeyDictionary
+
 import numpy as np
 
 from ..kernel import layout
@@ -27,6 +29,8 @@ LEAST = np.array([1e-6, 1e-6, 1e-2, 1e-2, 1e-2, 1e-6])
 HIGHER = 1e-5
 #: The rail of a pose may be this much longer than its section is wide.
 LONGEST_ARC = 4.0
+#: Tables of the surfaces that are in use: several wheelsets may run on one.
+_TABLES = WeakKeyDictionary()
 #: Numbers of the head of a table.
 HEAD, KNOT, CELL = (
     layout.size(layout.Sections),
@@ -38,7 +42,9 @@ HEAD, KNOT, CELL = (
 def with_sections(tables, index, surface, lateral):
     """The kernel's ``tables`` (n,) with a changing rail on side ``index``, 0 left and 1 right: its ``surface``, whose
     origin has the track coordinate ``lateral`` [m] as that of a right side."""
-    table = section_table(surface)
+    table = _TABLES.get(surface)
+    if table is None:
+        table = _TABLES[surface] = section_table(surface)
     joined = np.concatenate([tables, table])
     pair = layout.Tables.at(joined).pairs[index]
     pair.sections = len(tables) - layout.offset(pair, joined)

@@ -20,8 +20,7 @@ from .surface import Surface
 #: What may be chosen beside a rail that changes.
 PERMITTED = {
     "contact_mode": ("rigid", "compliant"),
-    "load": ("normal",),
-    "normal_model": ("hertz", "analyn", "analyn_strip"),
+    "normal_model": ("hertz", "analyn", "analyn_strip", "auto"),
     "tangential_model": ("none",),
     "longitudinal_curvature": ("effective",),
     "lateral_curvature": ("adaptive",),
@@ -32,7 +31,6 @@ WITHOUT = (
     *(side + name for side in ("", LEFT) for name in RAIL_SPRINGS),
     "wear_outputs",
     "fatigue_outputs",
-    "error_outputs",
     "independent_wheels",
 )
 #: The constant rail in whose place the kernel puts one that changes, and how it lies; neither changes a result.

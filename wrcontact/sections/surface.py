@@ -54,6 +54,8 @@ class Surface:
     def placed(self, position, against, down):
         """The same surface with the position 0 at ``position`` [m], positions that count ``against`` the track or along it,
         and heights that are larger by ``down`` [m]."""
+        if position == 0.0 and not against and down == 0.0:
+            return self
         made = object.__new__(Surface)
         breaks, cubics = self.breaks, self.cubics.copy()
         if against:
