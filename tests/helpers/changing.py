@@ -23,7 +23,7 @@ def moving_rail(u, across, down, name="own"):
 @cache
 def swaying(sway=5e-3, dip=5e-4):
     """A rail that moves to the field side by ``sway`` within 0.4 m, and dips by ``dip`` over 0.3 m [m]."""
-    u = np.arange(-0.5, 0.9001, 0.02)
+    u = np.arange(-0.4, 0.7001, 0.05)
     share = np.clip(u / 0.4, 0.0, 1.0)
     low = np.where(np.abs(u - 0.1) < 0.15, 0.5 * (1.0 + np.cos(2.0 * np.pi * (u - 0.1) / 0.3)), 0.0)
     return moving_rail(u, 0.5 * sway * (1.0 - np.cos(np.pi * share)), dip * low, "swaying")

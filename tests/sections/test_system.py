@@ -119,6 +119,7 @@ def test_both_wheels_touch_where_the_grid_does_at_more_poses():
     assert_touching(6, 12)
 
 
+@pytest.mark.full
 def test_positions_are_counted_from_the_rail_position():
     one = ContactSystem(rail=swaying(), rail_origin_y=CROWN)
     other = ContactSystem(rail=swaying(), rail_origin_y=CROWN, rail_position=12.0)
@@ -131,6 +132,7 @@ def test_positions_are_counted_from_the_rail_position():
     )
 
 
+@pytest.mark.full
 def test_a_reversed_rail_is_that_of_slices_in_the_other_order():
     u, across = np.linspace(-0.4, 0.4, 17), np.linspace(0.0, 4e-3, 17) ** 2 / 4e-3
     reversed_ = ContactSystem(rail=moving_rail(u, across, 0.0), rail_origin_y=CROWN, rail_reversed=True)
@@ -145,6 +147,7 @@ def test_a_reversed_rail_is_that_of_slices_in_the_other_order():
     np.testing.assert_allclose(again.jet(at, 1e-3), surface.jet(at, 1e-3), atol=1e-9)
 
 
+@pytest.mark.full
 def test_the_gauge_is_that_of_the_section_at_position_0():
     """Its inner face at half the gauge 14 mm below its highest place, which is at the height 0."""
     rail = moving_rail(np.linspace(-0.2, 0.4, 13), 0.013, np.linspace(-1e-3, 2e-3, 13))
@@ -236,7 +239,7 @@ def test_no_work_is_left_over_a_bump():
     def height(u):
         return 0.5 * rise * (1.0 - np.cos(pi * np.clip(u / length, 0.0, 1.0)))
 
-    at = np.arange(-0.6, 1.6, 0.02)
+    at = np.arange(-0.4, 1.1, 0.1)
     system = ContactSystem(
         wheel=CYLINDER,
         rail=moving_rail(at, 0.0, -height(at)),
@@ -244,7 +247,7 @@ def test_no_work_is_left_over_a_bump():
         contact_mode="compliant",
         normal_model="hertz",
     )
-    u, deep = np.linspace(-0.2, 0.5, 41), np.linspace(8e-5, 1.2e-4, 41)
+    u, deep = np.linspace(-0.2, 0.5, 31), np.linspace(8e-5, 1.2e-4, 31)
     ways = [(u, deep[0], 1.0), (0.5, deep, 1.0), (u, deep[-1], -1.0), (-0.2, deep, -1.0)]
     total = along = 0.0
     for at, sunk, way in ways:
@@ -316,12 +319,12 @@ def test_the_nose_carries_what_it_does_in_contact():
 
 def test_tables_steppers_and_copies_have_the_same_bits():
     """Over the position along the track: rows are those of single poses, whatever was before, in threads, and after pickling."""
-    system, u = placed(), np.linspace(-0.1, 0.5, 5)
+    system, u = placed(), np.linspace(-0.1, 0.5, 4)
     table = system.evaluate_many(track_position=u, lateral_shift=1e-3)
     assert (table.status == 0).all() and np.ptp(table.right.contact.y_track) > 1e-4
     copy, stepper = pickle.loads(pickle.dumps(system)), system.stepper()
     kept = None
-    for k in (3, 0, 4, 1, 2):
+    for k in (3, 0, 1, 2):
         stepper.inputs[stepper.place("track_position")] = u[k]
         stepper.inputs[stepper.place("lateral_shift")] = 1e-3
         assert stepper.step() == 0
@@ -356,7 +359,7 @@ def test_a_sweep_runs_over_positions(tmp_path):
     axes = {"track_position": np.linspace(0.0, 0.2, 3), "lateral_shift": [0.0, 2e-3]}
     found = wrcontact.sweep(placed(), axes, outputs=["right.normal_force", "right.contact.y_track"])
     one = placed().evaluate(track_position=0.1, lateral_shift=2e-3)
-    at = found["right.contact.y_track"].sel(track_position=0.1, lateral_shift=2e-3)
+    at = found["right_contact_y_track"].sel(track_position=0.1, lateral_shift=2e-3)
     assert float(at) == one.right.contact.y_track
 
 
