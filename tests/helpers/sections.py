@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 
 from wrcontact import RailSections
-from wrcontact.kernel import layout
 from wrcontact.interface.calls import PLACES, START_ROW
+from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import changing_kernel, default_kernel
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
