@@ -12,7 +12,7 @@ from ..sections.section_search import FIRST_CELLS, STEEPEST_ANGLE, largest_fall,
 from ..sections.section_spread import spread_bends, spread_slopes
 
 #: So many boxes are looked at, of each first one, until bounds decide.
-CONVEX_BOXES: Final[int] = 200
+CONVEX_BOXES: Final[int] = 400
 #: Angles at the ends of a box are left out in this share of its angles at a time, and so often at most.
 TRIMMED: Final[float] = 0.25
 TRIMS: Final[int] = 40
@@ -41,7 +41,7 @@ def is_convex_along(pair: Pair, touch: SectionTouch, search: SectionSearch) -> b
     while waiting > 0:
         waiting -= 1
         count += 1
-        if count > CONVEX_BOXES:
+        if count > CONVEX_BOXES or waiting + 2 > BOX_LIMIT - 1:
             return False
         box = search.boxes[waiting]
         if narrow_box(pair, touch.place, search, box):

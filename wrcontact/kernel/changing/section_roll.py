@@ -102,8 +102,8 @@ def find_section_roll(tables: Tables, work: Work):
     """The roll [rad] at which both wheels touch, and the outcome; the gaps are known at it.
 
     Their difference D falls with the roll; Newton's method with the derivative at fixed places of the wheels, which by the
-    envelope theorem is that of the smallest gaps, within a bracket.  D has to fall wherever it is looked at: what else it
-    may do is not decided here.
+    envelope theorem is that of the smallest gaps, within a bracket.  D has to fall at the root that is found; whether there
+    are others, which takes flanges steeper than about 73 degrees, is not looked at.
     """
     low = -ROLL_LIMIT
     high = ROLL_LIMIT
@@ -115,9 +115,7 @@ def find_section_roll(tables: Tables, work: Work):
         difference = work.touches[1].best - work.touches[0].best
         rate = work.touches[1].rate + work.touches[0].rate
         move = 0.0
-        if status == VALID:
-            if not rate < 0.0:
-                return roll, NOT_CONVERGED
+        if status == VALID and rate < 0.0:
             move = -difference / rate
             if fabs(move) < ROLL_SHARP:
                 return roll, VALID
@@ -129,12 +127,12 @@ def find_section_roll(tables: Tables, work: Work):
             high = roll
         if high - low < ROLL_SHARP:
             break
-        if status != VALID or not (roll + move > low and roll + move < high):
+        if status != VALID or not rate < 0.0 or not (roll + move > low and roll + move < high):
             move = 0.5 * (low + high) - roll
         if roll + move == roll:
             break
         roll += move
-    if status == VALID and fabs(difference) < EQUAL:
+    if status == VALID and rate < 0.0 and fabs(difference) < EQUAL:
         return roll, VALID
     if status != VALID:
         return roll, status

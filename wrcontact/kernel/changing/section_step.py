@@ -10,28 +10,23 @@ from ..layout import (
     INVALID_INPUT,
     MODE_COMPLIANT,
     MODE_RIGID,
-    PATCH_LIMIT,
     UNLOADED,
     VALID,
-    Forces,
     Inputs,
-    Motion,
-    Patch,
-    SideSearch,
     State,
     Tables,
     Work,
-    clear,
     offset,
 )
 from ..elementary.runs import copy_run
 from ..patch.outline import row_size
-from ..wheelset.forces import add_forces, press_patch
 from ..wheelset.report import report
 from ..wheelset.requested import check_inputs, counted_outcome, is_moving, is_needed, side_force
 from ..wheelset.rigid import pressed_outcome
 from ..wheelset.side import clear_side
 from ..wheelset.vertical_load import release_friction
+from .section_forces import sum_pushes
+from .section_report import report_slopes
 from .section_roll import find_section_roll, touch_both
 from .section_side import load_pressed, load_touching
 
@@ -100,48 +95,6 @@ def stand_compliant(tables: Tables, work: Work):
             outcome = load_pressed(tables, work, index, height)
             status = counted_outcome(tables, index, status, outcome)
     return status
-
-
-def sum_pushes(tables: Tables, work: Work):
-    """The forces of the pressures on both wheels and on the wheelset."""
-    total = work.wheelset.forces
-    clear(total)
-    for index in range(2):
-        mirror = float(2 * index - 1)
-        side = work.sides[index]
-        side.motion.centre_y = mirror * work.inputs.lateral_shift
-        side.motion.centre_z = work.wheelset.vertical_shift - tables.height
-        push_side(side)
-        add_forces(total, side.forces, mirror)
-
-
-def push_side(side: SideSearch):
-    """The forces of the pressures on a wheel."""
-    clear(side.forces)
-    for number in range(side.patch_count):
-        patch = side.patches[number]
-        press_patch(side.motion, patch)
-        push_along(side.motion, patch, patch.forces)
-        add_forces(side.forces, patch.forces, 1.0)
-
-
-def push_along(motion: Motion, patch: Patch, forces: Forces):
-    """Add to the forces of a patch what pushes along the track, which only a changing rail does."""
-    forces.normal_force[0] = patch.normal_x
-    forces.force[0] += patch.normal_x
-    forces.normal_moment[1] -= motion.centre_z * patch.normal_x
-    forces.normal_moment[2] += motion.centre_y * patch.normal_x
-    forces.moment[1] -= motion.centre_z * patch.normal_x
-    forces.moment[2] += motion.centre_y * patch.normal_x
-
-
-def report_slopes(work: Work, index: int):
-    """The slopes of the patches of side ``index`` that are reported."""
-    side = work.sides[index]
-    for number in range(side.patch_count):
-        patch = side.patches[number]
-        if patch.rank > 0 and patch.rank <= PATCH_LIMIT:
-            work.outputs.left[index].patch[patch.rank - 1].slope = patch.slope
 
 
 def step_changing_row(
