@@ -71,6 +71,7 @@ if TYPE_CHECKING:
     from .linear.record import Linearization
     from .profiles import Profile
     from .sections import RailSections
+    from .sections.placing import PlacedSections
 
 #: By number; making one from its number takes ten times as long.
 STATUSES = tuple(Status)
@@ -174,6 +175,16 @@ class ContactSystem:
     def changing(self) -> bool:
         """Whether the section of a rail changes along the track."""
         return self._placed is not None
+
+    @property
+    def placed_rails(self) -> tuple[PlacedSections, PlacedSections]:
+        """The left and the right rail as they lie in the track, each with ``surface`` and ``lateral``; ValueError if none
+        changes along the track."""
+        if self._placed is None:
+            raise ValueError(
+                "no rail changes along the track; permitted for placed_rails is a system with RailSections"
+            )
+        return self._placed
 
     @property
     def centre_height(self) -> float:
