@@ -1,6 +1,7 @@
 """Errors in rails whose section changes: (name, old, new, meaning, the file that sees it, module) for planted.py."""
 
 SEARCH, SURFACE = "sections/test_search.py", "sections/test_surface.py"
+SYSTEM = "sections/test_system.py"
 
 SECTIONED = [
     (
@@ -42,5 +43,53 @@ SECTIONED = [
         "the offset of a slice file is not scaled",
         "sections/test_files.py",
         "wrcontact/sections/files.py",
+    ),
+    (
+        "section_push_back",
+        "x, y, z = into_track(frame, 0.0, patch.normal_y, patch.normal_z)",
+        "x, y, z = into_track(frame, 0.0, patch.normal_y, patch.normal_z)\n    x = -x",
+        "a rail that rises pushes forward",
+        SYSTEM,
+        "",
+    ),
+    (
+        "section_position_ignored",
+        "search.position = work.inputs.track_position",
+        "search.position = 0.0 * work.inputs.track_position",
+        "the wheelset is always at position 0",
+        SYSTEM,
+        "",
+    ),
+    (
+        "section_reversed_order",
+        "cubics = backwards(cubics, np.diff(breaks))[::-1]",
+        "cubics = cubics[::-1]",
+        "a reversed rail has its pieces in the other order, but not each of them",
+        SYSTEM,
+        "wrcontact/sections/surface.py",
+    ),
+    (
+        "section_left_place",
+        "return place_sections(profiles[3], left), right",
+        "return place_sections(profiles[3], parameters), right",
+        "the left rail lies as the right one",
+        SYSTEM,
+        "wrcontact/sections/placing.py",
+    ),
+    (
+        "section_gauge_depth",
+        "np.flatnonzero(jet[0, : top + 1] >= highest + gauge_depth)",
+        "np.flatnonzero(jet[0, : top + 1] >= highest + 0.5 * gauge_depth)",
+        "the gauge of sections is sought at half its depth",
+        SYSTEM,
+        "wrcontact/sections/placing.py",
+    ),
+    (
+        "section_crest_sign",
+        "effective_curvature(place, z, slope, bend) + rail_bend(tables, y)",
+        "effective_curvature(place, z, slope, bend) - rail_bend(tables, y)",
+        "a crest of the rail makes a patch longer",
+        SYSTEM,
+        "curvature",
     ),
 ]
