@@ -10,6 +10,7 @@ import wrcontact
 from data import HUNTING
 from tests.helpers.command_line import read_csv, start
 from tests.helpers.paths import ROOT
+from tests.helpers.slice_files import write_slices
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.options import POSE, SYSTEM, option_of
@@ -633,8 +634,6 @@ def test_a_sweep_with_creep_forces(run):
 @pytest.mark.full
 def test_rails_that_change_along_the_track(run, tmp_path):
     """One is solved and drawn along the track; what cannot have it refuses it in one sentence."""
-    from tests.sections.test_files import write_slices
-
     file = write_slices(tmp_path)
     code, out, err = run("solve", "--rail", file)
     assert code == 0 and "force.x" in out and err == ""
