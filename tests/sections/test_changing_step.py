@@ -1,13 +1,14 @@
 """A step on rails whose section changes: against constant rails, turned ones, and closed forms."""
 
 from functools import cache
-from math import atan, cos, hypot, sin
+from math import atan, cos, hypot, sin, tan
 
 import numpy as np
 import pytest
 
 from tests.helpers.sections import moved, stepped, stepper_on
 from wrcontact import ContactSystem, Profile, RailSections
+from wrcontact.kernel.binding.library import ChangingKernel, changing_kernel
 from wrcontact.profiles.zones import Polynomial
 
 MODELS = (
@@ -220,3 +221,77 @@ def test_a_closed_way_over_a_bump_leaves_no_work():
     push, softer = np.array(works).T
     assert abs(push.sum()) < 5e-3 * np.abs(push).max(), push
     assert abs(push.sum() - softer.sum()) < 5e-5 * np.abs(push).max(), (push, softer)
+
+
+def test_at_the_foot_of_a_slope_two_contacts_along_the_rail_are_not_taken_for_one():
+    """Both are touched with the axle at -R tan(atan(m) / 2); a loaded wheel overlaps the rail at both around there."""
+    slope, at = 0.05, np.r_[-0.1:-0.0105:0.01, -0.01:0.0101:5e-4, 0.02:0.1501:0.01]
+    rail = RailSections(
+        at, [head()] * len(at), places=np.column_stack([0.0 * at, -slope * np.maximum(at, 0.0)])
+    )
+    stepper = stepper_on(rolling(), rail, lateral=0.75)
+    both = -0.46 * tan(0.5 * atan(slope))
+    statuses = [stepped(stepper, track_position=both + away)[0] for away in (-2e-2, -5e-4, 0.0, 5e-4, 2e-2)]
+    assert statuses == [0, 3, 3, 3, 0]
+
+
+@pytest.mark.parametrize("name", ["speed", "yaw_rate", "right_rail_roll"])
+def test_what_a_step_does_not_know_is_refused(name):
+    assert stepped(on_equal_slices("analyn"), track_position=0.2, **{name: 1e-3})[0] == 4
+
+
+def test_beside_the_rail_there_is_no_contact():
+    y = np.linspace(-20.0, 0.0, 201) * 1e-3
+    ends = RailSections([0.0, 0.5], [np.column_stack([y, 0.5 * (y - 0.06)])] * 2)
+    assert stepped(stepper_on(system(), ends, lateral=0.78), track_position=0.2)[0] == 2
+
+
+def test_a_vertical_load_is_carried_on_a_slope():
+    at = np.linspace(-0.4, 0.4, 9)
+    rising = RailSections(at, [head()] * 9, places=np.column_stack([0.0 * at, -0.1 * at]))
+    stepper = stepper_on(ContactSystem(rail=head(), rail_inclination=0.0, load="vertical"), rising)
+    status, found = stepped(stepper, lateral_shift=2e-3, normal_force=6e4, load_transfer=0.1)
+    assert status == 0
+    assert found["right.force.z"] == pytest.approx(-6.6e4, rel=1e-9)
+    assert found["left.force.z"] == pytest.approx(-5.4e4, rel=1e-9)
+
+
+def test_a_displaced_rail_is_one_that_lies_there():
+    """On the right by 3 mm to the side and 2 mm down; places and moments in the track."""
+    at = np.linspace(-0.3, 0.3, 7)
+    places = np.column_stack([0.02 * at, -0.03 * at])
+    plain = RailSections(at, [head()] * 7, places=places)
+    there = RailSections(at, [head()] * 7, places=places + [3e-3, 2e-3])
+    pose = dict(track_position=0.05, lateral_shift=1e-3, yaw=4e-3)
+    on = ContactSystem(rail=head(), rail_inclination=0.0)
+    one = stepped(stepper_on(on, plain), right_rail_lateral=3e-3, right_rail_vertical=2e-3, **pose)
+    other = stepped(stepper_on(on, there, left=plain), **pose)
+    assert (one[0], other[0]) == (0, 0)
+    own = "right.contact.y_rail", "right.contact.z_rail"
+    for name, value in other[1].items():
+        if name not in own and not name.endswith("]"):
+            assert one[1][name] == pytest.approx(value, rel=1e-8, abs=1e-3 if "moment" in name else 1e-8), (
+                name
+            )
+
+
+@pytest.mark.full
+def test_the_source_has_the_bits_of_the_library():
+    rail = moved(np.linspace(-0.3, 0.6, 9), rate=0.02, rise=0.03)
+    found = []
+    for kernel in (ChangingKernel(None), changing_kernel()):
+        stepper = stepper_on(system(), rail, kernel=kernel)
+        status = stepped(stepper, track_position=0.1, lateral_shift=2e-3, yaw=3e-3)[0]
+        found.append((status, stepper.outputs.tobytes()))
+    assert found[0] == found[1]
+
+
+def test_no_answer_depends_on_the_step_before():
+    rail = moved(np.linspace(-0.3, 0.6, 9), rate=0.02, rise=0.03)
+    stepper = stepper_on(system(), rail)
+    pose = dict(track_position=0.1, lateral_shift=2e-3, yaw=3e-3)
+    stepped(stepper, **pose)
+    first = stepper.outputs.tobytes()
+    stepped(stepper, track_position=0.3, lateral_shift=-4e-3)
+    stepped(stepper, **pose)
+    assert stepper.outputs.tobytes() == first

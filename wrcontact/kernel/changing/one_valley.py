@@ -20,9 +20,11 @@ TRIMS: Final[int] = 40
 
 def has_one_valley(pair: Pair, touch: SectionTouch, search: SectionSearch, depth: float) -> bool:
     """Whether the gap of a wheel, which is lowered by ``depth`` [m] below where it touches, has one minimum along the rail
-    wherever it is below zero."""
+    wherever it is below zero; between which wheel abscissae that may be is then in ``search``."""
     scan = pair.scan
     search.best = touch.best + depth
+    search.low = touch.y
+    search.high = touch.y
     first = 0
     while first + 1 < scan.count:
         last = min(first + FIRST_CELLS, scan.count - 1)
@@ -51,6 +53,9 @@ def is_convex_along(pair: Pair, touch: SectionTouch, search: SectionSearch) -> b
                     write_box(search.boxes[waiting + 1], middle, box.high, box.back, box.ahead)
                     box.high = middle
                     waiting += 2
+                else:
+                    search.low = min(search.low, box.low)
+                    search.high = max(search.high, box.high)
     return True
 
 

@@ -16,7 +16,7 @@ from ..layout import (
     Tables,
     Work,
 )
-from ..sections.section_search import MOST_BOXES, search_sections
+from ..sections.section_search import MOST_BOXES, follow_sections, probe_sections, search_sections
 from ..surface.locus import mirror_place, place_wheelset
 from ..surface.rails import move_rail
 from ..surface.tables import height_slope
@@ -24,6 +24,9 @@ from ..surface.tables import height_slope
 #: Newton's method stops when it moves the roll by less [rad], and rolls that differ by less are one.
 ROLL_SHARP: Final[float] = 1e-14
 SEARCHES: Final[int] = 80
+#: Minima are followed in so many steps at most, none longer than this [rad].
+FOLLOW_STEPS: Final[int] = 12
+LONGEST_TURN: Final[float] = 0.03
 #: Gaps that still differ by more than this when no roll is left between jump there [m].
 EQUAL: Final[float] = 1e-9
 #: Slopes of the smallest gap by the abscissa [-] and the angle [m]; larger ones are those of the end of a profile.
@@ -98,28 +101,77 @@ def touch_both(tables: Tables, work: Work, roll: float):
     return max(status, outcome)
 
 
+def probe_both(tables: Tables, work: Work, roll: float):
+    """Place both wheels at ``roll`` [rad] and note the minima that a few places lead to."""
+    place_touches(tables, work.inputs, work, roll)
+    work.section_search.position = work.inputs.track_position
+    for index in range(2):
+        pair = tables.pairs[index]
+        pair.rail_y = pair.sections.lateral
+        probe_sections(pair, work.touches[index].place, work.section_search)
+        keep_touch(pair, work.section_search, work.touches[index])
+
+
+def follow_both(tables: Tables, work: Work, roll: float) -> bool:
+    """Follow the minima that are known of both wheels to another ``roll`` [rad]; whether they are found."""
+    place_touches(tables, work.inputs, work, roll)
+    for index in range(2):
+        pair = tables.pairs[index]
+        touch = work.touches[index]
+        if not follow_sections(pair, touch.place, work.section_search, touch.y, touch.angle):
+            return False
+        keep_touch(pair, work.section_search, touch)
+    return True
+
+
+def newton_roll(work: Work):
+    """D [m] at the minima that are known, and Newton's move of the roll [rad]; 1 where D does not fall."""
+    difference = work.touches[1].best - work.touches[0].best
+    rate = work.touches[1].rate + work.touches[0].rate
+    move = 1.0
+    if rate < 0.0:
+        move = -difference / rate
+    return difference, move
+
+
+def equalize_touches(tables: Tables, work: Work, roll: float, low: float, high: float):
+    """The roll [rad] between ``low`` and ``high`` at which the minima that are known near ``roll`` are equal, or ``roll``
+    itself where they are lost."""
+    following = roll
+    for i in range(FOLLOW_STEPS):
+        difference, move = newton_roll(work)
+        following += move
+        if not (following > low and following < high and fabs(move) < LONGEST_TURN):
+            return roll
+        if not follow_both(tables, work, following):
+            return roll
+        if fabs(move) < ROLL_SHARP:
+            return following
+    return roll
+
+
 def find_section_roll(tables: Tables, work: Work):
     """The roll [rad] at which both wheels touch, and the outcome; the gaps are known at it.
 
     Their difference D falls with the roll; Newton's method with the derivative at fixed places of the wheels, which by the
-    envelope theorem is that of the smallest gaps, within a bracket.  D has to fall at the root that is found; whether there
-    are others, which takes flanges steeper than about 73 degrees, is not looked at.
+    envelope theorem is that of the smallest gaps, follows two minima to the roll at which they are equal.  There both
+    sides are searched: if nothing is smaller this is the roll, otherwise the smaller minima are followed, within a bracket.
+    D has to fall at the root that is found; whether there are others, which takes flanges steeper than about 73 degrees, is
+    not looked at.
     """
     low = -ROLL_LIMIT
     high = ROLL_LIMIT
-    roll = 0.0
+    difference = 0.0
+    probe_both(tables, work, 0.0)
+    roll = equalize_touches(tables, work, 0.0, low, high)
     for i in range(SEARCHES):
         status = touch_both(tables, work, roll)
         if status == NOT_CONVERGED:
             return roll, status
-        difference = work.touches[1].best - work.touches[0].best
-        rate = work.touches[1].rate + work.touches[0].rate
-        move = 0.0
-        if status == VALID and rate < 0.0:
-            move = -difference / rate
-            if fabs(move) < ROLL_SHARP:
-                return roll, VALID
-        elif difference == 0.0:
+        difference, move = newton_roll(work)
+        if status == VALID and fabs(move) < ROLL_SHARP:
+            return roll, VALID
+        if status != VALID and difference == 0.0:
             return roll, OFF_PROFILE
         if difference > 0.0:
             low = roll
@@ -127,12 +179,16 @@ def find_section_roll(tables: Tables, work: Work):
             high = roll
         if high - low < ROLL_SHARP:
             break
-        if status != VALID or not rate < 0.0 or not (roll + move > low and roll + move < high):
-            move = 0.5 * (low + high) - roll
-        if roll + move == roll:
+        if status != VALID or not (roll + move > low and roll + move < high):
+            following = 0.5 * (low + high)
+        else:
+            following = equalize_touches(tables, work, roll, low, high)
+            if following == roll:
+                following = roll + move
+        if following == roll:
             break
-        roll += move
-    if status == VALID and rate < 0.0 and fabs(difference) < EQUAL:
+        roll = following
+    if status == VALID and move < 1.0 and fabs(difference) < EQUAL:
         return roll, VALID
     if status != VALID:
         return roll, status

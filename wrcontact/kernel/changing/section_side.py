@@ -8,7 +8,6 @@ from ..elementary.circle import atan, atan2
 from ..layout import (
     DEPTH_GEOMETRY,
     LOAD_VERTICAL,
-    MODE_COMPLIANT,
     NOT_CONVERGED,
     OFF_PROFILE,
     UNLOADED,
@@ -36,17 +35,20 @@ from .valley import follow_valley
 
 #: The wheel is lowered by this much more than it overlaps its rail where a second contact along it is looked for [m].
 BEYOND_OVERLAP: Final[float] = 2e-5
+#: The rail is laid up to this gap [m] at first, and all of it where the wheel may overlap it farther away.
+NEAR: Final[float] = 2e-3
+ALL: Final[float] = 1e3
 
 
-def lay_rail(tables: Tables, work: Work, index: int, height: float) -> bool:
-    """Lay the frame of side ``index`` whose wheelset has the vertical shift ``height`` [m], and the constant rail in it;
-    whether there is one."""
+def lay_rail(tables: Tables, work: Work, index: int, height: float, far: float) -> bool:
+    """Lay the frame of side ``index`` whose wheelset has the vertical shift ``height`` [m], and the constant rail in it, up to
+    gaps of ``far`` [m]; whether there is one."""
     pair = tables.pairs[index]
     touch = work.touches[index]
     side = work.sides[index]
     open_section_frame(pair, touch, work.inputs.track_position, height)
     place_in_frame(pair.sections.frame, touch.place, side.place)
-    if not follow_valley(pair, side.place, touch, work.inputs.track_position):
+    if not follow_valley(pair, side.place, touch, work.inputs.track_position, far):
         return False
     return write_rail_at_pose(tables, pair)
 
@@ -61,70 +63,88 @@ def find_in_frame(pair: Pair, side: SideSearch, y: float) -> bool:
 
 def load_touching(tables: Tables, work: Work, index: int, height: float, force: float):
     """Side ``index`` of a rigid wheelset that touches at the vertical shift ``height`` [m], under a ``force`` [N]; the
-    outcome."""
+    outcome.  Only where it may overlap its rail farther away, all of that is laid."""
+    status, covered = load_touching_within(tables, work, index, height, force, NEAR)
+    if not covered:
+        status, covered = load_touching_within(tables, work, index, height, force, ALL)
+    if not covered:
+        return NOT_CONVERGED
+    return status
+
+
+def load_touching_within(tables: Tables, work: Work, index: int, height: float, force: float, far: float):
+    """The outcome of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
     pair = tables.pairs[index]
     side = work.sides[index]
-    if not lay_rail(tables, work, index, height):
-        return NOT_CONVERGED
+    if not lay_rail(tables, work, index, height, far):
+        return NOT_CONVERGED, True
     if not find_in_frame(pair, side, work.touches[index].y):
-        return NOT_CONVERGED
+        return NOT_CONVERGED, True
     if tables.load == LOAD_VERTICAL:
         force /= pair.sections.frame.down[2]
     status = solve_side(tables, work, index, force)
-    return finish_side(tables, work, index, status, height, 0.0)
+    if status > UNLOADED:
+        return status, far >= ALL
+    depth = side.penetration / work.contact.frame.plane.cos / pair.sections.frame.down[2]
+    return finish_side(tables, work, index, status, height, depth)
 
 
 def load_pressed(tables: Tables, work: Work, index: int, height: float):
     """Side ``index`` of a wheelset whose vertical shift ``height`` [m] is given; the outcome, UNLOADED if lifted."""
+    if height - work.touches[index].best > DEEPEST:
+        return OFF_PROFILE
+    status, covered = load_pressed_within(tables, work, index, height, NEAR)
+    if not covered:
+        status, covered = load_pressed_within(tables, work, index, height, ALL)
+    if not covered:
+        return NOT_CONVERGED
+    return status
+
+
+def load_pressed_within(tables: Tables, work: Work, index: int, height: float, far: float):
+    """The outcome of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
     pair = tables.pairs[index]
     side = work.sides[index]
     touch = work.touches[index]
     approach = height - touch.best
-    if approach > DEEPEST:
-        return OFF_PROFILE
     if not approach > GRAZING:
-        if not lay_rail(tables, work, index, touch.best) or not find_in_frame(pair, side, touch.y):
-            return NOT_CONVERGED
+        if not lay_rail(tables, work, index, touch.best, far) or not find_in_frame(pair, side, touch.y):
+            return NOT_CONVERGED, True
         status = touch_side(tables, work, index)
         return finish_side(tables, work, index, status, touch.best, 0.0)
-    if not lay_rail(tables, work, index, height) or not find_in_frame(pair, side, touch.y):
-        return NOT_CONVERGED
+    if not lay_rail(tables, work, index, height, far) or not find_in_frame(pair, side, touch.y):
+        return NOT_CONVERGED, True
     # the frame holds for this height
     side.best = -approach * pair.sections.frame.down[2]
     status = press_side(tables, work, index, -side.best)
     if status == VALID and tables.depth != DEPTH_GEOMETRY:
         count, status = load_side(tables, work, index, 0.0, work.contact.frame.depth)
+    if status > UNLOADED:
+        return status, far >= ALL
     return finish_side(tables, work, index, status, height, approach)
 
 
-def finish_side(tables: Tables, work: Work, index: int, status: int, height: float, approach: float):
-    """Turn a side that is solved back into the track, and see whether its rail was one along it: the outcome."""
+def finish_side(tables: Tables, work: Work, index: int, status: int, height: float, depth: float):
+    """Turn a side that is solved back into the track, and see whether its rail was one along it, and enough of it: the
+    outcome, and whether the wheel, ``depth`` [m] below where it touches, overlaps no other part of it."""
     pair = tables.pairs[index]
     side = work.sides[index]
     if status > UNLOADED:
-        return status
-    depth = approach
-    if tables.mode != MODE_COMPLIANT:
-        depth = side.penetration / work.contact.frame.plane.cos / pair.sections.frame.down[2]
-    sunk = 0.0
-    if tables.mode != MODE_COMPLIANT:
-        sunk = depth * pair.sections.frame.down[2]
-    if is_cut(pair.sections, sunk + BEYOND_OVERLAP):
-        return NOT_CONVERGED
+        return status, True
     turn_point(pair, work, index, height)
     for number in range(side.patch_count):
         turn_patch(pair, work.touches[index], side.patches[number])
     pair.rail_y = pair.sections.lateral
-    if not has_one_valley(pair, work.touches[index], work.section_search, depth + BEYOND_OVERLAP):
-        return NOT_CONVERGED
-    return status
+    search = work.section_search
+    if not has_one_valley(pair, work.touches[index], search, depth + BEYOND_OVERLAP):
+        return NOT_CONVERGED, True
+    return status, covers(pair.sections, search.low, search.high)
 
 
-def is_cut(sections: Sections, depth: float) -> bool:
-    """Whether the wheel, lowered by ``depth`` [m] in the frame, overlaps the rail where this could not be followed any
-    more."""
-    cut = sections.cut_first and sections.nodes[sections.first].gap < depth
-    return cut or (sections.cut_last and sections.nodes[sections.last].gap < depth)
+def covers(sections: Sections, low: float, high: float) -> bool:
+    """Whether the rail that is laid reaches from the wheel abscissa ``low`` to ``high`` [m], or to its own ends."""
+    short = sections.cut_first and sections.nodes[sections.first].wheel > low
+    return not short and not (sections.cut_last and sections.nodes[sections.last].wheel < high)
 
 
 def valley_move(sections: Sections, y: float):

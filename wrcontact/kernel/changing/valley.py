@@ -266,22 +266,24 @@ def follow_line(
     return True, u, y, angle
 
 
-def follow_valley(pair: Pair, place: Place, touch: SectionTouch, position: float) -> bool:
-    """Write the nodes of all lines that the wheel at ``place`` faces, from the place where it is nearest on to both sides;
-    whether there are any on both."""
+def follow_valley(pair: Pair, place: Place, touch: SectionTouch, position: float, far: float) -> bool:
+    """Write the nodes of the lines that the wheel at ``place`` faces, from the place where it is nearest on to both sides, up
+    to gaps of ``far`` [m]; whether there are any on both."""
     sections = pair.sections
     at = clamped_position(sections, position + touch.rail_x)
     interval = break_below(sections.breaks, sections.interval_count, at)
     first = interval * sections.knot_count
     below = line_below(sections, first, at - sections.breaks[interval], touch.rail_y - sections.lateral)
-    sections.cut_first = follow_side(pair, place, touch, position, below, -1)
-    sections.cut_last = follow_side(pair, place, touch, position, below + 1, 1)
+    sections.cut_first = follow_side(pair, place, touch, position, far, below, -1)
+    sections.cut_last = follow_side(pair, place, touch, position, far, below + 1, 1)
     return sections.first <= below and sections.last > below
 
 
-def follow_side(pair: Pair, place: Place, touch: SectionTouch, position: float, line: int, step: int) -> bool:
-    """Write the nodes from ``line`` on to one side; whether a line could not be followed before the last one.  The last one
-    that could be is noted."""
+def follow_side(
+    pair: Pair, place: Place, touch: SectionTouch, position: float, far: float, line: int, step: int
+) -> bool:
+    """Write the nodes from ``line`` on to one side; whether that ended before the last one, where a line could not be
+    followed or the gap is larger than ``far`` [m].  The last one that is written is noted."""
     sections = pair.sections
     z, slope = height_slope(pair.wheel, touch.y)
     sine, cosine = around_wheel(place, slope)
@@ -306,6 +308,9 @@ def follow_side(pair: Pair, place: Place, touch: SectionTouch, position: float, 
             break
         last = line
         line += step
+        if line != end and sections.nodes[last].gap > far:
+            cut = True
+            break
     if step > 0:
         sections.last = last
     else:

@@ -118,7 +118,7 @@ class Sections:
     scratch: int
     first: int  # the nodes that are known
     last: int
-    cut_first: bool  # whether the places beyond could not be followed, though there is a rail
+    cut_first: bool  # whether the places beyond are not followed, though there is a rail
     cut_last: bool
     frame: SectionFrame
     nodes: To(ValleyNodes)
@@ -210,6 +210,8 @@ class SectionSearch:
     settled_angle: float
     box_count: float  # boxes looked at
     gap_count: float  # gaps computed
+    low: float  # wheel abscissae between which the wheel may overlap its rail [m] (changing/one_valley.py)
+    high: float
     edge: float  # what the gap may be where the straight continuation beside the section ends [m]
     u: float  # middle of the part of the rail below a box [m]
     abscissa: float
