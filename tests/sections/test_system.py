@@ -29,6 +29,7 @@ from tests.helpers.slice_files import POSITIONS, write_slices
 from wrcontact import ContactSystem, RailSections, WheelContact
 from wrcontact.halfspace.contact import solve_contact
 from wrcontact.profiles import standard_profile
+from wrcontact.status import explain
 from wrcontact.wear import Usfd, Wear
 
 WHEEL = standard_profile("S1002")
@@ -479,11 +480,22 @@ def test_what_needs_a_constant_rail_says_so(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "pose", [{"speed": 10.0}, {"left_rail_roll": 1e-3}, {"yaw_rate": 0.1}, {"track_position": np.nan}]
+    "pose, sentence",
+    [
+        ({"speed": 10.0}, "speed is 10 m/s; permitted with a rail that changes along the track is 0"),
+        (
+            {"left_rail_roll": 1e-3},
+            "left.rail_roll is 0.001 rad; permitted with a rail that changes along the track is 0",
+        ),
+        ({"yaw_rate": 0.1}, "yaw_rate is 0.1 rad/s; permitted with a rail that changes along the track is 0"),
+        ({"track_position": np.nan}, "track_position is nan m; permitted are finite numbers"),
+        ({"load_transfer": 2.0, "speed": 10.0}, "load_transfer is 2; permitted is -1 <= load_transfer <= 1"),
+    ],
 )
-def test_inputs_that_are_not_known_with_sections_have_status_4(pose):
+def test_inputs_that_are_not_known_with_sections_have_status_4(pose, sentence):
     state = equal("rigid")[0].evaluate(**pose)
     assert state.status == 4 and np.isnan(state.right.penetration)
+    assert explain(state.status, state.inputs) == sentence
 
 
 def test_sections_far_away_are_those_of_their_ends():
