@@ -1,7 +1,7 @@
 """Errors in rails whose section changes: (name, old, new, meaning, the file that sees it, module) for planted.py."""
 
 SEARCH, SURFACE = "sections/test_search.py", "sections/test_surface.py"
-SYSTEM = "sections/test_system.py"
+SYSTEM, STEP = "sections/test_system.py", "sections/test_changing_step.py"
 
 SECTIONED = [
     (
@@ -45,14 +45,6 @@ SECTIONED = [
         "wrcontact/sections/files.py",
     ),
     (
-        "section_push_back",
-        "x, y, z = into_track(frame, 0.0, patch.normal_y, patch.normal_z)",
-        "x, y, z = into_track(frame, 0.0, patch.normal_y, patch.normal_z)\n    x = -x",
-        "a rail that rises pushes forward",
-        SYSTEM,
-        "",
-    ),
-    (
         "section_position_ignored",
         "search.position = work.inputs.track_position",
         "search.position = 0.0 * work.inputs.track_position",
@@ -85,11 +77,51 @@ SECTIONED = [
         "wrcontact/sections/placing.py",
     ),
     (
+        "section_push_sign",
+        "patch.normal_x = x\n",
+        "patch.normal_x = -x\n",
+        "a rising rail pushes the wheel ahead",
+        STEP,
+        "section_side",
+    ),
+    (
+        "section_ruling_sign",
+        "p = touch.along + q * touch.slope",
+        "p = touch.along - q * touch.slope",
+        "the ruling direction of a rail that moves leaves its surface",
+        STEP,
+        "section_frame",
+    ),
+    (
         "section_crest_sign",
-        "effective_curvature(place, z, slope, bend) + rail_bend(tables, y)",
-        "effective_curvature(place, z, slope, bend) - rail_bend(tables, y)",
-        "a crest of the rail makes a patch longer",
-        SYSTEM,
-        "curvature",
+        "node.bend = along / sqrt(1.0 + rise * rise)",
+        "node.bend = -along / sqrt(1.0 + rise * rise)",
+        "a crest along the rail counts as hollow",
+        STEP,
+        "valley",
+    ),
+    (
+        "section_valley_twist",
+        "2.0 * c * twist - twist * twist",
+        "2.0 * c * twist + twist * twist",
+        "the constant rail of a twisting one bends too much between its lines",
+        "sections/test_valley.py",
+        "valley",
+    ),
+    (
+        "section_one_valley",
+        "search.best = touch.best + depth\n",
+        "search.best = touch.best - depth\n",
+        "a second contact along the rail is not looked for",
+        STEP,
+        "one_valley",
+    ),
+    (
+        "section_moved_moment",
+        "along = -rise * patch.normal_z",
+        "along = rise * patch.normal_z",
+        "where the nearest places leave the outline, forces lean the wrong way",
+        STEP,
+        "section_side",
     ),
 ]

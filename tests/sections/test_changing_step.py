@@ -6,7 +6,7 @@ from math import atan, cos, hypot, sin, tan
 import numpy as np
 import pytest
 
-from tests.helpers.sections import moved, stepped, stepper_on
+from tests.helpers.sections import moved, stepped, stepper_on, waves
 from wrcontact import ContactSystem, Profile, RailSections
 from wrcontact.kernel.binding.library import ChangingKernel, changing_kernel
 from wrcontact.profiles.zones import Polynomial
@@ -295,3 +295,19 @@ def test_no_answer_depends_on_the_step_before():
     stepped(stepper, track_position=0.3, lateral_shift=-4e-3)
     stepped(stepper, **pose)
     assert stepper.outputs.tobytes() == first
+
+
+def test_pressures_have_no_torque_about_the_axle():
+    """The wheel is round; also where the rail twists, and the nearest places leave the wheel's outline."""
+    stepper, generator, farthest = stepper_on(system(), waves(), lateral=0.75), np.random.default_rng(1), 0.0
+    for _ in range(40):
+        u, shift, yaw = generator.uniform([0.1, -8e-3, -0.02], [0.5, 8e-3, 0.02])
+        status, found = stepped(stepper, track_position=u, lateral_shift=shift, yaw=yaw)
+        assert status == 0, (u, shift, yaw)
+        roll = found["roll"]
+        axle = np.array([-sin(yaw) * cos(roll), cos(yaw) * cos(roll), sin(roll)])
+        for side in ("left", "right"):
+            torque = axle @ [found[f"{side}.moment.{axis}"] for axis in "xyz"]
+            assert abs(torque) < 2e-6 * found[f"{side}.normal_force"], (u, shift, yaw)
+            farthest = max(farthest, abs(found[f"{side}.force.x"]))
+    assert farthest > 1e2

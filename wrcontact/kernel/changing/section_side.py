@@ -147,8 +147,9 @@ def covers(sections: Sections, low: float, high: float) -> bool:
     return not short and not (sections.cut_last and sections.nodes[sections.last].wheel < high)
 
 
-def valley_move(sections: Sections, y: float):
-    """How far the nearest place lies ahead of the outline at the place ``y`` [m] across the frame."""
+def valley_at(sections: Sections, y: float):
+    """How far the nearest place lies ahead of the outline [m], and the slope of both surfaces along the frame [-] there, at
+    the place ``y`` [m] across it."""
     low = sections.first
     high = sections.last
     while high - low > 1:
@@ -160,7 +161,10 @@ def valley_move(sections: Sections, y: float):
     before = sections.nodes[low]
     behind = sections.nodes[high]
     share = min(max((y - before.y) / (behind.y - before.y), 0.0), 1.0)
-    return before.move + share * (behind.move - before.move)
+    return (
+        before.move + share * (behind.move - before.move),
+        before.rise + share * (behind.rise - before.rise),
+    )
 
 
 def turn_point(pair: Pair, work: Work, index: int, height: float):
@@ -169,9 +173,10 @@ def turn_point(pair: Pair, work: Work, index: int, height: float):
     point = side.point
     place = work.touches[index].place
     sections = pair.sections
+    move, rise = valley_at(sections, point.y_track)
     x, y, z = point_in_track(
         sections.frame,
-        sections.frame.centre[0] + point.x_track + valley_move(sections, point.y_track),
+        sections.frame.centre[0] + point.x_track + move,
         point.y_track,
         point.z_track,
     )
@@ -202,12 +207,20 @@ def turn_patch(pair: Pair, touch: SectionTouch, patch: Patch):
     """Force, moment and place of a patch in the track."""
     sections = pair.sections
     frame = sections.frame
-    move = valley_move(sections, patch.y_track)
-    # from the wheelset's middle in the frame on, to the nearest places along the rail
-    moment_y = patch.normal_moment[1] - move * patch.normal_z
-    moment_z = patch.normal_moment[2] + move * patch.normal_y
-    x, y, z = into_track(frame, 0.0, patch.normal_y, patch.normal_z)
-    moment_x, moment_y, moment_z = into_track(frame, patch.normal_moment[0], moment_y, moment_z)
+    # the force acts at the nearest place along the rail, along the normal there, which leans as both surfaces do
+    move, rise = valley_at(sections, patch.y_track)
+    along = -rise * patch.normal_z
+    square = patch.normal_y * patch.normal_y + patch.normal_z * patch.normal_z
+    share = 1.0
+    if square > 0.0:
+        share = 1.0 / sqrt(1.0 + along * along / square)
+    x, y, z = into_track(frame, share * along, share * patch.normal_y, share * patch.normal_z)
+    moment_x, moment_y, moment_z = into_track(
+        frame,
+        share * patch.normal_moment[0],
+        share * (patch.normal_moment[1] - move * patch.normal_z + patch.z_track * along),
+        share * (patch.normal_moment[2] + move * patch.normal_y - patch.y_track * along),
+    )
     at_x, at_y, at_z = point_in_track(frame, frame.centre[0], 0.0, 0.0)
     at_y += touch.place.rail_lateral
     at_z += touch.place.rail_vertical

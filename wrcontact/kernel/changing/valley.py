@@ -215,6 +215,7 @@ def follow_line(
     across = 0.0
     z = 0.0
     rise = 0.0
+    lean = 0.0
     height = 0.0
     aside = 0.0
     curvature, rate = curvature_of_outline(pair, place, y)
@@ -224,6 +225,7 @@ def follow_line(
         y, angle, height, along, aside, over = wheel_over(pair, place, x - frame.centre[0], across, y, angle)
         if not over:
             return False, u, y, angle
+        lean = slope
         miss = slope - along
         gain = curvature * x_u
         if i > 0 and u != before:
@@ -262,6 +264,7 @@ def follow_line(
     node.slope = rise + (outline_slope - aside)
     node.wheel = outline
     node.move = x - frame.centre[0] - (place.cos_yaw * r * sine - place.sin_yaw * level)
+    node.rise = lean
     node.bend = along / sqrt(1.0 + rise * rise)
     return True, u, y, angle
 
