@@ -175,9 +175,20 @@ def test_on_a_wave_the_curvature_along_the_track_is_that_of_both(model):
             assert found[f"right.{name}"] == pytest.approx(wanted[f"right.{name}"], rel=1e-6), name
 
 
+@cache
+def turnout():
+    """The head moving and rising."""
+    at = np.linspace(-0.3, 0.6, 9)
+    return RailSections(at, [head()] * 9, places=np.column_stack([0.04 * at, -0.03 * at]))
+
+
+@cache
+def on_turnout():
+    return stepper_on(system(), turnout())
+
+
 def test_a_wheelset_and_its_mirror_image():
-    rail = moved(np.linspace(-0.3, 0.6, 9), rate=0.04, rise=0.03)
-    stepper = stepper_on(system(), rail)
+    stepper = on_turnout()
     status, one = stepped(stepper, track_position=0.1, lateral_shift=2e-3, yaw=5e-3)
     other_status, other = stepped(stepper, track_position=0.1, lateral_shift=-2e-3, yaw=-5e-3)
     assert (status, other_status) == (0, 0)
@@ -277,18 +288,16 @@ def test_a_displaced_rail_is_one_that_lies_there():
 
 @pytest.mark.full
 def test_the_source_has_the_bits_of_the_library():
-    rail = moved(np.linspace(-0.3, 0.6, 9), rate=0.02, rise=0.03)
     found = []
     for kernel in (ChangingKernel(None), changing_kernel()):
-        stepper = stepper_on(system(), rail, kernel=kernel)
+        stepper = stepper_on(system(), turnout(), kernel=kernel)
         status = stepped(stepper, track_position=0.1, lateral_shift=2e-3, yaw=3e-3)[0]
         found.append((status, stepper.outputs.tobytes()))
     assert found[0] == found[1]
 
 
 def test_no_answer_depends_on_the_step_before():
-    rail = moved(np.linspace(-0.3, 0.6, 9), rate=0.02, rise=0.03)
-    stepper = stepper_on(system(), rail)
+    stepper = on_turnout()
     pose = dict(track_position=0.1, lateral_shift=2e-3, yaw=3e-3)
     stepped(stepper, **pose)
     first = stepper.outputs.tobytes()
