@@ -6,6 +6,7 @@ docs/img/*.png.
     check       the picture of ``wrcontact check`` (docs/guides/check.md)
     models      the pressures of examples/compare_models.py (README)
     sections    sections of a crossing's nose (docs/guides/sections.md)
+    along_track     a wheelset over a dipped weld (docs/guides/sections.md)
     profiles    the standard profiles (docs/guides/profiles_of_the_world.md)
     conformal   planar against conformal theory (docs/theory/conformal.md)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/evidence/source_study.md)
@@ -117,6 +118,13 @@ def demo():
     return demo_figure(ContactSystem(), answers, stored)
 
 
+def along_track():
+    """The picture of the example with a dipped weld."""
+    example = Path(__file__).resolve().parents[1] / "examples" / "dipped_weld.py"
+    with TemporaryDirectory() as folder, inside(folder):
+        return runpy.run_path(str(example))["figure"]
+
+
 @style.styled
 def frames():
     """Five sketches: the track frame from behind and from above, the profile frames, and the contact
@@ -201,6 +209,7 @@ PICTURES = {
     "check": check,
     "profiles": lambda: draw_profiles(every_profile()),
     "sections": sections,
+    "along_track": along_track,
     "models": models,
     "conformal": conformal,
     "source_5_8": partial(source, "5.8"),

@@ -20,7 +20,7 @@ from wrcontact import methods  # noqa: E402
 from wrcontact.interface import one_wheel  # noqa: E402
 from wrcontact.interface import outputs as table  # noqa: E402
 from wrcontact.interface.inputs import INPUTS  # noqa: E402
-from wrcontact.interface.parameters import GROUPS, LEFT, PARAMETERS, SIDED  # noqa: E402
+from wrcontact.interface.parameters import BOTH_SIDED, GROUPS, LEFT, PARAMETERS  # noqa: E402
 from wrcontact.interface.rows import AXES, Blocks, Run, Vector  # noqa: E402
 from wrcontact.kernel import layout  # noqa: E402
 from wrcontact.methods.numbers import unit_behind  # noqa: E402
@@ -170,8 +170,10 @@ from .methods import (
 {families}
 )
 from .profiles import Profile, ProfileFile
+from .sections import RailSections
 
 OneProfile = str | PathLike[str] | ProfileFile | Profile
+OneRail = OneProfile | RailSections
 Depth = Literal["all", "patches", "geometry"]
 Wanted = Depth | str | Iterable[str]
 Sides = Literal["both", "left", "right"]
@@ -189,14 +191,14 @@ def parameter_type(row, single=False):
     """The type of one keyword of ContactSystem; ``single`` of one wheel's."""
     number = row.number or (PARAMETERS[row.right].number if row.right else None)
     if row.right in PROFILES:
-        typed = "OneProfile"
+        typed = "OneRail" if row.right == "rail" else "OneProfile"
     elif row.family:
         typed = f"{base_of(row.family)}Name | {base_of(row.family)}"
         typed += " | Callable[..., Any]" if row.name in STAND_INS else ""
     else:
         typed = "bool" if number.switch else "int" if number.whole else "float"
         typed += " | str" if number.ratio else ""
-    if row.name in SIDED and not single:
+    if row.name in BOTH_SIDED and not single:
         typed += f" | tuple[{typed}, {typed}]"
     return typed + (" | None" if row.default is None else "")
 

@@ -22,8 +22,10 @@ from .methods import (
     TangentialModel,
 )
 from .profiles import Profile, ProfileFile
+from .sections import RailSections
 
 OneProfile = str | PathLike[str] | ProfileFile | Profile
+OneRail = OneProfile | RailSections
 Depth = Literal["all", "patches", "geometry"]
 Wanted = Depth | str | Iterable[str]
 Sides = Literal["both", "left", "right"]
@@ -121,9 +123,17 @@ class SystemKeywords(TypedDict, total=False):
     """Stations of a patch's outline; 3 ... 201; by default 31."""
     smoothing: float | None
     """Permitted RMS distance between the curve and the points of a profile file; 0 ... 0.0005 m."""
+    rail_position: float | tuple[float, float]
+    """Place along the track of the position 0 of a rail whose section changes; -1e+06 ... 1e+06 m; by default 0."""
+    rail_reversed: bool | tuple[bool, bool]
+    """Whether the positions of a rail whose section changes count against the track; its sides stay; by default False."""
+    rail_origin_y: float | tuple[float, float]
+    """Lateral distance of the origin of changing sections from the track's centre, to the field side; 0: by the gauge of the section at position 0, whose highest place then has the height 0; -2 ... 2 m; by default 0."""
+    rail_origin_z: float | tuple[float, float]
+    """How far the origin of changing sections lies below the running surface; beside rail_origin_y only; -1 ... 1 m; by default 0."""
     left_wheel: OneProfile | None
     """On the left side, wheel; by default that of the right."""
-    left_rail: OneProfile | None
+    left_rail: OneRail | None
     """On the left side, rail; by default that of the right."""
     left_rail_inclination: float | str | None
     """On the left side, rail_inclination; by default that of the right."""
@@ -137,6 +147,14 @@ class SystemKeywords(TypedDict, total=False):
     """On the left side, rail_lateral_damping; by default that of the right."""
     left_rail_vertical_damping: float | None
     """On the left side, rail_vertical_damping; by default that of the right."""
+    left_rail_position: float | None
+    """On the left side, rail_position; by default that of the right."""
+    left_rail_reversed: bool | None
+    """On the left side, rail_reversed; by default that of the right."""
+    left_rail_origin_y: float | None
+    """On the left side, rail_origin_y; by default that of the right."""
+    left_rail_origin_z: float | None
+    """On the left side, rail_origin_z; by default that of the right."""
 
 
 class WheelKeywords(TypedDict, total=False):
@@ -311,6 +329,8 @@ class PoseInputs(TypedDict, total=False):
     """Left wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
     right_axle_torque: float
     """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
+    track_position: float
+    """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""
 
 
 class TableInputs(TypedDict, total=False):
@@ -394,6 +414,8 @@ class TableInputs(TypedDict, total=False):
     """Left wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
     right_axle_torque: ArrayLike
     """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]; by default 0."""
+    track_position: ArrayLike
+    """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""
 
 
 class WheelInputs(TypedDict, total=False):
@@ -445,3 +467,5 @@ class WheelInputs(TypedDict, total=False):
     """Vertical deflection of its springs one rail_time_step ago [m]; by default 0."""
     axle_torque: float
     """Torque of motor or brake on the wheelset about its axle, positive where it drives forward; read where wheel_rate is 0 with free_rolling [N.m]; by default 0."""
+    track_position: float
+    """Place of the wheelset's centre along the track; only read where a rail's section changes [m]; by default 0."""

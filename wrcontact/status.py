@@ -240,6 +240,20 @@ SENTENCES = (
 )
 
 
+#: Inputs that have to be zero on rails that change along the track, which FMUs do not have: with the status 4, if none of
+#: the sentences above but the last of that status holds.
+CHANGING = tuple(
+    Sentence(
+        Status.INVALID_INPUT,
+        "nonzero",
+        name,
+        math.nan,
+        f"<{name}> is [{name}]; permitted with a rail that changes along the track is 0",
+    )
+    for name in INPUT_NAMES
+    if name.endswith(("speed", "velocity", "rate", "rail_roll"))
+)
+
 #: Sentences on calls that are refused, of the FMU that runs in Python and of native ones; ``%s`` is a name or a value.
 REFUSALS = {
     "started": "initialisation is permitted once, with startTime and stopTime, after instantiation or a reset",
@@ -294,6 +308,8 @@ def explain(
         and row.compliant in (None, bool(compliant))
         and TESTS[row.test](given[row.name], row.limit)
     )
+    if said.test == "always" and status == Status.INVALID_INPUT and abs(given["load_transfer"]) <= 1.0:
+        said = next((row for row in CHANGING if TESTS[row.test](given[row.name], row.limit)), said)
     text = written(
         said.text,
         terms,

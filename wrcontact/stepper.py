@@ -174,6 +174,7 @@ class Stepper:
         RuntimeError
             if the kernel is not compiled, or a model works outside it.
         """
+        self._refuse_changing("derivatives")
         columns = differentiated_inputs(listed("by", by))
         places, least = differentiated_outputs(listed("of", of), self.layout)
         if not is_computed(least, self._wanted):
@@ -201,7 +202,15 @@ class Stepper:
 
         For rails that are bodies; in the axes of the track.
         """
+        self._refuse_changing("rail_reaction")
         return rail_reaction(self._tables, self.inputs, self.outputs, side)
+
+    def _refuse_changing(self, what):
+        """ValueError if a rail changes along the track, which ``what`` cannot have."""
+        if any(pair.changing for pair in layout.Tables.at(self._tables).pairs):
+            raise ValueError(
+                f"a rail changes along the track; permitted for {what} are rails that are the same all along it"
+            )
 
     def step(self) -> int:
         """Evaluate the inputs into the outputs; return the status (an int).

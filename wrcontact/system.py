@@ -45,6 +45,7 @@ from .interface.parameters import (
     warn_of_parameters,
 )
 from .kernel import layout
+from .kernel.binding.library import bind_changing
 from .kernel.binding.own_models import OwnKernel
 from .kernel.binding.setup import prepare_sides, profile_tables
 from .kernel.prepare.tables import equal_sides
@@ -53,6 +54,7 @@ from .methods.own import functions_in
 from .motion.reaction import rail_reaction
 from .motion.standing import stand_at
 from .profiles.catalogue import find_profiles
+from .profiles.changing import check_unplaced, has_changing, is_sections, refuse_changing
 from .profiles.corners import remark_corners
 from .profiles.plausible import remark_profiles
 from .results.columns import selected
@@ -65,9 +67,11 @@ from .stepper import DEPTHS, Stepper, thread_count, threaded_parts
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .keywords import Depth, OneProfile, PoseInputs, Sides, SystemKeywords, TableInputs, Wanted
+    from .keywords import Depth, OneProfile, OneRail, PoseInputs, Sides, SystemKeywords, TableInputs, Wanted
     from .linear.record import Linearization
     from .profiles import Profile
+    from .sections import RailSections
+    from .sections.placing import PlacedSections
 
 #: By number; making one from its number takes ten times as long.
 STATUSES = tuple(Status)
@@ -90,7 +94,8 @@ class ContactSystem:
     wheel, rail : name of a standard profile in any case, path of a profile file,
         :class:`~wrcontact.ProfileFile` (a path with what the file does not say), or
         :class:`~wrcontact.Profile`.  These two, ``nominal_radius`` and ``rail_inclination`` may also be
-        pairs (left, right), which is short for the keywords that begin with ``left_``.
+        pairs (left, right), which is short for the keywords that begin with ``left_``.  A ``rail`` may also be
+        :class:`~wrcontact.RailSections`, or the path of a file of sections, .slcs or .toml (docs/guides/sections.md).
     track, wheelset, material, friction : records of the keywords that follow, or None.
     {parameters}
 
@@ -110,14 +115,14 @@ class ContactSystem:
     methods: dict[str, Any]
     resolution: Any
     wheel: Profile
-    rail: Profile
+    rail: Profile | RailSections
     left_wheel: Profile
-    left_rail: Profile
+    left_rail: Profile | RailSections
 
     def __init__(
         self,
         wheel: OneProfile | tuple[OneProfile, OneProfile] = "S1002",
-        rail: OneProfile | tuple[OneProfile, OneProfile] = "UIC60",
+        rail: OneRail | tuple[OneRail, OneRail] = "UIC60",
         *,
         track: Track | None = None,
         wheelset: Wheelset | None = None,
@@ -131,16 +136,29 @@ class ContactSystem:
         given = {"wheel": wheel, "rail": rail, **parameters}
         checked, methods = checked_parameters(given, groups)
         warn_of_parameters(checked)
-        self._set_up(checked, methods, find_profiles(checked))
+        if has_changing(checked):
+            from .sections.placing import find_all_profiles  # not part of an FMU
+
+            profiles = find_all_profiles(checked)
+        else:
+            profiles = find_profiles(checked)
+        self._set_up(checked, methods, profiles)
         remark_profiles(self)
         remark_corners(self)
 
     def _set_up(self, parameters, methods, profiles):
-        """Prepare for checked ``parameters`` and the ``profiles`` of :func:`find_profiles`."""
+        """Prepare for checked ``parameters`` and the ``profiles`` that they name."""
+        check_unplaced(profiles, parameters)
         self.parameters, self.methods = parameters, methods
         self.resolution = methods["normal_model"].resolution
         self.wheel, self.rail, self.left_wheel, self.left_rail = profiles
-        self._tables = prepare_sides(profiles[:2], profiles[2:], parameters=parameters, methods=methods)
+        self._placed = None  # the left and the right rail, if one of them changes along the track
+        if is_sections(self.rail) or is_sections(self.left_rail):
+            from .sections.placing import prepare_changing  # not part of an FMU
+
+            self._tables, self._placed = prepare_changing(profiles, parameters, methods)
+        else:
+            self._tables = prepare_sides(profiles[:2], profiles[2:], parameters=parameters, methods=methods)
         layout.Tables.at(self._tables).stations = parameters["stations"]
         self._own = threading.local()
         self._warned = set()  # names of inputs of which the user has been warned
@@ -149,7 +167,24 @@ class ContactSystem:
     @property
     def equal_sides(self) -> bool:
         """Whether the left side is the mirror image of the right one."""
+        if self._placed and self._placed[0] is not self._placed[1]:
+            return False
         return equal_sides(layout.Tables.at(self._tables))
+
+    @property
+    def changing(self) -> bool:
+        """Whether the section of a rail changes along the track."""
+        return self._placed is not None
+
+    @property
+    def placed_rails(self) -> tuple[PlacedSections, PlacedSections]:
+        """The left and the right rail as they lie in the track, each with ``surface`` and ``lateral``; ValueError if none
+        changes along the track."""
+        if self._placed is None:
+            raise ValueError(
+                "no rail changes along the track; permitted for placed_rails is a system with RailSections"
+            )
+        return self._placed
 
     @property
     def centre_height(self) -> float:
@@ -174,7 +209,8 @@ class ContactSystem:
     ) -> tuple[NDArray[Any], NDArray[Any], float]:
         """The profiles as the kernel reads them, for ``wrcontact.profiles.compiled.evaluate_table``: the
         wheel's table, that of the rail as it leans, and the track coordinate of the rail's highest point [m],
-        each as those of a right side."""
+        each as those of a right side; ValueError if a rail changes along the track."""
+        refuse_changing(self, "profile_tables")
         return profile_tables(self._tables, 0 if side == "left" else 1)
 
     def __reduce__(self):
@@ -223,6 +259,8 @@ class ContactSystem:
             from .halfspace.rolling_step import RollingSolver
 
             return Stepper(self._tables, partial(RollingSolver, self.parameters["poisson_ratio"]))
+        if self.changing:
+            return Stepper(self._tables, bind_changing)
         functions = functions_in(self.parameters)
         return Stepper(self._tables, OwnKernel(functions).bind if functions else None)
 
@@ -312,6 +350,7 @@ class ContactSystem:
         RuntimeError
             if the kernel is not compiled, or a model works outside it.
         """
+        refuse_changing(self, "derivatives")
         names = listed("of", of)
         own = [name for name in names if name not in EQUILIBRIUM]
         stepper = self._stepper_at(penetration, "both", "all", given_inputs((), inputs))
@@ -337,6 +376,7 @@ class ContactSystem:
         ValueError
             if the contact_mode is not compliant.
         """
+        refuse_changing(self, "stand_at")
         if self._balancing() is None:
             raise ValueError(
                 f"the contact_mode is {self.parameters['contact_mode']!r}; a roll can be given "
@@ -385,6 +425,7 @@ class ContactSystem:
         """
         from .linear.point import linearize  # not part of an FMU
 
+        refuse_changing(self, "linearize")
         compliant = self if self._balancing() else self._twin("compliant")
         return linearize(
             compliant,
@@ -399,6 +440,7 @@ class ContactSystem:
         self, state: WheelsetState, side: Literal["left", "right"]
     ) -> tuple[NDArray[Any], NDArray[Any]]:
         """As :meth:`Stepper.rail_reaction` of the ``state`` of one pose."""
+        refuse_changing(self, "rail_reaction")
         return rail_reaction(self._tables, state.inputs, state.values, side)
 
     def _evaluate_some(self, arguments, penetration, side, outputs, inputs):
@@ -481,6 +523,7 @@ class ContactSystem:
     def find_equilibrium(self, inputs: NDArray[Any]) -> Equilibrium:
         """Where both wheels carry the load of the ``inputs`` of a state, or of a table's (n, ...): an
         :class:`~wrcontact.state.Equilibrium`."""
+        refuse_changing(self, "the equilibrium of a compliant wheelset")
         rows = np.atleast_2d(inputs)
         found = self._elastic_twin().evaluate_many(
             outputs=["vertical_shift", "roll"], **{row.keyword: rows[:, k] for k, row in enumerate(INPUTS)}

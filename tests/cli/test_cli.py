@@ -10,6 +10,7 @@ import wrcontact
 from data import HUNTING
 from tests.helpers.command_line import read_csv, start
 from tests.helpers.paths import ROOT
+from tests.helpers.slice_files import write_slices
 from wrcontact import ContactSystem
 from wrcontact.cli import main
 from wrcontact.cli.options import POSE, SYSTEM, option_of
@@ -533,6 +534,7 @@ def test_entry_point():
     [
         pytest.param("one_pose", 40, marks=pytest.mark.full),
         pytest.param("lateral_sweep", 40, marks=pytest.mark.full),
+        pytest.param("dipped_weld", 60, marks=pytest.mark.full),
         pytest.param("compare_models", 40, marks=pytest.mark.full),
         pytest.param("step_the_fmu", 40, marks=pytest.mark.full),
         # compiles a native FMU; tests/fmu/native/test_irregular_track.py runs it with one that is compiled
@@ -627,3 +629,28 @@ def test_a_sweep_with_creep_forces(run):
     assert float(last[-1]) == pytest.approx(table.right.friction_power[2] / 1e3, abs=5e-4)
     assert float(last[-2]) == pytest.approx(table["right.patch[1].saturation"][2], abs=5e-4)
     assert "kW" in out and "used" in out
+
+
+@pytest.mark.full
+def test_rails_that_change_along_the_track(run, tmp_path):
+    """One is solved and drawn along the track; what cannot have it refuses it in one sentence."""
+    file = write_slices(tmp_path)
+    code, out, err = run("solve", "--rail", file)
+    assert code == 0 and "force.x" in out and err == ""
+    picture = tmp_path / "along.png"
+    code, out, err = run("plot", "along", "--rail", file, "--normal-force-kn", "20", "--output", picture)
+    assert (code, out, err) == (0, f"picture written to {picture}\n", "") and picture.stat().st_size > 10_000
+    refused = "changes along the track; permitted for {} are rails that are the same all along it"
+    for words, what in (
+        (("check",), "check"),
+        (("build", "--output", tmp_path / "fmu"), "an FMU"),
+        (("build", "--native", "--output", tmp_path / "fmu"), "an FMU"),
+        (("plot", "lines", "--output", tmp_path / "lines.png"), "profile_tables"),
+        (("plot", "radii", "--output", tmp_path / "radii.png"), "a sweep over the lateral shift"),
+    ):
+        code, _, err = run(*words, "--rail", file)
+        assert code == 2 and refused.format(what) in err and err.count("\n") == 1, err
+    code, _, err = run("plot", "along", "--output", picture)
+    assert code == 2 and "permitted is one with RailSections" in err
+    code, _, err = run("plot", "along", "--rail", file, "--track-position-mm", "3", "--output", picture)
+    assert code == 2 and "plot along does not use it" in err

@@ -374,6 +374,11 @@ def rigid_rail(wheel):
     yield 0.0, 0.0
 
 
+def level(wheel, k):
+    """Every scene has rails that are the same all along the track."""
+    yield 0.0, 0.0
+
+
 # --- one patch ----------------------------------------------------------------------------------------
 
 
@@ -553,6 +558,7 @@ PATCH = {
     "fatigue_damage": ("1", creep.of_fatigue(creep.damage, 1e-8)),
     "shakedown_ratio": ("1", creep.of_fatigue(lambda _, used, peak, limit: peak / limit, EXACT)),
     "surface_fatigue_index": ("1", creep.of_fatigue(lambda _, used, peak, limit: used - limit / peak, EXACT)),
+    "slope": ("rad", level),
 }
 OUTLINE = {
     "station": ("m", station),

@@ -1,6 +1,7 @@
 """Errors in rails whose section changes: (name, old, new, meaning, the file that sees it, module) for planted.py."""
 
 SEARCH, SURFACE = "sections/test_search.py", "sections/test_surface.py"
+SYSTEM, STEP = "sections/test_system.py", "sections/test_changing_step.py"
 
 SECTIONED = [
     (
@@ -42,5 +43,85 @@ SECTIONED = [
         "the offset of a slice file is not scaled",
         "sections/test_files.py",
         "wrcontact/sections/files.py",
+    ),
+    (
+        "section_position_ignored",
+        "search.position = work.inputs.track_position",
+        "search.position = 0.0 * work.inputs.track_position",
+        "the wheelset is always at position 0",
+        SYSTEM,
+        "",
+    ),
+    (
+        "section_reversed_order",
+        "cubics = backwards(cubics, np.diff(breaks))[::-1]",
+        "cubics = cubics[::-1]",
+        "a reversed rail has its pieces in the other order, but not each of them",
+        SYSTEM,
+        "wrcontact/sections/surface.py",
+    ),
+    (
+        "section_left_place",
+        "return place_sections(profiles[3], left), right",
+        "return place_sections(profiles[3], parameters), right",
+        "the left rail lies as the right one",
+        SYSTEM,
+        "wrcontact/sections/placing.py",
+    ),
+    (
+        "section_gauge_depth",
+        "np.flatnonzero(jet[0, : top + 1] >= highest + gauge_depth)",
+        "np.flatnonzero(jet[0, : top + 1] >= highest + 0.5 * gauge_depth)",
+        "the gauge of sections is sought at half its depth",
+        SYSTEM,
+        "wrcontact/sections/placing.py",
+    ),
+    (
+        "section_push_sign",
+        "patch.normal_x = x\n",
+        "patch.normal_x = -x\n",
+        "a rising rail pushes the wheel ahead",
+        STEP,
+        "section_side",
+    ),
+    (
+        "section_ruling_sign",
+        "p = touch.along + q * touch.slope",
+        "p = touch.along - q * touch.slope",
+        "the ruling direction of a rail that moves leaves its surface",
+        STEP,
+        "section_frame",
+    ),
+    (
+        "section_crest_sign",
+        "node.bend = along / sqrt(1.0 + rise * rise)",
+        "node.bend = -along / sqrt(1.0 + rise * rise)",
+        "a crest along the rail counts as hollow",
+        STEP,
+        "valley",
+    ),
+    (
+        "section_valley_twist",
+        "2.0 * c * twist - twist * twist",
+        "2.0 * c * twist + twist * twist",
+        "the constant rail of a twisting one bends too much between its lines",
+        "sections/test_valley.py",
+        "valley",
+    ),
+    (
+        "section_one_valley",
+        "search.best = touch.best + depth\n",
+        "search.best = touch.best - depth\n",
+        "a second contact along the rail is not looked for",
+        STEP,
+        "one_valley",
+    ),
+    (
+        "section_moved_moment",
+        "along = -rise * patch.normal_z",
+        "along = rise * patch.normal_z",
+        "where the nearest places leave the outline, forces lean the wrong way",
+        STEP,
+        "section_side",
     ),
 ]

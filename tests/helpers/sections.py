@@ -5,11 +5,13 @@ from functools import cache
 import numpy as np
 
 from wrcontact import RailSections
+from wrcontact.interface.calls import PLACES, START_ROW
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.library import default_kernel
+from wrcontact.kernel.binding.library import changing_kernel, default_kernel
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.compiled import evaluate_table
-from wrcontact.sections.kernel_table import with_sections
+from wrcontact.sections.kernel_table import with_changing_rails, with_sections
+from wrcontact.stepper import Stepper
 
 #: The artificial crossing nose of the test bank of CONTACT (Vtech CMCC): arcs of 5 mm between a level top 10 mm wide
 #: and walls at 80 degrees, all of it rising 1:10 [mm].
@@ -111,3 +113,20 @@ class OnSections:
             low, high = (at_angle + side * 3.0 * (angle[1] - angle[0]) for side in (-1.0, 1.0))
             counts = (61, 61)
         return gap[k]
+
+
+def stepper_on(system, right, left=None, lateral=None, kernel=None):
+    """A stepper of the ``system`` on rails that change: sections of the ``right`` side, and of the ``left`` one or the same
+    ones mirrored; their origins lie at ``lateral`` [m] from the track's centre, by default where the system's rail is."""
+    lateral = system.profile_tables()[2] if lateral is None else lateral
+    rails = [((left or right).surface, lateral), (right.surface, lateral)]
+    return Stepper(with_changing_rails(system._tables, rails), (kernel or changing_kernel()).bind)
+
+
+def stepped(stepper, **inputs):
+    """The status of a step at ``inputs`` by keyword, and its outputs by name."""
+    stepper.inputs[:] = START_ROW
+    for name, value in inputs.items():
+        stepper.inputs[PLACES[name]] = value
+    status = stepper.step()
+    return status, dict(zip(stepper.output_names, stepper.outputs.tolist()))

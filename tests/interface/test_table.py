@@ -15,6 +15,7 @@ from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.outputs import PATCH, SIDE, STRIPS, WEAR, WHEELSET
 from wrcontact.interface.parameters import KERNEL_PARAMETERS, PARAMETERS
 from wrcontact.interface.rows import Blocks, Input, Run, Vector
+from wrcontact.interface.section_places import SECTION_PLACES
 from wrcontact.interface.variables import FIRST_OUTPUT, FIRST_WEAR, STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.patch.outline import row_size
@@ -146,6 +147,7 @@ def test_every_parameter_reaches_the_kernel():
         "left_rail_vertical_stiffness",
         "left_rail_lateral_damping",
         "left_rail_vertical_damping",
+        *(side + name for side in ("", "left_") for name in SECTION_PLACES),
     }
 
 

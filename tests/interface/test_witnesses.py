@@ -25,6 +25,7 @@ ZERO = {
     "side.normal.force.x",
     "side.patch[k].tangential.moment",
     "side.patch[k].stick_share",
+    "side.patch[k].slope",
     "side.rail_deflection_lateral",
     "side.rail_deflection_vertical",
     "side.model_error",

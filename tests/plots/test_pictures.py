@@ -396,3 +396,32 @@ def test_sections_are_drawn_with_their_heights():
         )
     assert [line[0, 0] for line in lines_of(above, "slice")] == pytest.approx(list(u))
     assert above.get_xlabel() == "position along the track [m]"
+
+
+def test_a_wheelset_along_a_changing_rail_is_drawn():
+    """A ramp of 1:50 on both sides: it rises, and is pushed back."""
+    u = np.linspace(-0.4, 0.4, 5)
+    rail = wrcontact.profiles.standard_profile("UIC60")
+    ramp = wrcontact.RailSections(u, [rail] * 5, places=np.column_stack([0.0 * u, -0.02 * u]), name="ramp")
+    system = ContactSystem(rail=ramp)
+    at = np.linspace(-0.1, 0.1, 5)
+    figure = plots.along_track_figure(system, at, lateral_shift=1e-3)
+    height, contacts, loads, forces, pressures = figure.axes
+    assert np.diff(height.lines[0].get_data()[1]) == pytest.approx(0.02 * np.diff(at) / MM, rel=1e-6)
+    for side, line in zip(("left", "right"), forces.lines):
+        state = system.evaluate(track_position=at[2], lateral_shift=1e-3)
+        assert line.get_data()[1][2] == pytest.approx(getattr(state, side).force.x / 1e3, rel=1e-9)
+        assert line.get_data()[1][2] == pytest.approx(-78.5 * 0.02, rel=5e-3)
+    assert len(contacts.lines) == len(pressures.lines) == 2 and len(loads.lines) >= 2
+    assert pressures.get_xlabel() == "position of the wheelset along the track [m]"
+    assert plots.along.slices_of(system)[[0, -1]] == pytest.approx([-0.4, 0.4])
+    with pytest.raises(
+        ValueError, match="which are the same all along the track; permitted is one with RailSections"
+    ):
+        plots.along_track_figure(ContactSystem())
+    with pytest.raises(
+        ValueError, match="permitted for this picture are rails that are the same all along it"
+    ):
+        plots.pose_figure(system, state)
+    with pytest.raises(ValueError, match="permitted for a sweep over the lateral shift are rails"):
+        plots.sweep(system)

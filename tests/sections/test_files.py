@@ -6,48 +6,11 @@ import numpy as np
 import pytest
 
 from tests.helpers.sections import nose, nose_points
-from wrcontact import ContactSystem, RailSections
+from tests.helpers.slice_files import MM, POSITIONS, columns, section, write_slices
+from wrcontact import RailSections
 
-MM = 1e-3
-POSITIONS = np.linspace(-0.1, 0.1, 5)
 PLACES = np.array([0.5, 3.0, 8.0, 17.0]) * MM
 TOML = pytest.mark.skipif(sys.version_info < (3, 11), reason="Python before 3.11 reads no TOML")
-
-
-def simpack(points):
-    rows = "\n".join(f"{y:.9f} {z:.9f}" for y, z in points / MM)
-    return (
-        "header.begin\n  version = 1\n  type = 0\nheader.end\nspline.begin\n  units.len.f = 1000.\n  point.begin\n"
-        f"{rows}\n  point.end\nspline.end\n"
-    )
-
-
-def columns(points, unit=MM):
-    return "".join(f"{y:.12e} {z:.12e}\n" for y, z in points / unit)
-
-
-def section(k):
-    return nose_points() + [0.0, -0.1 * POSITIONS[k]]
-
-
-def write_slices(folder, head="0.01 1.0", features=None, ending="prr", unit=MM, middle="1"):
-    for k in range(5):
-        text = simpack(section(k)) if ending == "prr" else columns(section(k), unit)
-        (folder / f"nose_{k}.{ending}").write_text(text)
-    rows = [f"{1e3 * u - 0.01:.6f} 'nose_{k}.{ending}'  % slice" for k, u in enumerate(POSITIONS)]
-    lines = [
-        "% artificial nose",
-        f"{head}  U_OFFSET",
-        "  5  NSLC",
-        f"{len(features[0]) if features else 0} 0 0",
-        middle,
-    ]
-    lines += ["", *rows]
-    if features:
-        lines += [f"{1e3 * u - 0.01:.6f} " + " ".join(map(str, row)) for u, row in zip(POSITIONS, features)]
-    path = folder / "nose.slcs"
-    path.write_text("\n".join(lines) + "\n")
-    return path
 
 
 @pytest.mark.parametrize(
@@ -184,13 +147,3 @@ def test_a_toml_that_cannot_be_used_is_refused(tmp_path, text, sentence):
 def test_other_endings_are_refused(tmp_path):
     with pytest.raises(ValueError, match=r"ends in \.csv; permitted are \.slcs and \.toml"):
         RailSections.from_file(tmp_path / "own.csv")
-
-
-def test_a_system_says_that_it_takes_rails_with_one_section(tmp_path):
-    """The evaluation of a wheelset does not have sections."""
-    with pytest.raises(
-        ValueError, match="rail is RailSections 'nose', which change along the track; permitted are"
-    ):
-        ContactSystem(rail=nose(POSITIONS))
-    with pytest.raises(ValueError, match="left_rail is RailSections 'nose'"):
-        ContactSystem(rail=(nose(POSITIONS), "UIC60"))

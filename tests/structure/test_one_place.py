@@ -36,8 +36,12 @@ def trees():
 
 
 def test_forces_are_added_in_one_file():
+    """And what only changing rails have of them in another."""
     assert VECTORS | NUMBERS | {"normal_moment"} == {name for name, _ in layout.Forces._fields_}
-    assert {name for name, tree in trees().items() if adds(tree)} == {"kernel/wheelset/forces.py"}
+    assert {name for name, tree in trees().items() if adds(tree)} == {
+        "kernel/wheelset/forces.py",
+        "kernel/changing/section_forces.py",
+    }
 
 
 def test_outputs_are_written_in_one_file_and_read_where_starts_are_noted():
@@ -53,4 +57,8 @@ def test_outputs_are_written_in_one_file_and_read_where_starts_are_noted():
         and node.annotation
         and ast.unparse(node.annotation) in OUTPUTS
     }
-    assert reading == {"kernel/wheelset/report.py", "kernel/prepare/tables.py"}
+    assert reading == {
+        "kernel/wheelset/report.py",
+        "kernel/changing/section_report.py",
+        "kernel/prepare/tables.py",
+    }

@@ -188,7 +188,7 @@ def test_the_native_fmus_c_has_no_circle():
 
 
 def test_the_whole_workspace_is_handed_on_by_the_wheelset_only():
-    """A function reads what its arguments name; the wheelset's recipe and its derivatives see everything."""
+    """A function reads what its arguments name; the wheelset's recipes and their derivatives see everything."""
     wide = [
         f"{name}.{node.name}"
         for name, tree in trees().items()
@@ -199,7 +199,7 @@ def test_the_whole_workspace_is_handed_on_by_the_wheelset_only():
             ast.unparse(argument.annotation) == "Work" for argument in node.args.args if argument.annotation
         )
     ]
-    assert {room(name) for name in wide} == {"kernel.wheelset", "kernel.derivative"}, wide
+    assert {room(name) for name in wide} == {"kernel.wheelset", "kernel.changing", "kernel.derivative"}, wide
 
 
 # --- sizes --------------------------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ def check_one(system, output, file, table):
     ``file`` and its curves to ``table``, where these are not None."""
     from ..plots import check_figure, save
 
-    with working("checking the pair", 2) as advance:
+    with sentences(), working("checking the pair", 2) as advance:
         report = check(system)
         advance(words="drawing the picture")
         pictures = {output: check_figure(report)}

@@ -305,7 +305,7 @@ def plot(pose, system, picture, smoothing: Smoothing = None):
     lines: where wheel and rail touch over the lateral shift; radii, angles, roll: rolling radius difference,
     contact angles and roll over the lateral shift; wheel: a wheel on its rail in three dimensions; patch:
     patches with pressure, shear stress, stick and slip; creep: creep force over creepage by model, of the
-    patch with the largest load; history: columns of a CSV file over time; animation: its wheelset on the
+    patch with the largest load; along: heights, contacts and loads along rails whose section changes; history: columns of a CSV file over time; animation: its wheelset on the
     track.
 
     Example: wrcontact plot patch --lateral-shift-mm 5 --tangential-model strips --speed 20

@@ -19,8 +19,8 @@ PICTURES, ANIMATIONS = (".png", ".svg", ".pdf"), (".gif", ".mp4")
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of picture: the inputs of ``pose`` that it reads ("all", "yaw", "none"), whether it needs a
-    system, and its own options."""
+    """A kind of picture: the inputs of ``pose`` that it reads ("all", "along" for all but the position along the track, "yaw",
+    "none"), whether it needs a system, and its own options."""
 
     pose: str = "all"
     system: bool = True
@@ -36,6 +36,7 @@ KINDS = {
     "wheel": Kind(options=("side",)),
     "patch": Kind(options=("side", "colour")),
     "creep": Kind(options=("side", "over")),
+    "along": Kind("along"),
     "history": Kind("none", system=False, options=("run", "names", "over")),
     "animation": Kind("none", options=("run", "frames")),
 }
@@ -81,7 +82,9 @@ class Picture:
             if self.chosen[own] != STARTS.get(own):
                 kinds = " or ".join(name for name, kind in KINDS.items() if own in kind.options)
                 raise Refused(f"--{own} is given; it is permitted only with plot {kinds}")
-        read = {"all": set(pose), "yaw": {"yaw"}, "none": set()}[self.kind.pose]
+        read = {"all": set(pose), "along": set(pose) - {"track_position"}, "yaw": {"yaw"}, "none": set()}[
+            self.kind.pose
+        ]
         for variables, unread in (
             (POSE, set(pose) - read),
             (SYSTEM, set() if self.kind.system else set(system)),
@@ -146,6 +149,7 @@ _DRAW = {
     "radii": _over_shift("radius_difference"),
     "angles": _over_shift("contact_angle"),
     "roll": _over_shift("roll_angle"),
+    "along": lambda plots, system, pose, state, chosen: plots.along_track_figure(system, **pose),
     "wheel": lambda plots, system, pose, state, chosen: plots.wheel_on_rail(
         system, state, side=chosen["side"]
     ),

@@ -9,6 +9,7 @@ import numpy as np
 from ..conventions import MIRROR, SIDES
 from ..interface.inputs import LATERAL_LIMIT
 from ..interface.parameters import GEOMETRY, LEFT, SIDED
+from ..profiles.changing import refuse_changing
 from ..results.convert import needed
 from ..results.words import ShortText
 from ..status import Status
@@ -105,6 +106,7 @@ def check(system):
     """
     if not isinstance(system, ContactSystem):
         raise ValueError(f"system is {system!r}; permitted is a ContactSystem")
+    refuse_changing(system, "check")
     rolling, level = _wheelset(system, "rigid"), _wheelset(system, "compliant")
     shifts = _shifts(STEP)
     table = geometry(rolling, shifts)

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..conventions import SIDES
 from ..interface.friction import Friction
+from ..profiles.changing import refuse_changing
 from ..profiles.placement import place_rail
 from ..profiles.remarks import ProfileWarning
 from ..status import Status
@@ -93,6 +94,7 @@ def to_contact(system: Any, state: Any, folder: str | PathLike[str]) -> list[Pat
 
 def _check(system, states):
     """Refuse what the file cannot hold, in a sentence."""
+    refuse_changing(system, "CONTACT")
     for name in LAW:
         given = system.parameters[name]
         usual = Friction.__dataclass_fields__[name].default

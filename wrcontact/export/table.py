@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..profiles.changing import refuse_changing
 from ..storage.atomic import open_atomically
 
 #: Column by its name in the file, and the factor to its unit.
@@ -62,6 +63,7 @@ def contact_table(
     lateral_shift, yaw : of the wheelset (k,), (m,) [m], [rad].
     inputs : others of ``evaluate``, one value each.
     """
+    refuse_changing(system, "contact_table")
     shifts, yaws = np.atleast_1d(lateral_shift), np.atleast_1d(yaw)
     across, turned = (part.ravel() for part in np.meshgrid(shifts, yaws))
     found = system.evaluate_many(lateral_shift=across, yaw=turned, outputs="geometry", **inputs)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ..conventions import MILLIMETRE
 from ..profiles.catalogue import standard_name
+from ..profiles.changing import refuse_changing
 from ..profiles.options import ProfileFile
 from ..storage.hashes import content_hash
 from ..system import ContactSystem
@@ -40,6 +41,7 @@ def chosen_starts(smoothing=None, settings=None, side="", **chosen):
         **keywords_of(settings),
         smoothing=smoothing,
     )
+    refuse_changing(system, "an FMU")
     starts = {parameter: _called(name) for parameter, name in given.items()}
     starts |= {
         parameter: standard_name(name)

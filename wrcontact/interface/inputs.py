@@ -10,6 +10,8 @@ RAIL_LIMIT, RAIL_ROLL_LIMIT = 0.05, 0.05
 SPEED_LIMIT, VELOCITY_LIMIT, RATE_LIMIT, WHEEL_LIMIT, CURVATURE_LIMIT = 200.0, 20.0, 100.0, 2000.0, 0.1
 #: Permitted size of the torque on an axle [N m].
 TORQUE_LIMIT = 1e7
+#: Declared range of places along the track [m].
+POSITION_LIMIT = 1e6
 #: Longest time of a step of rails on springs [s].
 TIME_LIMIT = 1e6
 #: Where the contact determines it, an input of this kind is not read.
@@ -223,6 +225,16 @@ DEFLECTIONS = tuple(
     for part in ("lateral", "vertical")
 )
 
+#: Read where a rail's section changes along the track.
+TRACK_POSITION = Input(
+    "track_position",
+    "m",
+    1.0,
+    "Place of the wheelset's centre along the track; only read where a rail's section changes",
+    -POSITION_LIMIT,
+    POSITION_LIMIT,
+)
+
 #: Usual loads of a wheel that is not lifted [N]: those of a hand trolley, and of an axle of 200 t. One in kN
 #: that is taken for N lies below, and one in N that is taken for kN above.
 USUAL_LOAD = (500.0, 1e6)
@@ -302,6 +314,7 @@ INPUTS = (
     TIME_STEP,
     *DEFLECTIONS,
     *TORQUES,
+    TRACK_POSITION,
 )
 
 INPUT_NAMES = tuple(row.name for row in INPUTS)

@@ -119,6 +119,13 @@ PATCH = (
         "creep force over normal force, minus 1 / shakedown_ratio; "
         "above zero the surface yields at every passage",
     ),
+    Output(
+        "slope",
+        "rad",
+        0.01,
+        "inclination of the normal of its force along the track, positive where it pushes back; zero on a rail "
+        "that is the same all along the track",
+    ),
 )
 
 #: Outputs of one wheel.  Those up to ``curvature_y`` are its geometry, those from ``penetration`` on follow

@@ -13,6 +13,7 @@ from ..methods.numbers import Checked, Number, check_choice, frozen, number, uni
 from ..methods.own import STAND_INS, functions_in
 from .friction import Friction
 from .outputs import STATION_COUNT, STATION_LEAST, STATION_LIMIT
+from .section_places import SECTION_PLACES
 
 
 @frozen
@@ -88,6 +89,8 @@ WITH_SPRINGS = {
     "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach"),
 }
 SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination", *RAIL_SPRINGS)
+#: With those that FMUs do not have.
+BOTH_SIDED = (*SIDED, *SECTION_PLACES)
 
 
 #: What 0 means on the right side.
@@ -257,6 +260,8 @@ def _left(row):
     known = row.number
     if known is None:
         meaning = f"Left side: {row.meaning[0].lower()}{row.meaning[1:]}; empty: as on the right"
+    elif known.python_only:
+        return Parameter(LEFT + row.name, row.meaning, None, replace(known, default=None), right=row.name)
     else:
         known = replace(known, default=None, low=0.0, start=0.0, nominal=known.nominal or known.default)
         meaning = known.meaning.removesuffix(RIGID)
@@ -304,13 +309,13 @@ def _rows():
         yield _method(family)
         for keyword, known in _numbers_of(family).items():
             yield _numeric(keyword, known)
-    for name, known in OTHERS.items():
+    for name, known in (OTHERS | SECTION_PLACES).items():
         yield _numeric(name, known)
 
 
 #: Every row by its name, in the order of the keywords.
 PARAMETERS = {row.name: row for row in _rows()}
-PARAMETERS |= {LEFT + name: _left(PARAMETERS[name]) for name in PARAMETERS if name in SIDED}
+PARAMETERS |= {LEFT + name: _left(PARAMETERS[name]) for name in PARAMETERS if name in BOTH_SIDED}
 
 
 #: Names of those that always have a number or a method, and so have a place in the kernel's record
@@ -318,7 +323,9 @@ PARAMETERS |= {LEFT + name: _left(PARAMETERS[name]) for name in PARAMETERS if na
 KERNEL_PARAMETERS = tuple(
     row.name
     for row in PARAMETERS.values()
-    if not row.right and (row.family or (row.number is not None and row.start is not None))
+    if not row.right
+    and row.name not in SECTION_PLACES
+    and (row.family or (row.number is not None and row.start is not None))
 )
 
 
@@ -387,7 +394,7 @@ def _check_springs(parameters):
 def _split(given):
     """The keywords ``given``, a pair (left, right) as two; ValueError where the left one is there besides."""
     found = dict(given)
-    for name in SIDED:
+    for name in BOTH_SIDED:
         value = found.get(name)
         if isinstance(value, (tuple, list)):
             if len(value) != 2:
@@ -407,8 +414,8 @@ def _split(given):
 
 
 def on_the_left(parameters):
-    """``parameters`` as the left side has them: of each keyword in :data:`SIDED` the value on the left."""
-    own = {name: parameters[LEFT + name] for name in SIDED}
+    """``parameters`` as the left side has them: of each keyword in :data:`BOTH_SIDED` the value on the left."""
+    own = {name: parameters[LEFT + name] for name in BOTH_SIDED}
     return parameters | {name: value for name, value in own.items() if value is not None}
 
 

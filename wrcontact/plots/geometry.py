@@ -6,6 +6,7 @@ import numpy as np
 from ..conventions import MIRROR
 from ..kernel.layout import PLACE_SIZE, Place
 from ..kernel.surface.locus import around_wheel, outline_point, place_wheelset
+from ..profiles.changing import refuse_changing
 from ..profiles.placement import place_rail, readable_wheel
 
 #: Parts of the wheel S1002 by their lateral position [m]; the limits are joints of its defining zones (B/C
@@ -92,6 +93,7 @@ def rail_lengths(system, side, state):
 def rail_outline(system, side, state=None):
     """The inclined rail head with its sides on the track: track coordinates y, z (down) [m], two arrays
     (n,); of a rail that is moved as the inputs of ``state`` say."""
+    refuse_changing(system, "this picture")
     chosen, rail = system.side_parameters(side), system.rail if side == "right" else system.left_rail
     placed = place_rail(
         rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"], gauge_depth=chosen["gauge_depth"]

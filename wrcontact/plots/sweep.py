@@ -7,6 +7,7 @@ from matplotlib.ticker import MultipleLocator
 
 from ..conditioning.curves import find_jumps, merged_jumps
 from ..conventions import SIDES
+from ..profiles.changing import refuse_changing
 from ..results.words import ShortText
 from ..status import Status, explain
 from .geometry import WHEEL_ZONES
@@ -31,6 +32,7 @@ class Sweep(ShortText):
 def sweep(system, lateral_shift=None, yaw=0.0):
     """Evaluate ``system`` over rising ``lateral_shift`` [m] (n,), by default from -8 to 8 mm, at one yaw
     [rad]."""
+    refuse_changing(system, "a sweep over the lateral shift")
     if lateral_shift is None:
         lateral_shift = np.linspace(-LARGEST, LARGEST, round(2 * LARGEST / STEP) + 1)
     lateral_shift = np.asarray(lateral_shift, dtype=float)

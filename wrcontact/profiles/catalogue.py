@@ -8,6 +8,7 @@ from functools import cache
 
 from ..interface.parameters import on_the_left
 from ..methods.words import did_you_mean
+from .changing import is_sections, named
 from .files import of_kind, read_profile, smoothing_in_mm
 from .options import ProfileFile
 from .profile import Profile
@@ -59,10 +60,10 @@ def find_profile(source, kind, smoothing=None, argument=None, track=None):
     smoothing_in_mm(smoothing)
     if isinstance(source, Profile):
         return of_kind(source, kind)
-    if getattr(source, "kind", None) == "rail sections":
+    if is_sections(source):
         raise ValueError(
-            f"{argument or kind} is RailSections {source.name!r}, which change along the track; permitted are profiles that "
-            "are the same all along it"
+            f"{argument or kind} is {named(source)}, which changes along the track; permitted are profiles that are the "
+            "same all along it"
         )
     if isinstance(source, ProfileFile) and os.path.isfile(source.path):
         return read_profile(source, kind, smoothing, Profile, track)

@@ -5,6 +5,7 @@ import math
 
 from ..conventions import MILLIMETRE as MM
 from ..kernel.prepare.pieces import CORNER_RADIUS, CORNER_WIDTH
+from .changing import is_sections
 from .files import STEEPEST
 from .remarks import counted, remark, stretch
 
@@ -16,7 +17,8 @@ NOTABLE = 1e-4
 def remark_corners(system):
     """Give a :class:`~wrcontact.ProfileWarning` on each profile of a :class:`~wrcontact.ContactSystem` with
     corners that are rounded."""
-    for profile in dict.fromkeys((system.wheel, system.rail, system.left_wheel, system.left_rail)):
+    given = (system.wheel, system.rail, system.left_wheel, system.left_rail)
+    for profile in dict.fromkeys(one for one in given if not is_sections(one)):
         remark(profile.kind, profile.name, corner_remarks(profile))
 
 

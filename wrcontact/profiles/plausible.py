@@ -12,6 +12,7 @@ import numpy as np
 
 from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import on_the_left
+from .changing import is_sections
 from .remarks import Grave, remark
 
 #: Gauges of main lines [mm]; a track has the largest of them that it reaches but for NARROW, and is up to
@@ -50,9 +51,10 @@ def remark_profiles(system):
 
 
 def _placed(system):
-    """The rails of a system and their inclinations [1]."""
+    """The rails of a system that are the same all along the track, and their inclinations [1]."""
     left = on_the_left(system.parameters)["rail_inclination"]
-    return (system.rail, system.parameters["rail_inclination"]), (system.left_rail, left)
+    placed = (system.rail, system.parameters["rail_inclination"]), (system.left_rail, left)
+    return tuple(one for one in placed if not is_sections(one[0]))
 
 
 def _on_circles(wheel, system):

@@ -209,6 +209,11 @@ class InputFields(np.ndarray):
         """Right wheel: torque of motor or brake on it, positive where it drives forward; read instead of axle_torque with independent_wheels [N.m]."""
         return self["right.axle_torque"]
 
+    @property
+    def track_position(self) -> Any:
+        """Place of the wheelset's centre along the track; only read where a rail's section changes [m]."""
+        return self["track_position"]
+
 
 class Creepage(View[N]):
     """Velocity of the wheel against the rail in the plane of a patch, over the rolling speed."""
@@ -290,6 +295,7 @@ class PatchFields(View[N]):
         "fatigue_damage",
         "shakedown_ratio",
         "surface_fatigue_index",
+        "slope",
     )
 
     @property
@@ -406,6 +412,11 @@ class PatchFields(View[N]):
     def surface_fatigue_index(self) -> N:
         """Creep force over normal force, minus 1 / shakedown_ratio; above zero the surface yields at every passage [1]."""
         return self._number(28)
+
+    @property
+    def slope(self) -> N:
+        """Inclination of the normal of its force along the track, positive where it pushes back; zero on a rail that is the same all along the track [rad]."""
+        return self._number(29)
 
 
 class Contact(View[N]):

@@ -42,6 +42,13 @@ def _run_out(value, slope, bend, half):
     return [first, second]
 
 
+def backwards(cubics, lengths):
+    """The ``cubics`` (m, 4, ...) as those of the distance from the break behind, with the ``lengths`` (m,) [m] of their
+    intervals."""
+    lengths = lengths.reshape(-1, *[1] * (cubics.ndim - 2))
+    return np.moveaxis(_backwards(np.moveaxis(cubics, 1, 0), lengths), 0, 1)
+
+
 def _backwards(cubic, length):
     """The ``cubic`` of t as one of length - t."""
     c0, c1, c2, c3 = cubic

@@ -5,9 +5,14 @@ cell and around it, and are widened by a share of their range. tests/sections/te
 samples.
 """
 
+from weakref import WeakKeyDictionary
+
 import numpy as np
 
 from ..kernel import layout
+from ..kernel.changing.rail_at_pose import CELL_LIMIT
+from ..kernel.prepare.curvatures import ARC_STEP
+from ..kernel.prepare.pieces import BINS_EACH_METRE
 from .surface import BEFORE, BEHIND, HEIGHT, PLACE, SLOPE
 
 #: Longest cell along the track [m], and most cells between two breaks.
@@ -22,6 +27,10 @@ WIDENED = np.array([0.05, 0.05, 0.15, 0.15, 0.15, 0.05])
 LEAST = np.array([1e-6, 1e-6, 1e-2, 1e-2, 1e-2, 1e-6])
 #: The highest place may lie this much higher than the highest sample [m].
 HIGHER = 1e-5
+#: The rail of a pose may be this much longer than its section is wide.
+LONGEST_ARC = 4.0
+#: Tables of the surfaces that are in use: several wheelsets may run on one.
+_TABLES = WeakKeyDictionary()
 #: Numbers of the head of a table.
 HEAD, KNOT, CELL = (
     layout.size(layout.Sections),
@@ -33,12 +42,54 @@ HEAD, KNOT, CELL = (
 def with_sections(tables, index, surface, lateral):
     """The kernel's ``tables`` (n,) with a changing rail on side ``index``, 0 left and 1 right: its ``surface``, whose
     origin has the track coordinate ``lateral`` [m] as that of a right side."""
-    table = section_table(surface)
+    table = _TABLES.get(surface)
+    if table is None:
+        table = _TABLES[surface] = section_table(surface)
     joined = np.concatenate([tables, table])
     pair = layout.Tables.at(joined).pairs[index]
     pair.sections = len(tables) - layout.offset(pair, joined)
     pair.changing = True
     pair.rail_y = lateral
+    return joined
+
+
+def with_changing_rails(tables, rails):
+    """The kernel's ``tables`` (n,), prepared with any rails, for steps on ``rails``: (surface, lateral) of the left and the
+    right side, as for :func:`with_sections`; with room for the constant rails that these are at a pose (kernel/changing)."""
+    for index, (surface, lateral) in enumerate(rails):
+        tables = with_room(with_sections(tables, index, surface, lateral), index, lateral)
+    layout.Tables.at(tables).longitudinal = layout.LONGITUDINAL_CHANGING
+    return tables
+
+
+def with_room(tables, index, lateral):
+    """The ``tables`` (n,) with a raster of the wheel, nodes, and room for the rail of a pose of side ``index``."""
+    pair = layout.Tables.at(tables).pairs[index]
+    sections, scan = pair.sections, pair.scan
+    lines, wheel = sections.knot_count, scan.count
+    width = sections.across_stop - sections.across_start
+    first = layout.offset(scan, tables)
+    nodes_at = layout.offset(scan.nodes, tables) - first
+    raster = tables[first : first + nodes_at + layout.SCAN_NODE_SIZE * wheel]
+    bins = np.array(scan.bins[: scan.bin_count])
+    cells = np.zeros(layout.RAIL_CELL_SIZE * CELL_LIMIT)
+    nodes = np.zeros(lines * layout.size(layout.ValleyNode))
+    scratch = np.zeros(100 + 3 * lines)
+    arcs = 2 * (16 + layout.CUBIC_SIZE * int(LONGEST_ARC * width / ARC_STEP))
+    room = np.zeros(
+        layout.PROFILE_HEAD + int(BINS_EACH_METRE * 2.0 * width) + layout.PIECE_SIZE * (lines + 2)
+        + arcs + layout.RAIL_JOINT_SIZE * (lines + 2)
+    )  # fmt: skip
+    parts = [tables, raster, cells, bins, nodes, scratch, room]
+    places = np.cumsum([0, *map(len, parts)])
+    joined = np.concatenate(parts)
+    pair = layout.Tables.at(joined).pairs[index]
+    own = layout.Scan.at(joined, int(places[1]))
+    own.rail, own.bins = int(places[2] - places[1]), int(places[3] - places[1])
+    pair.scan = int(places[1]) - layout.offset(pair, joined)
+    sections = pair.sections
+    sections.lateral, sections.room, sections.scratch = lateral, int(places[6]), int(places[5])
+    sections.nodes = int(places[4]) - layout.offset(sections, joined)
     return joined
 
 

@@ -15,7 +15,7 @@ line the surface goes straight on.
 
 import numpy as np
 
-from .along import LONGEST_RUN_OUT, least_of, splines
+from .along import LONGEST_RUN_OUT, backwards, least_of, splines
 
 #: What a row of values at a slice's knot has: place, height, slope, second derivative before and behind.
 PLACE, HEIGHT, SLOPE, BEFORE, BEHIND = range(5)
@@ -50,6 +50,21 @@ class Surface:
                 f"lines of equal share cross between the positions {low:.6g} and {high:.6g} m; permitted are sections "
                 "whose places change little from slice to slice, or features that say what belongs together"
             )
+
+    def placed(self, position, against, down):
+        """The same surface with the position 0 at ``position`` [m], positions that count ``against`` the track or along it,
+        and heights that are larger by ``down`` [m]."""
+        if position == 0.0 and not against and down == 0.0:
+            return self
+        made = object.__new__(Surface)
+        breaks, cubics = self.breaks, self.cubics.copy()
+        if against:
+            cubics = backwards(cubics, np.diff(breaks))[::-1]
+            breaks = -breaks[::-1]
+        cubics[:, 0, :, HEIGHT] += down
+        made.positions = np.sort(-self.positions if against else self.positions) + position
+        made.breaks, made.cubics = breaks + position, cubics
+        return made
 
     def lines(self, u):
         """Values of all knot lines and their first and second derivatives along the track at ``u`` [m]: (3, k, 5)."""

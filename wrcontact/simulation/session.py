@@ -39,6 +39,7 @@ from ..interface.variables import (
 from ..kernel import layout
 from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
 from ..methods.words import PROPOSAL
+from ..profiles.changing import is_sections
 from ..system import ContactSystem
 from .fmi_state_machine import (
     INITIALISING,
@@ -179,6 +180,11 @@ class Session:
         try:
             for profile in PROFILES:
                 if arguments[profile]:
+                    if is_sections(arguments[profile]):
+                        raise ValueError(
+                            f"{profile}_profile is {arguments[profile]!r}, which changes along the track; permitted in an FMU are "
+                            "profiles that are the same all along it"
+                        )
                     arguments[profile] = packed_profile(self.resources, profile, arguments[profile])
             for name, value in parameters.items():
                 if PARAMETERS[name].choices:  # Python has more of them than an FMU

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..interface.calls import check_count
 from ..methods import Halfspace
+from ..profiles.changing import refuse_changing
 from ..progress import working
 from ..results.convert import needed
 from ..stepper import core_count
@@ -111,6 +112,7 @@ def _place(specification, store, block):
     usual = min(usual, NUMBERS // max(1, len(specification.names)))
     if store is None:
         return Memory(specification, block or usual)
+    refuse_changing(specification.system, "the store of a sweep")
     return opened(store, specification, block, usual)
 
 

@@ -15,6 +15,7 @@ from ..interface.parameters import LEFT, PARAMETERS
 from ..methods.numbers import unit_behind
 from ..methods.own import functions_in
 from ..profiles.catalogue import standard_name, standard_profile
+from ..profiles.changing import is_sections
 from ..profiles.files import prepared_profile, prepared_text
 from ..profiles.profile import Profile
 from ..results.columns import selected
@@ -59,9 +60,9 @@ class SweepSpecification:
         }
 
     def profiles(self):
-        """{hash: text} of the profiles."""
+        """{hash: text} of the profiles; a rail that changes along the track has its hash alone."""
         found = (getattr(self.system, kind) for kind in PROFILES)
-        return {profile_hash(profile): prepared_text(profile) for profile in found}
+        return {profile_hash(one): prepared_text(one) for one in found if not is_sections(one)}
 
 
 def asked(system, axes, outputs, fixed):
@@ -85,6 +86,8 @@ def asked(system, axes, outputs, fixed):
 
 def profile_hash(profile):
     """SHA-256 of what a profile computes with, in hexadecimal digits; its name is no part of it."""
+    if is_sections(profile):
+        return content_hash(profile.surface.breaks.tobytes(), profile.surface.cubics.tobytes())
     return content_hash(prepared_text(replace(profile, name="")))
 
 

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..interface.index import KINDS
 from ..methods.numbers import check_choice
+from ..profiles.changing import refuse_changing
 from ..profiles.profile import Profile
 from ..state import WheelsetState
 from ..system import ContactSystem
@@ -86,6 +87,7 @@ class Wear:
         bin_width: float = 0.25e-3,
     ) -> None:
         system, self.side = whole_of(system)
+        refuse_changing(system, "wear")
         if not 0.01e-3 <= bin_width <= 2e-3:
             raise ValueError(f"bin_width is {bin_width!r} m; permitted is 1e-05 ... 0.002 m")
         if mirrored and self.side:

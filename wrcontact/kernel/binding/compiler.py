@@ -34,7 +34,9 @@ from .files import HERE, LIBRARY_NAME, PLATFORMS, host_platform, library_name
 KERNEL_UNITS = tuple(f"kernel/native/{file.name}" for file in sorted((HERE / "native").glob("*.c")))
 #: Of these what an FMU has: it is asked for derivatives along one direction at a time, and its rails are the same all
 #: along the track.
-FMU_UNITS = tuple(unit for unit in KERNEL_UNITS if "jacobian" not in unit and "sections" not in unit)
+FMU_UNITS = tuple(
+    unit for unit in KERNEL_UNITS if not any(name in unit for name in ("jacobian", "sections", "changing"))
+)
 #: What is needed without derivatives.
 STEP_UNITS = tuple(unit for unit in KERNEL_UNITS if "jacobian" not in unit and "derivative" not in unit)
 

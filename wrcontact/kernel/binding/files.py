@@ -26,6 +26,7 @@ ROOMS = (
     "creep",
     "wheelset",
     "prepare",
+    "changing",
     "derivative",
 )
 HANDLE_VERSION = 9  # raise when the functions or the handle in native/*.h change

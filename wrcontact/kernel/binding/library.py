@@ -72,6 +72,16 @@ def default_kernel():
         return Kernel()
 
 
+def changing_kernel():
+    """That of this process for rails whose section changes along the track."""
+    return ChangingKernel(default_kernel().library)
+
+
+def bind_changing(tables, state, workspace, inputs, outputs):
+    """:meth:`ChangingKernel.bind` of this process, as a function that can be pickled."""
+    return changing_kernel().bind(tables, state, workspace, inputs, outputs)
+
+
 class Kernel:
     """The kernel; ``library`` is what ``open_library`` returns, or None for the Python source."""
 
@@ -179,6 +189,64 @@ def fill_starts(source, tables):
         status = step(tables, State.at(state), Work.at(workspace), view(inputs), view(outputs))
         source.note_start(tables, Work.at(workspace).outputs, row, status)
     source.open_starts(tables)
+
+
+class ChangingKernel:
+    """What :class:`~wrcontact.stepper.Stepper` binds for rails whose section changes along the track: ``bind`` takes tables of
+    with_changing_rails (wrcontact/sections/kernel_table.py), which it writes to."""
+
+    def __init__(self, library=None):
+        self.library = library
+
+    def bind(self, tables, state, workspace, inputs, outputs):
+        """As :meth:`Kernel.bind`; what it returns has steps alone."""
+        tables = checked("tables", tables, SETTING_COUNT, written=True)
+        arrays = (
+            tables,
+            checked("state", state, STATE_SIZE, written=True),
+            checked("workspace", workspace, WORK_SIZE, written=True),
+            checked("inputs", inputs, INPUT_COUNT),
+            checked("outputs", outputs, row_size(Tables.at(tables)), written=True),
+        )
+        return CompiledChanging(self.library, arrays) if self.library else PythonChanging(arrays)
+
+
+class CompiledChanging:
+    """The library with the arrays of a wheelset on changing rails."""
+
+    compiled = True
+
+    def __init__(self, library, arrays):
+        self._library, self._size = library, row_size(Tables.at(arrays[0]))
+        handle = Handle(*map(span, arrays))
+        handle.arrays = arrays
+        self._handle = ctypes.byref(handle)
+        self.step = partial(library.wrcontact_step_changing, self._handle)
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """As CompiledKernel.step_many."""
+        blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
+        return self._library.wrcontact_step_changing_many(
+            self._handle, count, *(block.ctypes.data for block in blocks)
+        )
+
+
+class PythonChanging:
+    """The Python source with the same arrays and calls."""
+
+    compiled = False
+
+    def __init__(self, arrays):
+        self._source = import_module("..changing.section_step", __package__)
+        tables, state, workspace, inputs, outputs = arrays
+        self._size = row_size(Tables.at(tables))
+        self._records = Tables.at(tables), State.at(state), Work.at(workspace)
+        self.step = partial(self._source.step_changing, *self._records, view(inputs), view(outputs))
+
+    def step_many(self, count, inputs, outputs, statuses):
+        """As CompiledKernel.step_many."""
+        blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
+        return self._source.step_changing_many(count, *self._records, *map(view, blocks))
 
 
 class CompiledKernel:
@@ -299,6 +367,13 @@ def declare(library):
     if hasattr(library, "wrcontact_search_sections"):  # not in that of an FMU
         library.wrcontact_search_sections.argtypes = [Span, Span, ctypes.c_int64, Span]
         library.wrcontact_search_sections.restype = ctypes.c_int
+    if hasattr(library, "wrcontact_step_changing"):
+        library.wrcontact_step_changing.argtypes, library.wrcontact_step_changing.restype = (
+            [address],
+            ctypes.c_int,
+        )
+        library.wrcontact_step_changing_many.argtypes = [address, ctypes.c_int64, address, address, address]
+        library.wrcontact_step_changing_many.restype = ctypes.c_int
     library.wrcontact_solve_creep_force.argtypes = [Span] * 2
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
     if hasattr(library, "wrcontact_derivative"):  # not in that of STEP_UNITS

@@ -71,7 +71,7 @@ def open_frame(pair: Pair, frame: Frame, place: Place, y: float, aside: float, s
     start_traces(frame, 0.0, abscissa, y)
     along = cosine + outline_slope * sine
     frame.bend = rail_bend * cosine * cosine * cosine - outline_rate / (stretch * along * along * along)
-    frame.curvature = longitudinal_curvature(pair.tables, place, z, slope, bend)
+    frame.curvature = longitudinal_curvature(pair.tables, place, y, z, slope, bend)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
         mismatch = FOLDED

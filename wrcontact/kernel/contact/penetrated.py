@@ -168,6 +168,7 @@ def met_curvature(pair: Pair, frame: Frame):
     return longitudinal_curvature(
         pair.tables,
         frame.place,
+        meeting.wheel,
         meeting.z,
         meeting.slope,
         mean_bend(pair, frame, meeting.wheel, meeting.bend),

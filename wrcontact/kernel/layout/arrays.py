@@ -41,7 +41,7 @@ from .patch import (
 )
 from .record import WIDTH, Float, To, record, size
 from .search import ContactPoint, RollTrials, Scan, Sides, Starts
-from .sections import Sections, SectionSearch
+from .sections import Sections, SectionSearch, SectionTouches, ValleyNodes
 
 
 @record
@@ -286,6 +286,9 @@ class Tables:
     shear_modulus: float  # G of wheel and rail [Pa]
     rolling: To(RollingTable)  # what the models of creep forces read; 0 where none is chosen
     parameters: Parameters  # all of the setup's
+    valley: To(ValleyNodes)  # of the changing rail at work, for LONGITUDINAL_CHANGING
+    valley_first: int  # and the numbers of its first and last node
+    valley_last: int
 
 
 @record
@@ -343,6 +346,7 @@ class Work:
     rolling: Rolling
     patch: Patch  # a patch by itself, apart from a step
     section_search: SectionSearch
+    touches: SectionTouches
 
 
 INPUT_COUNT: Final[int] = size(Inputs)

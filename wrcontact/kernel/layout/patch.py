@@ -145,6 +145,8 @@ class Patch:
     creep_moment: float  # and its moment about the normal through the centre of load [N m]
     stick_share: float  # share of the area that sticks [-]
     max_shear: float  # largest traction [Pa]
+    normal_x: float  # force of its pressures along a rail that changes [N]
+    slope: float  # inclination of its force along the track [rad]
     saturation: float  # creep force over friction times load [-]
     forces: Forces
 

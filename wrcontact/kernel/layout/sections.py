@@ -3,12 +3,14 @@
 from typing import Final
 
 from .contact import Place
-from .record import OPEN, To, record, run
+from .record import OPEN, Float, To, record, run
 
 BOX_LIMIT: Final[int] = 512  # boxes that wait to be searched
 #: Bounds are known over rows of 1, LEVEL_RATIO and LEVEL_RATIO^2 cells along the track.
 LEVEL_COUNT: Final[int] = 3
 LEVEL_RATIO: Final[int] = 4
+#: The longitudinal curvature of a wheel on a changing rail: the effective one, with that of the rail (surface/curvature.py).
+LONGITUDINAL_CHANGING: Final[int] = 100
 
 
 @record
@@ -58,6 +60,40 @@ SectionCells = SectionCell * OPEN
 
 
 @record
+class SectionFrame:
+    """A frame along the ruling direction of a changing rail at a place, in the track; its x is that direction, its y lies
+    level to the field side."""
+
+    x: float  # the place [m], ahead of the wheelset's middle,
+    y: float  # as that of a right side where the rail is in its nominal place,
+    z: float
+    along: Float * 3  # its axes in the track
+    aside: Float * 3
+    down: Float * 3
+    centre: Float * 3  # the wheelset's centre in it [m]
+
+
+@record
+class ValleyNode:
+    """Where a line of a changing rail crosses the places along the track at which the wheel is nearest, in the frame."""
+
+    y: float  # place across [m]
+    z: float  # height of the constant rail that has the same gap [m], its slope [-],
+    slope: float
+    before: float  # and second derivatives on both sides [1/m]
+    behind: float
+    gap: float  # of wheel and rail there [m]
+    wheel: float  # wheel abscissa of the outline there [m]
+    move: float  # how far the nearest place lies ahead of the outline [m]
+    rise: float  # slope of both surfaces along the frame there [-]
+    bend: float  # curvature of the rail along the frame, positive on a crest [1/m]
+
+
+#: One for each line.
+ValleyNodes = ValleyNode * OPEN
+
+
+@record
 class Sections:
     """A rail whose section changes along the track (wrcontact/sections/surface.py)."""
 
@@ -77,6 +113,16 @@ class Sections:
     top: float  # height of the highest place [m]
     least_lean: float  # over the whole surface [-]
     most_lean: float
+    # what follows a pose, in the tables of one stepper
+    lateral: float  # track coordinate of the origin, as that of a right side [m]
+    room: int  # from the beginning of the tables to where the rail of a pose is written
+    scratch: int
+    first: int  # the nodes that are known
+    last: int
+    cut_first: bool  # whether the places beyond are not followed, though there is a rail
+    cut_last: bool
+    frame: SectionFrame
+    nodes: To(ValleyNodes)
 
 
 @record
@@ -165,6 +211,8 @@ class SectionSearch:
     settled_angle: float
     box_count: float  # boxes looked at
     gap_count: float  # gaps computed
+    low: float  # wheel abscissae between which the wheel may overlap its rail [m] (changing/one_valley.py)
+    high: float
     edge: float  # what the gap may be where the straight continuation beside the section ends [m]
     u: float  # middle of the part of the rail below a box [m]
     abscissa: float
@@ -175,3 +223,23 @@ class SectionSearch:
     spread: SectionSpread
     bounds: SectionBounds
     boxes: SectionBox * BOX_LIMIT
+
+
+@record
+class SectionTouch:
+    """Where a wheel is nearest to a rail whose section changes."""
+
+    place: Place  # of the wheel
+    best: float  # smallest gap [m]
+    y: float  # its wheel abscissa [m]
+    angle: float  # and angle around the wheel [rad]
+    rail_x: float  # place in the track, from the wheelset's middle [m]
+    rail_y: float
+    rail_z: float
+    along: float  # slopes of the rail there [-]
+    slope: float
+    rate: float  # how the gap follows the roll [m]
+
+
+#: Of the left and right side.
+SectionTouches = SectionTouch * 2

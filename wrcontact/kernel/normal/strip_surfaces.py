@@ -204,7 +204,7 @@ def measure_ridge(pair: Pair, place: Place, at: TracedStation, away: float):
         square = across * across
         if square > 0.0:
             mean = (before + after - 2.0 * z) / square
-        at.A = 0.5 * longitudinal_curvature(pair.tables, place, z, slope, mean)
+        at.A = 0.5 * longitudinal_curvature(pair.tables, place, at.wheel, z, slope, mean)
         odd = 0.5 * (after - before) - slope * across
         at.skew = odd / (sqrt(1.0 + slope * slope) * away * away * away)
         at.odd = fabs(at.skew) * away

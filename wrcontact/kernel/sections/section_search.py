@@ -59,6 +59,22 @@ def search_sections(pair: Pair, place: Place, search: SectionSearch) -> bool:
     It may lie beside the section, on its straight continuation. It is not certain if the gap may be smaller where that ends.
     """
     scan = pair.scan
+    probe_sections(pair, place, search)
+    first = 0
+    certain = True
+    while first + 1 < scan.count:
+        last = min(first + FIRST_CELLS, scan.count - 1)
+        write_box(search.boxes[0], scan.nodes[first].y, scan.nodes[last].y, -STEEPEST_ANGLE, STEEPEST_ANGLE)
+        if not search_boxes(pair, place, search):
+            certain = False
+        first = last
+    refine_best(pair, place, search)
+    return certain and search.edge >= search.best - SETTLED
+
+
+def probe_sections(pair: Pair, place: Place, search: SectionSearch):
+    """Write the best of the minima that a few places lead to, which need not be the smallest gap, to ``search``."""
+    scan = pair.scan
     search.box_count = 0.0
     search.gap_count = 0.0
     search.edge = LARGE_GAP
@@ -71,16 +87,22 @@ def search_sections(pair: Pair, place: Place, search: SectionSearch) -> bool:
         try_first(pair, place, search, 0.5 * (scan.nodes[first].y + scan.nodes[last].y))
         first = last
     refine_best(pair, place, search)
-    first = 0
-    certain = True
-    while first + 1 < scan.count:
-        last = min(first + FIRST_CELLS, scan.count - 1)
-        write_box(search.boxes[0], scan.nodes[first].y, scan.nodes[last].y, -STEEPEST_ANGLE, STEEPEST_ANGLE)
-        if not search_boxes(pair, place, search):
-            certain = False
-        first = last
-    refine_best(pair, place, search)
-    return certain and search.edge >= search.best - SETTLED
+
+
+def follow_sections(pair: Pair, place: Place, search: SectionSearch, y: float, angle: float) -> bool:
+    """Write the minimum that Newton's method finds from the place ``y`` [m], ``angle`` [rad] on to ``search``; whether it
+    finds one."""
+    box = search.boxes[0]
+    scan = pair.scan
+    search.best = LARGE_GAP
+    write_box(box, scan.nodes[0].y, scan.nodes[scan.count - 1].y, -STEEPEST_ANGLE, STEEPEST_ANGLE)
+    if not newton_in(pair, place, search, box, y, angle):
+        return False
+    compute_gap(pair, place, search, search.settled_y, search.settled_angle)
+    search.best = search.at.gap
+    search.best_y = search.settled_y
+    search.best_angle = search.settled_angle
+    return above_surface(pair, search.at.y)
 
 
 def write_box(box: SectionBox, low: float, high: float, back: float, ahead: float):
@@ -265,16 +287,7 @@ def judge_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox, 
     m = spread.bend_around
     c = spread.twist
     bend = spread.bend_across
-    by_angle = fabs(at.around) * turn + c * half * turn - 0.5 * m * turn * turn
-    if m > 0.0:
-        reach = fabs(at.around) + c * half
-        by_angle = min(reach * reach / (2.0 * m), fabs(at.around) * turn + c * half * turn)
-    by_place = fabs(at.across) * half - 0.5 * min(bend, 0.0) * half * half
-    steepest = max(fabs(spread.least_rise), fabs(spread.most_rise)) * half
-    steepest += max(fabs(spread.least_turn), fabs(spread.most_turn)) * turn
-    fall = min(by_angle + by_place, steepest)
-    if m > 0.0 and bend * m > c * c:
-        fall = min(fall, convex_fall(fabs(at.across), fabs(at.around), bend, c, m, half))
+    fall, by_angle, by_place = largest_fall(search, half, turn)
     if at.gap - fall >= search.best - SETTLED:
         return 0
     if search.inside and no_minimum(pair, search, box, angle, half, turn):
@@ -297,6 +310,27 @@ def judge_box(pair: Pair, place: Place, search: SectionSearch, box: SectionBox, 
         write_box(other, y, box.high, box.back, box.ahead)
         box.high = y
     return 2
+
+
+def largest_fall(search: SectionSearch, half: float, turn: float):
+    """How far the gap can fall [m] over ``half`` [m] and ``turn`` [rad] to either side of the place in ``search.at``, by the
+    bounds in ``search.spread``; and the parts of it by the angle and by the abscissa."""
+    at = search.at
+    spread = search.spread
+    m = spread.bend_around
+    c = spread.twist
+    bend = spread.bend_across
+    by_angle = fabs(at.around) * turn + c * half * turn - 0.5 * m * turn * turn
+    if m > 0.0:
+        reach = fabs(at.around) + c * half
+        by_angle = min(reach * reach / (2.0 * m), fabs(at.around) * turn + c * half * turn)
+    by_place = fabs(at.across) * half - 0.5 * min(bend, 0.0) * half * half
+    steepest = max(fabs(spread.least_rise), fabs(spread.most_rise)) * half
+    steepest += max(fabs(spread.least_turn), fabs(spread.most_turn)) * turn
+    fall = min(by_angle + by_place, steepest)
+    if m > 0.0 and bend * m > c * c:
+        fall = min(fall, convex_fall(fabs(at.across), fabs(at.around), bend, c, m, half))
+    return fall, by_angle, by_place
 
 
 def slopes_away(pair: Pair, spread: SectionSpread, box: SectionBox) -> bool:

@@ -177,3 +177,16 @@ def quintic_jet(before: SectionKnot, behind: SectionKnot, t: float, y: float):
         slope_u - b0 * place_u + (by_v_u + by_vv * v_u) * v_y + by_v * v_uy,
         b0 + by_vv * v_y * v_y,
     )
+
+
+def section_ruling(sections: Sections, u: float, y: float):
+    """The lateral rate [-], along the track, of the line of equal share through ``u``, ``y`` [m]."""
+    at = clamped_position(sections, u)
+    interval = break_below(sections.breaks, sections.interval_count, at)
+    first = interval * sections.knot_count
+    t = at - sections.breaks[interval]
+    low = first + line_below(sections, first, t, y)
+    place, rate, bend = cubic_jet(sections.knots[low].place, t)
+    other, other_rate, bend = cubic_jet(sections.knots[low + 1].place, t)
+    share = min(max((y - place) / (other - place), 0.0), 1.0)
+    return rate + share * (other_rate - rate)

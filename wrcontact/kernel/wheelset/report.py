@@ -226,6 +226,7 @@ def report_patch(patch: Patch, out: PatchOutputs, mirror: float, rolling: bool):
     out.fatigue_damage = 0.0
     out.shakedown_ratio = 0.0
     out.surface_fatigue_index = 0.0
+    out.slope = 0.0
 
 
 @seldom

@@ -1,0 +1,247 @@
+"""One wheel on a rail whose section changes: its contact on the constant rail that this one is at its pose, turned back into
+the track."""
+
+from math import sqrt
+from typing import Final
+
+from ..elementary.circle import atan, atan2
+from ..layout import (
+    DEPTH_GEOMETRY,
+    LOAD_VERTICAL,
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    UNLOADED,
+    VALID,
+    Pair,
+    Patch,
+    Sections,
+    SectionTouch,
+    SideSearch,
+    Tables,
+    Work,
+)
+from ..search.roll import follow_side
+from ..search.smallest_gap import search_side
+from ..sections.section_surface import section_jet
+from ..surface.locus import outline_point, outline_x
+from ..surface.tables import height_slope
+from ..wheelset.prescribed_height import GRAZING
+from ..wheelset.side import load_side, lower_wheel, solve_side, touch_side
+from ..wheelset.residuals import DEEPEST
+from .one_valley import has_one_valley
+from .rail_at_pose import write_rail_at_pose
+from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track
+from .valley import follow_valley
+
+#: The wheel is lowered by this much more than it overlaps its rail where a second contact along it is looked for [m].
+BEYOND_OVERLAP: Final[float] = 2e-5
+#: The rail is laid up to this gap [m] at first, and all of it where the wheel may overlap it farther away.
+NEAR: Final[float] = 2e-3
+ALL: Final[float] = 1e3
+
+
+def lay_rail(tables: Tables, work: Work, index: int, height: float, far: float) -> bool:
+    """Lay the frame of side ``index`` whose wheelset has the vertical shift ``height`` [m], and the constant rail in it, up to
+    gaps of ``far`` [m]; whether there is one."""
+    pair = tables.pairs[index]
+    touch = work.touches[index]
+    side = work.sides[index]
+    open_section_frame(pair, touch, work.inputs.track_position, height)
+    place_in_frame(pair.sections.frame, touch.place, side.place)
+    if not follow_valley(pair, side.place, touch, work.inputs.track_position, far):
+        return False
+    return write_rail_at_pose(tables, pair)
+
+
+def find_in_frame(pair: Pair, side: SideSearch, y: float) -> bool:
+    """Find the smallest gap in the frame, from the wheel abscissa ``y`` [m] on; whether the wheel is above its rail."""
+    side.best_y = y
+    if follow_side(pair, side):
+        return True
+    return search_side(pair, side, False)
+
+
+def load_touching(tables: Tables, work: Work, index: int, height: float, force: float):
+    """Side ``index`` of a rigid wheelset that touches at the vertical shift ``height`` [m], under a ``force`` [N]; the
+    outcome.  Only where it may overlap its rail farther away, all of that is laid."""
+    status, covered = load_touching_within(tables, work, index, height, force, NEAR)
+    if not covered:
+        status, covered = load_touching_within(tables, work, index, height, force, ALL)
+    if not covered:
+        return NOT_CONVERGED
+    return status
+
+
+def load_touching_within(tables: Tables, work: Work, index: int, height: float, force: float, far: float):
+    """The outcome of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
+    pair = tables.pairs[index]
+    side = work.sides[index]
+    if not lay_rail(tables, work, index, height, far):
+        return NOT_CONVERGED, True
+    if not find_in_frame(pair, side, work.touches[index].y):
+        return NOT_CONVERGED, True
+    if tables.load == LOAD_VERTICAL:
+        force /= pair.sections.frame.down[2]
+    status = solve_side(tables, work, index, force)
+    if status > UNLOADED:
+        return status, far >= ALL
+    depth = side.penetration / work.contact.frame.plane.cos / pair.sections.frame.down[2]
+    return finish_side(tables, work, index, status, height, depth)
+
+
+def load_pressed(tables: Tables, work: Work, index: int, height: float):
+    """Side ``index`` of a wheelset whose vertical shift ``height`` [m] is given; the outcome, UNLOADED if lifted."""
+    if height - work.touches[index].best > DEEPEST:
+        return OFF_PROFILE
+    status, covered = load_pressed_within(tables, work, index, height, NEAR)
+    if not covered:
+        status, covered = load_pressed_within(tables, work, index, height, ALL)
+    if not covered:
+        return NOT_CONVERGED
+    return status
+
+
+def load_pressed_within(tables: Tables, work: Work, index: int, height: float, far: float):
+    """The outcome of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
+    pair = tables.pairs[index]
+    side = work.sides[index]
+    touch = work.touches[index]
+    approach = height - touch.best
+    if not approach > GRAZING:
+        if not lay_rail(tables, work, index, touch.best, far) or not find_in_frame(pair, side, touch.y):
+            return NOT_CONVERGED, True
+        status = touch_side(tables, work, index)
+        return finish_side(tables, work, index, status, touch.best, 0.0)
+    if not lay_rail(tables, work, index, height, far) or not find_in_frame(pair, side, touch.y):
+        return NOT_CONVERGED, True
+    # the frame holds for this height
+    side.best = -approach * pair.sections.frame.down[2]
+    status = lower_wheel(tables, work, index, -side.best)
+    if status == VALID and tables.depth != DEPTH_GEOMETRY:
+        count, status = load_side(tables, work, index, 0.0, work.contact.frame.depth)
+    if status > UNLOADED:
+        return status, far >= ALL
+    return finish_side(tables, work, index, status, height, approach)
+
+
+def finish_side(tables: Tables, work: Work, index: int, status: int, height: float, depth: float):
+    """Turn a side that is solved back into the track, and see whether its rail was one along it, and enough of it: the
+    outcome, and whether the wheel, ``depth`` [m] below where it touches, overlaps no other part of it."""
+    pair = tables.pairs[index]
+    side = work.sides[index]
+    if status > UNLOADED:
+        return status, True
+    turn_point(pair, work, index, height)
+    for number in range(side.patch_count):
+        turn_patch(pair, work.touches[index], side.patches[number])
+    pair.rail_y = pair.sections.lateral
+    search = work.section_search
+    if not has_one_valley(pair, work.touches[index], search, depth + BEYOND_OVERLAP):
+        return NOT_CONVERGED, True
+    return status, covers(pair.sections, search.low, search.high)
+
+
+def covers(sections: Sections, low: float, high: float) -> bool:
+    """Whether the rail that is laid reaches from the wheel abscissa ``low`` to ``high`` [m], or to its own ends."""
+    short = sections.cut_first and sections.nodes[sections.first].wheel > low
+    return not short and not (sections.cut_last and sections.nodes[sections.last].wheel < high)
+
+
+def valley_at(sections: Sections, y: float):
+    """How far the nearest place lies ahead of the outline [m], and the slope of both surfaces along the frame [-] there, at
+    the place ``y`` [m] across it."""
+    low = sections.first
+    high = sections.last
+    while high - low > 1:
+        middle = (low + high) // 2
+        if sections.nodes[middle].y <= y:
+            low = middle
+        else:
+            high = middle
+    before = sections.nodes[low]
+    behind = sections.nodes[high]
+    share = min(max((y - before.y) / (behind.y - before.y), 0.0), 1.0)
+    return (
+        before.move + share * (behind.move - before.move),
+        before.rise + share * (behind.rise - before.rise),
+    )
+
+
+def turn_point(pair: Pair, work: Work, index: int, height: float):
+    """The place of contact of a side in the track, on its wheel and on its rail."""
+    side = work.sides[index]
+    point = side.point
+    place = work.touches[index].place
+    sections = pair.sections
+    move, rise = valley_at(sections, point.y_track)
+    x, y, z = point_in_track(
+        sections.frame,
+        sections.frame.centre[0] + point.x_track + move,
+        point.y_track,
+        point.z_track,
+    )
+    z, z_u, z_y, z_uu, z_uy, z_yy = section_jet(
+        sections, work.inputs.track_position + x, y - sections.lateral
+    )
+    point.y_rail = y - sections.lateral
+    point.z_rail = z
+    # where the wheel stands, which a pressed one is moved from to touch
+    wheel_z, wheel_slope = height_slope(pair.wheel, point.y_wheel)
+    y_frame, z_frame, outline_slope = outline_point(side.place, point.y_wheel, wheel_z, wheel_slope)
+    wheel_x, wheel_y, wheel_down = point_in_track(
+        sections.frame,
+        sections.frame.centre[0] + outline_x(pair, side.place, point.y_wheel),
+        y_frame,
+        z_frame,
+    )
+    point.x_wheel = wheel_x * place.cos_yaw + (wheel_y - place.shift) * place.sin_yaw
+    r = point.rolling_radius
+    point.z_wheel = sqrt(max(r * r - point.x_wheel * point.x_wheel, 0.0)) - place.radius
+    point.x_track = x
+    point.y_track = y + place.rail_lateral
+    point.z_track = z + place.rail_vertical
+    point.contact_angle = -atan(z_y)
+
+
+def turn_patch(pair: Pair, touch: SectionTouch, patch: Patch):
+    """Force, moment and place of a patch in the track."""
+    sections = pair.sections
+    frame = sections.frame
+    # the force acts at the nearest place along the rail, along the normal there, which leans as both surfaces do
+    move, rise = valley_at(sections, patch.y_track)
+    along = -rise * patch.normal_z
+    square = patch.normal_y * patch.normal_y + patch.normal_z * patch.normal_z
+    share = 1.0
+    if square > 0.0:
+        share = 1.0 / sqrt(1.0 + along * along / square)
+    x, y, z = into_track(frame, share * along, share * patch.normal_y, share * patch.normal_z)
+    moment_x, moment_y, moment_z = into_track(
+        frame,
+        share * patch.normal_moment[0],
+        share * (patch.normal_moment[1] - move * patch.normal_z + patch.z_track * along),
+        share * (patch.normal_moment[2] + move * patch.normal_y - patch.y_track * along),
+    )
+    at_x, at_y, at_z = point_in_track(frame, frame.centre[0], 0.0, 0.0)
+    at_y += touch.place.rail_lateral
+    at_z += touch.place.rail_vertical
+    patch.normal_x = x
+    patch.normal_y = y
+    patch.normal_z = z
+    patch.normal_moment[0] = moment_x + at_y * z - at_z * y
+    patch.normal_moment[1] = moment_y + at_z * x - at_x * z
+    patch.normal_moment[2] = moment_z + at_x * y - at_y * x
+    patch.x_track, patch.y_track, patch.z_track = point_in_track(
+        frame, frame.centre[0] + patch.x_track + move, patch.y_track, patch.z_track
+    )
+    patch.y_track += touch.place.rail_lateral
+    patch.z_track += touch.place.rail_vertical
+    turn_angle(patch)
+
+
+def turn_angle(patch: Patch):
+    """The angles of the force of a patch across the track and along it."""
+    slope = patch.normal_y / -patch.normal_z
+    patch.contact_angle = -atan(slope)
+    patch.angle_cos = 1.0 / sqrt(1.0 + slope * slope)
+    patch.angle_sin = -slope * patch.angle_cos
+    patch.slope = atan2(-patch.normal_x, -patch.normal_z)
