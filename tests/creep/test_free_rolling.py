@@ -314,7 +314,7 @@ def test_falling_friction_carries_less():
 
 
 BY = {
-    "lateral_shift": 1e-8,
+    "lateral_shift": 1e-7,
     "yaw": 1e-8,
     "speed": 1e-4,
     "lateral_velocity": 1e-7,

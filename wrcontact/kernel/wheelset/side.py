@@ -6,6 +6,7 @@ Its contact is described by where it is on wheel, rail and track, its angle, rad
 from math import fabs, isfinite
 from typing import Final
 
+from ..contact.curves import rail_way
 from ..contact.deep_points import deepest_entry, follow_overlaps, keep_points
 from ..contact.frame import open_contact_region, open_frame
 from ..contact.overlaps import find_overlaps
@@ -175,6 +176,7 @@ def press_side(tables: Tables, work: Work, index: int, approach: float):
     aside, shift = touching_shift(pair, side.place, deepest)
     describe_contact(tables, work, index, deepest.wheel, aside, shift)
     press_frame(work.contact.frame, height, deepest.depth, 0.0)
+    work.contact.frame.way = rail_way(pair, deepest.rail)
     return VALID
 
 
