@@ -263,10 +263,13 @@ class DeepPoint:
 
 @record
 class DeepPoints:
-    """Deepest points of one wheel that the next trial may follow, in the order of the rail."""
+    """Deepest points of one wheel that the next trial may follow, in the order of the rail, and half-widths
+    that it may begin with."""
 
     count: int  # 0 if none are known
     points: DeepPoint * REGION_LIMIT
+    width_count: int  # regions whose half-widths are known
+    widths: FirstWidths * REGION_LIMIT
 
 
 @record

@@ -185,6 +185,7 @@ def find_points(tables: Tables, contact: Contact, side: SideSearch, index: int, 
     are followed where the contact's ``following`` permits it."""
     pair = tables.pairs[index]
     kept = contact.deep_points[index]
+    contact.trial = kept
     count = 0
     if contact.following and kept.count > 0:
         count = follow_overlaps(pair, contact.overlap, kept, side.place, height)
