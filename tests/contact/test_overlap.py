@@ -6,16 +6,35 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import wrcontact
 from data import brute_force
 from data.hertz import hertz
 from tests.helpers.elastic import compliant, elastic
-from tests.helpers.inside import work_of
+from tests.helpers.inside import tables_of, work_of
 from tests.helpers.overlap import deepest
+from wrcontact.kernel import layout
+from wrcontact.kernel.contact.curves import abscissa_after, rail_length, rail_way
+from wrcontact.kernel.surface.tables import height_slope
 from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc
+
+
+def test_stations_run_along_the_rail_from_abscissa_to_abscissa():
+    """The way to an abscissa leads to just this one, and is within 1e-8 m of the arc length, by quadrature."""
+    pair = layout.Tables.at(tables_of(elastic())).pairs[1]
+    rail, rng = pair.rail, np.random.default_rng(2)
+    for low, high in np.sort(rng.uniform(rail.start, rail.stop, (200, 2))):
+        for x in (low, high):
+            assert abscissa_after(pair, rail_way(pair, x)) == pytest.approx(x, abs=1e-14), (low, high)
+    for low in rng.uniform(rail.start, rail.stop - 8e-3, 40):
+        high = low + rng.uniform(1e-3, 8e-3)
+        arc = quad(lambda x: math.hypot(1.0, height_slope(rail, x)[1]), low, high, limit=200, epsabs=1e-10)[0]
+        assert rail_length(pair, low, high) == pytest.approx(arc, abs=2e-8), (low, high)
+    assert abscissa_after(pair, -1e-3) == pytest.approx(rail.start - 1e-3, abs=1e-15)
+
 
 # --- overlap, by dense search ---------------------------------------------------------------------
 

@@ -7,9 +7,9 @@ import numpy as np
 
 import wrcontact
 from data.noisy_profiles import noisy_points
-from tests.helpers.inside import tables_of
+from tests.helpers.inside import counts_of, tables_of
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact.overlap_samples import sample_overlap
+from wrcontact.kernel.contact.overlap_samples import DEEPEST, falling_exponent, sample_overlap
 from wrcontact.kernel.contact.turning_cells import SLOPE_STEP, UNCLEAR, count_turns
 from wrcontact.kernel.search import roll
 from wrcontact.kernel.surface import gap
@@ -75,6 +75,17 @@ def on_rail(pair, place, y):
     return pair.rail.start <= outline_point(place, y, z, slope)[0] - pair.rail_y <= pair.rail.stop
 
 
+def noisy_system(folder):
+    """A wheel and a rail with noise, as read."""
+    profiles = {}
+    for kind in ("wheel", "rail"):
+        np.savetxt(folder / f"{kind}.txt", np.transpose(noisy_points(kind, 0.2, 0.005, 3)), fmt="%.9f")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ProfileWarning)
+            profiles[kind] = wrcontact.Profile.from_file(folder / f"{kind}.txt", kind)
+    return wrcontact.ContactSystem(**profiles)
+
+
 def checked_cells(system, count, seed):
     """How many cells are judged to hold no deepest point, one, or are unclear; each is looked into."""
     seen = [0, 0, 0]
@@ -103,6 +114,66 @@ def checked_cells(system, count, seed):
     return seen
 
 
+def stretches(system, count, seed):
+    """Where the overlap is said to fall from a node on: slope of the overlap against the way, in steps of some
+    100 micrometres, and how many cells each stretch has; at random placements, both ways."""
+    for pair, place, overlap, (low, high), _, pose in cells(system, count, seed):
+        scan, samples = pair.scan, overlap.samples
+        for entry, direction in ((2, 1), (1, -1)):
+            node = int(samples.node[entry])
+            depth = overlap.height - samples.gap[entry]
+            slope = -direction * (samples.rise[entry] + samples.turn[entry])
+            if not (slope > 0.0 and 0.0 < depth < DEEPEST):
+                continue
+            exponent = falling_exponent(
+                scan, place, node, direction, samples.rail[entry], depth, slope, layout.EXPONENTS - 1
+            )
+            if exponent < 0:
+                yield 0, np.zeros(0), pose
+                continue
+            ends = sorted((scan.nodes[node].y, scan.nodes[node + direction * 2**exponent].y))
+            y = np.linspace(*ends, 6 * 2**exponent + 1)
+            y = y[[on_rail(pair, place, where) for where in y]]
+            falls, depths = slopes(pair, place, overlap.height, y)
+            yield 2**exponent, direction * falls[depths > 0.0], pose
+
+
+def checked_stretches(system, count, seed):
+    """How many cells the stretches have together over how many nodes they begin from; in each the overlap falls."""
+    found = list(stretches(system, count, seed))
+    for _, falls, pose in found:
+        assert np.all(falls > 0.0), (pose, falls.min())
+    return sum(cells for cells, *_ in found) / len(found)
+
+
+def test_overlaps_fall_over_the_stretches_that_are_left_out(tmp_path):
+    """Along the rail's normals, on standard profiles and on those with noise."""
+    for rail, inclination, seed in (("UIC60", 1 / 40, 8), ("54E1", 1 / 20, 9)):
+        system = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination)
+        assert checked_stretches(system, 12, seed) > 2.0
+    assert checked_stretches(noisy_system(tmp_path), 12, 10) > 0.5
+
+
+def test_answers_are_the_same_where_no_stretch_is_left_out():
+    """With bounds that let no overlap count as one that only falls, a tenth more places are looked at."""
+    rng = np.random.default_rng(12)
+    pose = rng.uniform(-8e-3, 8e-3, 200), rng.uniform(-0.04, 0.04, 200), 10.0 ** rng.uniform(3.5, 5.3, 200)
+    usual, whole = (wrcontact.ContactSystem(rail="54E1", rail_inclination=1 / 20) for _ in range(2))
+    for pair in layout.Tables.at(tables_of(whole)).pairs:
+        for k in range(int(pair.scan.rail_count)):
+            pair.scan.rail[k].turns[:] = [1e9] * (layout.EXPONENTS + 1)
+    found, wanted = (system.evaluate_many(*pose).values for system in (usual, whole))
+    np.testing.assert_allclose(found, wanted, rtol=1e-9, atol=1e-9)
+    counts = []
+    for system in (usual, whole):
+        stepper = system.stepper()
+        for shift, yaw, force in zip(*pose):
+            stepper.inputs[:2], stepper.inputs[stepper.place("normal_force")] = (shift, yaw), force
+            assert stepper.step() == 0
+        counts.append(counts_of(stepper)["gap"])
+    assert counts[1] > 1.08 * counts[0]
+
+
 def test_cells_of_standard_profiles_turn_as_often_as_their_samples_say():
     """S1002 on three rails: most cells are judged, with one deepest point or none."""
     for rail, inclination, seed in (("UIC60", 1 / 40, 5), ("54E1", 1 / 20, 6)):
@@ -114,11 +185,5 @@ def test_cells_of_standard_profiles_turn_as_often_as_their_samples_say():
 
 def test_cells_of_measured_profiles_turn_as_often_as_their_samples_say(tmp_path):
     """Profiles with noise, as read: their bends jump nowhere and wave everywhere."""
-    profiles = {}
-    for kind in ("wheel", "rail"):
-        np.savetxt(tmp_path / f"{kind}.txt", np.transpose(noisy_points(kind, 0.2, 0.005, 3)), fmt="%.9f")
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ProfileWarning)
-            profiles[kind] = wrcontact.Profile.from_file(tmp_path / f"{kind}.txt", kind)
-    none, one, unclear = checked_cells(wrcontact.ContactSystem(**profiles), 30, 7)
+    none, one, unclear = checked_cells(noisy_system(tmp_path), 30, 7)
     assert none > 300 and one > 20 and unclear < 0.1 * none, (none, one, unclear)

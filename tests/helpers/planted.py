@@ -359,6 +359,27 @@ ERRORS = [
         "contact/test_turning_cells.py",
     ),
     Error(
+        "falling_stretch",
+        "largest_fall(0.5 * left, bend, length, stretch)",
+        "largest_fall(1.0 * left, bend, length, stretch)",
+        "an overlap counts as one that only falls where it may rise again",
+        "contact/test_turning_cells.py",
+    ),
+    Error(
+        "turning_normal",
+        "left = slope - TURNED * depth * rail.turns[reach]",
+        "left = slope + TURNED * depth * rail.turns[reach]",
+        "what a turning normal takes from the slope of an overlap is added to it",
+        "contact/test_turning_cells.py",
+    ),
+    Error(
+        "rail_way",
+        "return way + (abscissa - found) / rate",
+        "return way - (abscissa - found) / rate",
+        "a sign in the way along the rail at an abscissa",
+        "contact/test_overlap.py",
+    ),
+    Error(
         "rate_departure",
         "return least > departure",
         "return least > 0.0 * departure - 100.0",

@@ -353,6 +353,14 @@ def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
             for n in range(layout.EXPONENTS + 1)
         ]
         assert cell.least_bends[:] == pytest.approx(wanted, **near)
+        for n, bound in enumerate(cell.turns):
+            reach = edge + step * (1.01 + (1 + WIDEST) * 1.01 * 2**n) + raster.FOOT_REACH
+            x = np.linspace(edge - raster.FOOT_REACH, reach, 41).clip(of_rail.start, of_rail.stop)
+            _, slope, bend = evaluate_table(rail, x)
+            largest = np.abs(slope * bend / (1.0 + slope**2)).max()
+            least, most, steepest = of_rail.between(x[0], x[-1])
+            assert largest <= bound * (1.0 + 1e-9) + 1e-12
+            assert bound == pytest.approx(max(abs(least), abs(most)) * min(steepest, 0.5), **near)
 
 
 def test_departures_from_straight_lines_are_bounded(prepared):

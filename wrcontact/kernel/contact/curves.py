@@ -10,7 +10,8 @@ Arc lengths of the curves are found in two ways, for two purposes.
 Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
 a table   prepared with the profiles: the stations of a pressed wheel along its rail; any coordinate is
-          suitable for them that is smooth, the same at every use, and cheap.
+          suitable for them that is smooth, the same at every use, and cheap.  That is the way for which the
+          table of abscissae holds, within 1e-8 m of the arc length.
 
 Moves along the curves are by arc length, by chords, or to a lateral coordinate.  A move leaves the new
 abscissa in the frame's trace, and returns whether the curve reaches that far.
@@ -169,30 +170,29 @@ def arc_length(pair: Pair, frame: Frame, origin: Origin, curve: int, start: floa
 
 
 @seldom
-def rail_length(pair: Pair, start: float, stop: float):
-    """Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one."""
-    return read_cubic(pair.rail_arc, stop) - read_cubic(pair.rail_arc, start)
+def rail_way(pair: Pair, abscissa: float):
+    """Way along the rail [m] from its start to an ``abscissa`` [m], for which the table of abscissae gives just
+    this one: the table of arcs is within 1e-8 m of it, and a step of Newton's method leaves rounding."""
+    way = read_cubic(pair.rail_arc, abscissa)
+    found, rate = read_cubic_jet(pair.rail_at_arc, way)
+    return way + (abscissa - found) / rate
 
 
 @seldom
-def rail_abscissa(pair: Pair, start: float, length: float):
-    """Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
+def rail_length(pair: Pair, start: float, stop: float):
+    """Way along the rail between two abscissae [m], negative where ``stop`` is the smaller one."""
+    return rail_way(pair, stop) - rail_way(pair, start)
 
-    The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
-    leaves rounding.
-    """
-    rail = pair.rail
-    arcs = pair.rail_arc
+
+def abscissa_after(pair: Pair, way: float):
+    """Abscissa [m] of the rail after a ``way`` [m] from its start; beyond an end, by what is missing."""
     abscissae = pair.rail_at_arc
-    arc = read_cubic(arcs, start) + length
-    if arc < 0.0:
-        x = rail.start + arc
-    elif arc * abscissae.cells_per_unit > abscissae.count:
-        x = rail.stop + (arc - abscissae.count / abscissae.cells_per_unit)
+    if way < 0.0:
+        x = pair.rail.start + way
+    elif way * abscissae.cells_per_unit > abscissae.count:
+        x = pair.rail.stop + (way - abscissae.count / abscissae.cells_per_unit)
     else:
-        x = read_cubic(abscissae, arc)
-        found, speed = read_cubic_jet(arcs, x)
-        x += (arc - found) / speed
+        x = read_cubic(abscissae, way)
     return x
 
 

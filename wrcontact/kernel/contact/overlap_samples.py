@@ -3,16 +3,36 @@
 The overlap is taken straight down there and converted to the rail's normal.
 """
 
+from math import fabs
 from typing import Final
 
-from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, inlined, seldom
-from ..search.bounds import clear_exponent
+from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, Scan, inlined, seldom
+from ..search.bounds import (
+    BEND_STRETCH,
+    FINE_CELL,
+    ROLL_BEND,
+    ROLL_STRETCH,
+    STEEP_STRETCH,
+    WIDEST,
+    YAW_BEND,
+    clear_exponent,
+    largest_fall,
+    rail_index,
+    rail_place,
+)
 from ..surface.gap import above_rail
 from ..surface.locus import outline_jet, outline_point
 from ..surface.tables import height_slope_bend
 
 #: In place of how far aside the foot is [m].
 FAR_ASIDE: Final[float] = 1.0
+#: A wheel that is deeper in its rail than this [m] is sampled at every node: feet lie farther aside than
+#: ``turns`` reach.
+DEEPEST: Final[float] = 3e-4
+#: What a turning normal takes from the slope counts so many times: its foot is found to first order [-].
+TURNED: Final[float] = 1.5
+#: Steps of the slope with which standard profiles are joined, a few in a stretch [-].
+SLOPE_STEPS: Final[float] = 1e-4
 
 
 @inlined
@@ -64,10 +84,12 @@ def walk_overlap(
     pair: Pair, samples: Samples, place: Place, node: int, direction: int, height: float, first: int
 ):
     """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
-    above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
+    above the rail, or where the overlap only falls; the entry after the last one.  Entries begin with
+    ``first`` and run in ``direction``."""
     count = pair.scan.count
     entry = first
     exponent = EXPONENTS - 1
+    falling = 1
     adjacent = 1.0
     while node >= 0 and node < count and entry > 0 and entry < 2 * OVERLAP_LIMIT - 1:
         gap, mismatch, abscissa = sample_overlap(pair, samples, place, node, height, entry)
@@ -102,5 +124,79 @@ def walk_overlap(
                 adjacent = 0.0
             if exponent < EXPONENTS - 1:
                 exponent += 1
+        elif float(direction) * mismatch > 0.0 and height - gap < DEEPEST:
+            falling = falling_exponent(
+                pair.scan,
+                place,
+                node,
+                direction,
+                abscissa,
+                height - gap,
+                float(direction) * mismatch,
+                falling,
+            )
+            if falling > 0:
+                step = 1 << falling
+                adjacent = 0.0
+            falling = min(max(falling, 0) + 1, EXPONENTS - 1)
         node += direction * step
     return entry
+
+
+@inlined
+def falling_exponent(
+    scan: Scan,
+    at: Place,
+    node: int,
+    direction: int,
+    abscissa: float,
+    depth: float,
+    slope: float,
+    exponent: int,
+):
+    """The largest exponent, from ``exponent`` downwards, for which the overlap along the rail's normals only
+    falls over the 2^exponent cells from ``node`` on, as long as there is one; -1 if there is none.
+
+    depth : of the wheel below the rail at the node [m].
+    slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
+
+    The overlap along the normals falls with the slope of the gap straight down, but for what the turning
+    normal takes from it: depth times ``turns`` at most, and depth falls.  What is left, s, stays above zero
+    over a length L where (1 - stretch) s >= -(1 + stretch) bend L: where a gap whose slope begins with s / 2
+    does not fall.  Bounds and shares are those of :func:`~.bounds.clear_exponent`.
+    """
+    u = rail_place(scan, abscissa)
+    roll = fabs(at.sin_roll)
+    least_stretch = ROLL_STRETCH * roll
+    share = ROLL_BEND * roll
+    stretch_per_bend = 0.0
+    if at.yawed:
+        square = at.sin_yaw * at.sin_yaw
+        least_stretch += STEEP_STRETCH * square
+        share += YAW_BEND * square
+        stretch_per_bend = BEND_STRETCH * square * at.radius
+    while exponent >= 0:
+        cells = 1 << exponent
+        first = node
+        if direction < 0:
+            first = node - cells
+        if first >= 0 and first + cells < scan.count:
+            begin = scan.nodes[first]
+            stretch = least_stretch + stretch_per_bend * begin.steepest_bends[exponent]
+            if stretch < WIDEST:
+                length = scan.nodes[first + cells].y - begin.y
+                edge = u
+                if direction < 0:
+                    edge -= (1.0 + WIDEST) * scan.rail_per_metre * length
+                rail = scan.rail[rail_index(scan, edge)]
+                reach = exponent
+                if length > FINE_CELL * float(cells):
+                    reach += 1
+                bend = rail.least_bends[reach]
+                wheel = begin.most_bends[exponent]
+                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
+                left = slope - TURNED * depth * rail.turns[reach] - SLOPE_STEPS
+                if left > 0.0 and largest_fall(0.5 * left, bend, length, stretch) <= 0.0:
+                    return exponent
+        exponent -= 1
+    return exponent

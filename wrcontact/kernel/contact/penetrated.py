@@ -31,7 +31,7 @@ from ..layout import RAIL, WHEEL, Frame, Pair, Place, inlined, seldom
 from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope, height_slope_bend
-from .curves import rail_abscissa
+from .curves import abscissa_after
 from .frame import NO_GAP
 
 #: The wheel's abscissa is found when Newton's last move is no longer than this [m], for deepest points and
@@ -142,7 +142,7 @@ def penetrated_gap(pair: Pair, frame: Frame, station: float):
     frame.place.node_count += 1.0
     rail = pair.rail
     way = station - frame.station
-    abscissa = rail_abscissa(pair, frame.traces[RAIL].abscissa, way)
+    abscissa = abscissa_after(pair, frame.way + station)
     gap = NO_GAP
     rate = 0.0
     bend = 0.0

@@ -16,7 +16,7 @@ from ..layout import (
 )
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
-from .curves import rail_length
+from .curves import rail_length, rail_way
 from .frame import BEYOND, NO_GAP, incline_region, locate_along_track, open_frame
 from .penetration_maxima import deepest_entry
 from .overlaps import find_overlaps
@@ -106,10 +106,11 @@ def give_own_frame(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
     sunk = frame.sunk
     aside, shift = touching_shift(pair, frame.place, point)
     open_frame(pair, frame, frame.place, point.wheel, aside, shift)
+    frame.way = rail_way(pair, point.rail)
     region.own = True
     region.alignment = region.cos / cosine
     region.gap = region.alignment * depth - point.depth
-    region.offset = rail_length(pair, abscissa, point.rail)
+    region.offset = frame.way - rail_way(pair, abscissa)
     lower_frame(frame, height, point.depth, region.gap)
     frame.sunk = sunk
 

@@ -16,6 +16,8 @@ from .traces import start_traces
 TRACE_OF_WIDTH: Final[float] = 1e-2
 WIDTH_TRACE: Final[float] = 5e-6
 WIDTH_ITERATIONS: Final[int] = 60
+#: Steps that are shorter, relative, are corrected by the bend of the root [-].
+BENT_STEP: Final[float] = 0.1
 #: Last halving, relative [-].
 HALVED_SHARP: Final[float] = 1e-9
 #: Last Newton step, relative [-]; its error is a tenth of the square.
@@ -53,8 +55,9 @@ def zone_width(
     """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's
     bound or the end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
 
-    Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the
-    chosen separation, with arcs in place of the chords whose length follows from this width.
+    Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear; the last
+    steps with its bend, which makes them of third order (Chebyshev's method).  The gap is the chosen
+    separation, with arcs in place of the chords whose length follows from this width.
     """
     limit = width_limit(region, direction)
     start_traces(frame, region.station, region.rail, region.wheel)
@@ -97,7 +100,11 @@ def zone_width(
             following = 0.5 * (low + high)
         if rise > 0.0 and rate * direction > 0.0:
             square = sqrt(rise)
-            newton = width + (root - square) * 2.0 * square / (rate * direction)
+            rising = rate * direction
+            step = (root - square) * 2.0 * square / rising
+            if fabs(step) < BENT_STEP * width:
+                step -= 0.5 * step * step * (bend / rising - 0.5 * rising / rise)
+            newton = width + step
             if newton > low and newton < 4.0 * width and (high < 0.0 or newton < high):
                 following = newton
                 sharp = near
@@ -114,6 +121,13 @@ def keep_widths(first: FirstWidths, region: Region):
     first.penetration = region.width_penetration
     first.low = region.width_low
     first.high = region.width_high
+
+
+def begin_widths(known: FirstWidths, region: Region):
+    """Let a region begin with the half-widths that it had."""
+    region.width_penetration = known.penetration
+    region.width_low = known.low
+    region.width_high = known.high
 
 
 def start_widths(first: FirstWidths, region: Region):

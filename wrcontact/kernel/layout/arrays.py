@@ -310,6 +310,7 @@ class Contact:
     overlap: Overlap
     deep_points: DeepPoints * 2  # of the left and right wheel, as the last search has left them
     changing: DeepPoints  # of a wheel whose regions change between two rolls, none joined
+    trial: To(DeepPoints)  # those of the wheel that is pressed
 
 
 #: What follows the runs of wear in a row: strips of the patches of both sides, and a number that makes rows

@@ -166,6 +166,7 @@ class Frame:
     traces: Trace * 2  # of RAIL and WHEEL
     pressed: bool  # whether the wheel is pressed into the rail, rather than just touching it
     sunk: bool  # whether it is pressed straight down from where it just touched
+    way: float  # along the rail, of a pressed wheel's deepest point, where stations are zero [m]
     height: float  # vertical shift at which a pressed wheelset stands [m]
     depth: float  # how deep a pressed wheel is, along the normal [m]
     bend: float  # second derivative of the gap at the contact point [1/m]
@@ -262,10 +263,13 @@ class DeepPoint:
 
 @record
 class DeepPoints:
-    """Deepest points of one wheel that the next trial may follow, in the order of the rail."""
+    """Deepest points of one wheel that the next trial may follow, in the order of the rail, and half-widths
+    that it may begin with."""
 
     count: int  # 0 if none are known
     points: DeepPoint * REGION_LIMIT
+    width_count: int  # regions whose half-widths are known
+    widths: FirstWidths * REGION_LIMIT
 
 
 @record

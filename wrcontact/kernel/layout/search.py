@@ -41,6 +41,7 @@ class RailCell:
     kinks: float  # sum of the jumps of the third one [1/m^2]
     joint: int  # the first joint beyond where that begins
     least_bends: Float * (EXPONENTS + 1)  # smallest one over 2^k cells from here [1/m]
+    turns: Float * (EXPONENTS + 1)  # bound of slope times second derivative over 1 + slope^2 [1/m]
 
 
 @record

@@ -14,7 +14,7 @@ from typing import Final
 from ..contact.penetration_maxima import keep_deepest
 from ..contact.frame import locate_along_track
 from ..contact.penetrated_regions import gather_overlaps, sink_wheel
-from ..contact.widths import keep_widths, start_widths
+from ..contact.widths import begin_widths, keep_widths, start_widths
 from ..layout import REGION_LIMIT, Contact, Pair, SideSearch
 from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
@@ -93,10 +93,22 @@ def gather_regions(pair: Pair, contact: Contact, penetration: float):
     for i in range(REGION_LIMIT):
         contact.regions[i].slant = 0.0
     count = gather_overlaps(pair, contact.frame, contact.frames, contact.regions, contact.overlap)
+    trial = contact.trial
+    follows = contact.following and contact.frame.pressed and not contact.frame.sunk
     for i in range(count):
         start_widths(contact.first_widths, contact.regions[i])
+        if follows and trial.width_count == count:
+            begin_widths(trial.widths[i], contact.regions[i])
     start_penetrations(contact.regions, count, penetration)
     return count
+
+
+def keep_trial(contact: Contact, count: int):
+    """Note the half-widths of all regions for the next trial."""
+    trial = contact.trial
+    trial.width_count = count
+    for i in range(count):
+        keep_widths(trial.widths[i], contact.regions[i])
 
 
 def solve_fine(
@@ -109,6 +121,8 @@ def solve_fine(
     satisfied = False
     for repeat in range(COVER_REPEATS):
         prepare_regions(pair, contact, count, enlarge)
+        if contact.frame.pressed and not contact.frame.sunk:
+            keep_trial(contact, count)
         penetration, satisfied = solve_penetrations(
             pair.tables, contact.regions, contact.nodes, count, force, start, by_penetration
         )

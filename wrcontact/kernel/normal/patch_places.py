@@ -7,7 +7,7 @@ between two regions has two normals and two places, one for each.
 
 from math import sqrt
 
-from ..contact.curves import rail_abscissa
+from ..contact.curves import abscissa_after, rail_way
 from ..elementary.circle import atan
 from ..layout import (
     LOAD_VERTICAL,
@@ -116,8 +116,8 @@ def abscissa_at(pair: Pair, frame: Frame, region: Region, away: float):
     """The rail's abscissa [m] at stations ``away`` from a region's smallest gap [m]: stations of a wheel that
     just touches are those of its contact plane, all others run along the rail."""
     abscissa = region.rail + away * frame.plane.cos
-    if frame.pressed:
-        abscissa = rail_abscissa(pair, region.rail, away)
+    if frame.pressed and away != 0.0:
+        abscissa = abscissa_after(pair, rail_way(pair, region.rail) + away)
     return abscissa
 
 

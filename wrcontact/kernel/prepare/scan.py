@@ -29,6 +29,7 @@ COARSE_STEP: Final[float] = 1.0e-3  # [m]
 FINE_STEP: Final[float] = 0.5e-3  # [m]
 FLAT_BEND: Final[float] = 20.0  # the coarse step does where the wheel bends less [1/m]
 TOO_STEEP: Final[float] = 1e9  # [1/m]
+FOOT_REACH: Final[float] = 0.2e-3  # a foot lies no farther aside [m]
 # samples of the second derivative in a piece, a cubic there, and of levers in a cell
 LAST_SAMPLE: Final[int] = 16
 TOO_WIDE: Final[int] = -2  # in place of an offset: the wheel is wider than the raster
@@ -243,6 +244,11 @@ def write_rail_bounds(tables: Tables, pair: Pair, scan: Scan, work: "float[:]", 
                 tables.raw, rail, work, scratch, edge - 0.01 * FINE_STEP, edge + length
             )
             cell.least_bends[exponent] = least
+            least, most, steepest = bend_range(
+                tables.raw, rail, work, scratch, edge - FOOT_REACH, edge + length + FOOT_REACH
+            )
+            # s / (1 + s^2) is below s, and nowhere above a half
+            cell.turns[exponent] = max(fabs(least), fabs(most)) * min(steepest, 0.5)
             cells += cells
 
 

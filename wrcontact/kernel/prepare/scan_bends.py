@@ -13,12 +13,11 @@ from typing import Final
 from ..layout import PIECE_SIZE, RAIL_JOINT_SIZE, Pair, Scan, Tables, offset
 from ..surface.tables import find_piece
 from .pieces import FULL
-from .scan import FAR, FINE_STEP, piece_width, slope_bend
+from .scan import FAR, FINE_STEP, FOOT_REACH, piece_width, slope_bend
 
 #: A cell's bounds hold for a stretch of the wheel that begins above it, and for feet of normals beside both
 #: [m].
 CELL_REACH: Final[float] = 1.3e-3
-FOOT_REACH: Final[float] = 0.2e-3
 #: Smaller jumps of the second derivative are rounding [1/m].
 LEAST_JUMP: Final[float] = 1e-3
 #: A piece of the wheel is compared with the straight line at the ends of so many parts.

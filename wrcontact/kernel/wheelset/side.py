@@ -6,6 +6,7 @@ Its contact is described by where it is on wheel, rail and track, its angle, rad
 from math import fabs, isfinite
 from typing import Final
 
+from ..contact.curves import rail_way
 from ..contact.penetration_maxima import deepest_entry, follow_overlaps, keep_points
 from ..contact.frame import open_contact_region, open_frame
 from ..contact.overlaps import find_overlaps
@@ -175,6 +176,7 @@ def lower_wheel(tables: Tables, work: Work, index: int, approach: float):
     aside, shift = touching_shift(pair, side.place, deepest)
     describe_contact(tables, work, index, deepest.wheel, aside, shift)
     lower_frame(work.contact.frame, height, deepest.depth, 0.0)
+    work.contact.frame.way = rail_way(pair, deepest.rail)
     return VALID
 
 
@@ -183,6 +185,7 @@ def find_points(tables: Tables, contact: Contact, side: SideSearch, index: int, 
     are followed where the contact's ``following`` permits it."""
     pair = tables.pairs[index]
     kept = contact.deep_points[index]
+    contact.trial = kept
     count = 0
     if contact.following and kept.count > 0:
         count = follow_overlaps(pair, contact.overlap, kept, side.place, height)
