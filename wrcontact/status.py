@@ -22,8 +22,8 @@ from .interface.inputs import (
     YAW_LIMIT,
 )
 from .kernel import layout
-from .kernel.wheelset.requested import NO_FORCE
-from .kernel.wheelset.trial import DEEPEST
+from .kernel.wheelset.input_checks import NO_FORCE
+from .kernel.wheelset.residuals import DEEPEST
 from .methods.numbers import unit_behind
 
 

@@ -99,13 +99,13 @@ def test_decay_is_an_exponential():
 
 def test_only_what_slips_loses_friction():
     """A quarter slips, with two fifths of the friction of rest."""
-    marches, falling = layout.RollingMarches(), layout.FallingFriction()
-    marches.slips[3], marches.noted[3], falling.share[3] = 0.25, 0.0625, 0.4
-    weigh_slips(marches, falling, 0.8)
+    integrations, falling = layout.StripIntegrations(), layout.FallingFriction()
+    integrations.slips[3], integrations.noted[3], falling.share[3] = 0.25, 0.0625, 0.4
+    weigh_slips(integrations, falling, 0.8)
     assert falling.lost[3] == pytest.approx(0.8**2 * 0.25 * 0.6)
-    assert (marches.slips[3], marches.noted[3]) == pytest.approx((0.1, 0.01))
-    restore_slips(marches, falling)
-    assert (marches.slips[3], marches.noted[3]) == (0.25, 0.0625)
+    assert (integrations.slips[3], integrations.noted[3]) == pytest.approx((0.1, 0.01))
+    restore_slips(integrations, falling)
+    assert (integrations.slips[3], integrations.noted[3]) == (0.25, 0.0625)
 
 
 @pytest.mark.parametrize("cells", [20, 80])

@@ -13,7 +13,7 @@ import wrcontact
 from data.creep_cases import Model, full_slip, vector
 from wrcontact.creep import elliptic_patch
 from wrcontact.halfspace.rolling_step import roll_strips
-from wrcontact.kernel.wheelset.rubbing import strip_shear, strip_slip
+from wrcontact.kernel.wheelset.rolling_contact import strip_shear, strip_slip
 
 FRICTION, LOAD, YOUNG, POISSON = 0.3, 8e4, 210e9, 0.28
 BOUND = FRICTION * LOAD

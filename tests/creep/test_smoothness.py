@@ -29,7 +29,7 @@ class Line:
     def __call__(self, s):
         rolling = self.model.rolling
         rolling.creepage_x, rolling.creepage_y, rolling.spin = -(self.start + s * self.direction) * self.scale
-        forces.default_kernel().cut_patch(self.model.workspace)
+        forces.default_kernel().divide_into_strips(self.model.workspace)
         forces.default_kernel().solve_creep_force(self.tables, self.model.workspace)
         return vector(rolling)[:2] / self.bound
 

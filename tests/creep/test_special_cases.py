@@ -41,7 +41,7 @@ def test_a_patch_that_is_not_there_has_no_force(name):
     model = Model(name)
     table = forces.model_tables(model.number, 210e9, 0.28)
     model.rolling.creepage_x, model.rolling.friction = 1e-3, 0.3
-    forces.default_kernel().cut_patch(model.workspace)
+    forces.default_kernel().divide_into_strips(model.workspace)
     forces.default_kernel().solve_creep_force(table, model.workspace)
     assert everything(model.rolling) == [0.0] * 4
     assert all(

@@ -12,7 +12,7 @@ from data.creep_cases import Model, full_slip
 from tests.helpers.strip_records import open_march, open_marches_of, pushes
 from wrcontact.creep import elliptic_patch
 from wrcontact.kernel import layout
-from wrcontact.kernel.creep import coupled_strips, march, stiffness
+from wrcontact.kernel.creep import coupled_strips, stiffness, traction_integration
 
 RATIOS = [0.3, 1.0, 2.5, 8.0]
 
@@ -186,9 +186,9 @@ def test_march_b_counts_in_short_patches(ratio, share):
 @pytest.mark.parametrize("size, kept", [(1.0, 1.0), (0.05, 0.7075), (1e-6, 2e-5)])
 def test_slip_has_the_size_of_the_bound_but_where_both_marches_cancel(size, kept):
     """Eq. (M5): a direction that is a twentieth of the bound has the traction of its root of one half."""
-    marches = open_marches_of(1e9)
-    marches.first_x[3], marches.first_y[3] = 0.6 * size * 0.7, -0.8 * size * 0.7
-    found = march.slip_traction(marches, 3, 0.7)
+    integrations = open_marches_of(1e9)
+    integrations.first_x[3], integrations.first_y[3] = 0.6 * size * 0.7, -0.8 * size * 0.7
+    found = traction_integration.slip_traction(integrations, 3, 0.7)
     np.testing.assert_allclose(found, [0.6 * kept * 0.7, -0.8 * kept * 0.7], rtol=1e-3)
 
 

@@ -80,7 +80,7 @@ MOTION = {
     "left.rail_lateral": -1e-3,
     "right.rail_vertical": 2e-3,
 }
-RUBBING = {name: value for name, value in MOTION.items() if "rail" not in name} | {
+ROLLING_CONTACT = {name: value for name, value in MOTION.items() if "rail" not in name} | {
     "wheel_rate": 54.3,
     "track_curvature": 1e-3,
     "left.friction": 0.35,
@@ -232,7 +232,8 @@ def test_derivatives_of_creep_forces(case, model):
     poses = ((1.1e-3, 0.0), (-3e-3, 0.004), (3.3e-3, -0.003))
     most = max(MOST[model], ELASTIC_MOST) if "elastic" in case else MOST[model]
     assert_kinks_alone(
-        most, *np.hstack([misses(stepper, moving_row(PARAMETERS[case], RUBBING, *pose)) for pose in poses])
+        most,
+        *np.hstack([misses(stepper, moving_row(PARAMETERS[case], ROLLING_CONTACT, *pose)) for pose in poses]),
     )
 
 
@@ -260,7 +261,7 @@ def test_derivatives_of_creep_forces_at_random_poses(model):
     for _ in range(12):
         motion = {
             name: value * rng.uniform(-1.0, 1.0) if name not in ("speed", "wheel_rate") else value
-            for name, value in RUBBING.items()
+            for name, value in ROLLING_CONTACT.items()
         }
         motion |= {
             "wheel_rate": 54.3 * (1.0 + rng.normal(scale=2e-3)),

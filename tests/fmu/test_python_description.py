@@ -139,7 +139,7 @@ FREE = {
 
 OF_WHEELS = {row.name for row in RATES}
 MOVING = {row.name for row in MOTION} | OF_WHEELS
-RUBBING = {row.name for row in FRICTION}
+ROLLING_CONTACT = {row.name for row in FRICTION}
 #: Torques on the axle, which change the rotation of wheels that roll freely; those of single wheels.
 DRIVING = {row.name for row in TORQUES}
 OF_SINGLE = DRIVING - {"axle_torque"}
@@ -189,7 +189,7 @@ def does_not_follow(mode, methods, moved, name):
         return True  # it is not read
     if name.endswith("wheel_rate_found") and moved not in MOVING and not creep:
         return True  # no torque tells of a rotation
-    if moved in MOVING | RUBBING | DRIVING:
+    if moved in MOVING | ROLLING_CONTACT | DRIVING:
         creepage = (".creepage." in name or "wheel_rate_found" in name) and (creep or moved in MOVING)
         rubbed = creep and any(word in name for word in OF_CREEP) and "normal." not in name
         carried = "load" in methods and not (mode == "rigid" and is_geometry(name))
@@ -217,7 +217,7 @@ def test_declared_dependencies_hold(case):
         **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES, *TORQUES)), 0.0),
         **dict.fromkeys(SPRUNG, 0.0),
         "free_rolling": 1.0,
-        **dict.fromkeys(RUBBING, 0.3),
+        **dict.fromkeys(ROLLING_CONTACT, 0.3),
     }
     changes = {
         "lateral_shift": 1e-4,
@@ -245,7 +245,13 @@ def test_declared_dependencies_hold(case):
             if name not in v.depends_on or does_not_follow(mode, methods, name, v.name)
         ]
         assert_same({v: changed[v] for v in free}, {v: present[v] for v in free}, WARM_START)
-        seen = ".creepage." if name in MOVING else ".tangential." if name in RUBBING | DRIVING else ".area"
+        seen = (
+            ".creepage."
+            if name in MOVING
+            else ".tangential."
+            if name in ROLLING_CONTACT | DRIVING
+            else ".area"
+        )
         moved = [v for v in present if seen in v]
         assert len(free) == len(outputs) or any(changed[v] != present[v] for v in moved), name
     if "load" in methods:

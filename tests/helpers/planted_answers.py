@@ -27,7 +27,7 @@ ANSWERS = [
         "following = x",
         "a step along the rail that does not meet the wheel ends the search for a saddle",
         "contact/test_overlap.py",
-        "wrcontact/kernel/contact/pressed.py",
+        "wrcontact/kernel/contact/penetrated.py",
     ),
     (
         "wheel_beyond_end",
@@ -35,7 +35,7 @@ ANSWERS = [
         "if not fabs(overlap) < FARTHEST:",
         "a patch goes on beyond the end of the wheel's profile",
         "search/test_rigid.py",
-        "wrcontact/kernel/contact/pressed.py",
+        "wrcontact/kernel/contact/penetrated.py",
     ),
     # --- loads that are too large or too small
     (
@@ -68,7 +68,7 @@ ANSWERS = [
         "NO_FORCE: Final[float] = 1e-7",
         "a load of 50 nN is none",
         BOUNDED,
-        f"{WHEELSET}/requested.py",
+        f"{WHEELSET}/input_checks.py",
     ),
     (
         "least_force_kept",
@@ -76,7 +76,7 @@ ANSWERS = [
         "    if force < NO_FORCE:\n        force *= 1.0",
         "a load that is smaller than the rounding of a wheel's height is sought",
         BOUNDED,
-        f"{WHEELSET}/requested.py",
+        f"{WHEELSET}/input_checks.py",
     ),
     # --- what random poses have found
     (

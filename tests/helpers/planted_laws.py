@@ -2,8 +2,12 @@
 meaning, the file that sees it, module) for planted.py.  The file alone sees it, in some seconds."""
 
 KERNEL, CREEP = "wrcontact/kernel", "wrcontact/kernel/creep"
-FRICTION, STRIPS, MARCH = (f"{CREEP}/{name}.py" for name in ("friction", "coupled_strips", "march"))
-RUBBING, AT_HEIGHT = (f"{KERNEL}/wheelset/{name}.py" for name in ("rubbing", "at_height"))
+FRICTION, STRIPS, INTEGRATION = (
+    f"{CREEP}/{name}.py" for name in ("friction", "coupled_strips", "traction_integration")
+)
+ROLLING_CONTACT, PRESCRIBED = (
+    f"{KERNEL}/wheelset/{name}.py" for name in ("rolling_contact", "prescribed_height")
+)
 CREEPAGE, MOTION, STIFFNESS = (f"{CREEP}/{name}.py" for name in ("creepage", "motion", "stiffness"))
 ROLLING_STEP, ORIENTATION = "wrcontact/halfspace/rolling_step.py", "wrcontact/profiles/orientation.py"
 LAW, SLIP, THEORY, OF_STRIPS = (
@@ -58,8 +62,8 @@ LAWS = [
     ),
     (
         "straight_fastrip",
-        "whole = 0.5 * float(POINT_LIMIT + 1) * march.rate",
-        "whole = 0.5 * float(POINT_LIMIT) * march.rate",
+        "whole = 0.5 * float(POINT_LIMIT + 1) * integration.rate",
+        "whole = 0.5 * float(POINT_LIMIT) * integration.rate",
         "FaStrip's slopes are those of its points",
         STRAIGHT,
         "wrcontact/kernel/creep/fastrip.py",
@@ -215,7 +219,7 @@ LAWS = [
         "strip.x = 0.0 * patch.slant * strip.y",
         "the strips of a yawed wheel are not ahead",
         SLIP,
-        f"{CREEP}/cut.py",
+        f"{CREEP}/rolling_strips.py",
     ),
     (
         "strip_behind",
@@ -223,7 +227,7 @@ LAWS = [
         "strip.x = -patch.slant * strip.y",
         "the strips of a yawed wheel are ahead on the other side",
         SLIP,
-        f"{CREEP}/cut.py",
+        f"{CREEP}/rolling_strips.py",
     ),
     (
         "lever_ahead",
@@ -279,12 +283,12 @@ LAWS = [
         "+ 0.0 * strip.moment\n    )\n    return patch.speed",
         "slip over the outline leaves out spin's moment",
         SLIP,
-        RUBBING,
+        ROLLING_CONTACT,
     ),
     (
         "stick_weight",
-        "march.weight * patch.strips[i].width",
-        "patch.strips[i].width",
+        "                * integration.weight\n                * patch.strips[i].width",
+        "                * patch.strips[i].width",
         "a stick zone that fades sticks whole",
         THEORY,
         STRIPS,
@@ -360,7 +364,7 @@ LAWS = [
         "patch.totals.moment *= 1.0",
         "damping leaves a patch's moment of load as it is",
         DAMPING,
-        AT_HEIGHT,
+        PRESCRIBED,
     ),
     (
         "damped_moments",
@@ -368,7 +372,7 @@ LAWS = [
         "patch.normal_moment[i] *= 1.0",
         "damping leaves the moments of the pressures as they are",
         DAMPING,
-        AT_HEIGHT,
+        PRESCRIBED,
     ),
     (
         "damped_strips",
@@ -376,7 +380,7 @@ LAWS = [
         "strip.line_load *= 1.0",
         "friction does not carry what damping adds",
         DAMPING,
-        AT_HEIGHT,
+        PRESCRIBED,
     ),
     # --- the strips' laws, which were seen by stored errors alone
     (
@@ -415,7 +419,7 @@ LAWS = [
         "flat_fill",
         "0.75 * pi * second / third",
         "0.5 * pi * second / third",
-        "the slip march loses less traction to spin than strip theory",
+        "the slip integration loses less traction to spin than strip theory",
         OF_STRIPS,
         STRIPS,
     ),
@@ -425,15 +429,15 @@ LAWS = [
         "s = 3.0 * pi / 16.0",
         "spin counts twice in the mean push",
         OF_STRIPS,
-        MARCH,
+        INTEGRATION,
     ),
     (
         "fills",
         "FILLS: Final[float] = 6.0",
         "FILLS: Final[float] = 3.0",
-        "one march becomes the other at three fills",
+        "one integration becomes the other at three fills",
         OF_STRIPS,
-        MARCH,
+        INTEGRATION,
     ),
     (
         "lag",
@@ -441,23 +445,23 @@ LAWS = [
         "\nLAG: Final[float] = 0.8",
         "a step's spin is taken later",
         OF_STRIPS,
-        MARCH,
+        INTEGRATION,
     ),
     (
         "share",
         "\nSHARE: Final[float] = 0.65",
         "\nSHARE: Final[float] = 0.3",
-        "march B counts half as much in short patches",
+        "integration B counts half as much in short patches",
         OF_STRIPS,
-        MARCH,
+        INTEGRATION,
     ),
     (
         "soft",
         "SOFT: Final[float] = 0.05",
         "SOFT: Final[float] = 0.3",
-        "traction fades where both marches agree badly",
+        "traction fades where both integrations agree badly",
         OF_STRIPS,
-        MARCH,
+        INTEGRATION,
     ),
     (
         "mean_from",

@@ -184,7 +184,7 @@ STRIP_LAWS = [
         "return point.depth",
         "of too many deepest points the flange is left out",
         FLANGES,
-        "wrcontact/kernel/contact/deep_points.py",
+        "wrcontact/kernel/contact/penetration_maxima.py",
     ),
     (
         "strip_pull",
@@ -248,7 +248,7 @@ STRIP_LAWS = [
         "        frame.height = frame.shift",
         "strips after ANALYN begin with a wheel that is still sunk",
         AUTO,
-        "wrcontact/kernel/contact/pressed_regions.py",
+        "wrcontact/kernel/contact/penetrated_regions.py",
     ),
     (
         "softest_along",

@@ -14,7 +14,7 @@ KERNEL_EXPORTS = {
         "abi",
         "step",
         "step_many",
-        "cut_patch",
+        "divide_into_strips",
         "solve_creep_force",
         "derivative",
         "derivative_room",

@@ -12,7 +12,7 @@ from tests.helpers.constant_curvatures import sweep_constant_curvatures, trace_c
 from tests.helpers.inside import tables_of, work_of
 from wrcontact import Status
 from wrcontact.kernel import layout
-from wrcontact.kernel.contact.deep_points import merge_points
+from wrcontact.kernel.contact.penetration_maxima import merge_points
 from wrcontact.kernel.normal.strip_contact import agrees_with_levels
 from wrcontact.kernel.normal.strip_runs import add_run, adopt_runs
 from wrcontact.kernel.surface.tables import height_slope

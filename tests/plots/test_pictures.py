@@ -40,7 +40,7 @@ def lines_of(axis, gid):
 # --- contact lines ------------------------------------------------------------------------------------------
 
 
-def leaning_height(rail, inclination):
+def rolled_rail_height(rail, inclination):
     """Height [m] of the highest point's frame at a place y [m] of a rail that leans, from its own profile."""
     angle = -np.arctan(inclination)
 
@@ -64,7 +64,7 @@ def leaning_height(rail, inclination):
 def test_contact_lines_end_on_both_profiles(side):
     shift = np.linspace(-7e-3, 7e-3, 29)
     axis = plots.contact_lines(SYSTEM, side=side, lateral_shift=shift)
-    drawn, height = lines_of(axis, "line"), leaning_height(SYSTEM.rail, 1 / 40)
+    drawn, height = lines_of(axis, "line"), rolled_rail_height(SYSTEM.rail, 1 / 40)
     assert len(drawn) == len(shift)
     table = SYSTEM.evaluate_many(shift, outputs="geometry")
     aside = None

@@ -7,7 +7,7 @@ import wrcontact
 from data.noisy_profiles import noisy_points
 from tests.helpers.inside import tables_of
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import bounds, own_bounds, rising_cell, roll
+from wrcontact.kernel.search import bounds, own_bounds, roll, single_minimum
 from wrcontact.kernel.search import bounds as raster
 from wrcontact.kernel.surface import gap, locus
 from wrcontact.profiles.compiled import evaluate_table
@@ -74,7 +74,7 @@ def test_a_cell_that_is_certified_to_rise_does(count):
     for pair, inputs, place, y, _, mismatches, below in sampled_placements(count, 24, 0.013):
         for cell in range(len(y) // PER_CELL):
             inside = slice(PER_CELL * cell, PER_CELL * (cell + 1) + 1)
-            holds = rising_cell.rises_in_cell(pair, place, cell)
+            holds = single_minimum.rises_in_cell(pair, place, cell)
             if not np.all(below[inside]):
                 continue
             steps = np.diff(mismatches[inside])

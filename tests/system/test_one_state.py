@@ -14,7 +14,7 @@ CASES = {
     "rigid": ({}, {}),
     "rigid_strips": ({"normal_model": "analyn_strip", "tangential_model": "strips"}, SPEEDS),
     "rigid_vertical": ({"load": "vertical", "tangential_model": "fastsim"}, {**SPEEDS, **RAILS}),
-    "rigid_leaning": ({"rail": "60E1"}, {"right_rail_roll": (-5e-3, 5e-3)}),
+    "rigid_rolled_rails": ({"rail": "60E1"}, {"right_rail_roll": (-5e-3, 5e-3)}),
     "elastic": ({"contact_mode": "elastic", "tangential_model": "polach"}, {**SPEEDS, **RAILS}),
     "elastic_strips": (
         {"contact_mode": "elastic", "normal_model": "analyn_strip", "tangential_model": "strips"},

@@ -11,7 +11,7 @@ from tests.helpers.kernel_runs import needs_library
 from wrcontact import ContactSystem, WheelContact
 from wrcontact.interface.outputs import STRIPS, WEAR
 from wrcontact.kernel import layout
-from wrcontact.kernel.wheelset.shared_power import add_power
+from wrcontact.kernel.wheelset.distributed_power import add_power
 
 MOTION = {"speed": 20.0, "lateral_velocity": 0.05, "yaw_rate": 0.02}
 TWO_PATCHES = {"lateral_shift": 6.2e-3, "yaw": 0.01, **MOTION}

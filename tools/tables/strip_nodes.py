@@ -11,7 +11,7 @@ from wrcontact.creep.kalker_table import kalker_coefficients
 from wrcontact.creep.patch import elliptic_patch
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.fixed_tables import CORRECTION_UNIT
-from wrcontact.kernel.creep import cut, stiffness
+from wrcontact.kernel.creep import rolling_strips, stiffness
 from wrcontact.kernel.prepare import tables as fixed
 
 from .rolling_table import CORRECTION_NODES, assemble, stored, uncorrected
@@ -77,7 +77,7 @@ def strip_coefficients(tables, work, ratio):
     half_width = ratio**-0.5
     totals.start, totals.stop, totals.width = -half_width, half_width, 2.0 * half_width
     totals.max_half_length, totals.area, totals.load = ratio**0.5, np.pi, 1.0
-    cut.cut_patch(patch, work.contact.strips)
+    rolling_strips.divide_into_strips(patch, work.contact.strips)
     patch.half_length, patch.half_width = ratio**0.5, half_width  # also beyond the permitted ratios
     stiffness.find_stiffnesses(tables, work.rolling, patch)
     blocks = work.rolling.blocks

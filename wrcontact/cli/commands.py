@@ -50,7 +50,7 @@ main = typer.Typer(
     "deg, forces in kN, pressures in MPa, velocities in m/s and "
     "rad/s.",
 )
-RUBBING = {row.name for row in FRICTION}
+ROLLING_CONTACT = {row.name for row in FRICTION}
 CONTACT, FMUS, STUDY = "Contacts", "FMUs", "The study that wrcontact started from"
 
 
@@ -471,7 +471,7 @@ def _refuse_what_is_not_read(system, given):
                 f"{option_of(variable)} is given; it is permitted only with --contact-mode "
                 f"{allowed}; {system.parameters['contact_mode']!r} does not use it"
             )
-        if variable.name in RUBBING and name_of(variable) in given and not has_model(system):
+        if variable.name in ROLLING_CONTACT and name_of(variable) in given and not has_model(system):
             raise Refused(
                 f"{option_of(variable)} is given; it is permitted only with --tangential-model "
                 f"{' or '.join(CHOICES['tangential_model'][1:])}"

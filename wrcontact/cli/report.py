@@ -90,8 +90,8 @@ def print_state(system, state):
         f"{vector_words(state.moment, 'N.m')}",
         soft_wrap=True,
     )
-    rubbing = has_creep_forces(system, state.inputs)
-    if rubbing:
+    with_creep = has_creep_forces(system, state.inputs)
+    if with_creep:
         out.print(
             f"of these without creep forces {vector_words(state.normal.force, 'N')}, "
             f"{vector_words(state.normal.moment, 'N.m')}; driving torque "
@@ -100,7 +100,7 @@ def print_state(system, state):
         )
     elif has_model(system):
         out.print("no creep forces: neither --speed nor --wheel-rate is given", soft_wrap=True)
-    out.print(state_table(state, rubbing))
+    out.print(state_table(state, with_creep))
     if state.status:
         out.print(sentence(state.status, state.inputs, is_compliant(system), Typed()), soft_wrap=True)
 
@@ -129,18 +129,18 @@ def has_creep_forces(system, inputs):
     return has_model(system) and is_rolling(inputs)
 
 
-def state_table(state, rubbing=False):
-    """A table with the columns quantity, unit, left, right; ``rubbing`` tells whether there are creep
+def state_table(state, with_creep=False):
+    """A table with the columns quantity, unit, left, right; ``with_creep`` tells whether there are creep
     forces."""
     table = Table("quantity", "unit", box=box.SIMPLE_HEAD)
     for side in SIDES:
         table.add_column(side, justify="right")
     sides = [getattr(state, side) for side in SIDES]
     table.add_row("patch_count", "", *(str(side.patch_count) for side in sides))
-    for name, unit in SIDE_ROWS + SIDE_CREEP_ROWS * rubbing:
+    for name, unit in SIDE_ROWS + SIDE_CREEP_ROWS * with_creep:
         table.add_row(name, unit_name(unit), *(shown(attrgetter(name)(side), unit) for side in sides))
     most = max(side.patch_count for side in sides)
-    rows = PATCH_ROWS * (most > 1) + CREEPAGE_ROWS * is_rolling(state.inputs) + CREEP_ROWS * rubbing
+    rows = PATCH_ROWS * (most > 1) + CREEPAGE_ROWS * is_rolling(state.inputs) + CREEP_ROWS * with_creep
     for k in range(most if rows else 0):
         table.add_section()
         for name, unit in rows:

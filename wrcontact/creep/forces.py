@@ -108,7 +108,7 @@ def roll(patch, tables, workspace, kernel=None):
     work = layout.Work.at(workspace)
     write_patch(patch, work.patch, work.contact.strips)
     kernel = kernel or default_kernel()
-    kernel.cut_patch(workspace)
+    kernel.divide_into_strips(workspace)
     kernel.solve_creep_force(tables, workspace)
 
 

@@ -12,10 +12,16 @@ from ..kernel.creep.turning import (
     note_torque,
     stand_in_rate,
 )
-from ..kernel.wheelset.forces import rub_patch
+from ..kernel.wheelset.forces import add_creep_force
 from ..kernel.wheelset.free_rolling import nominal_rate, open_turning, turns_freely
-from ..kernel.wheelset.requested import is_free
-from ..kernel.wheelset.rubbing import close_rolling, move_side, open_rolling, side_friction, write_side_wear
+from ..kernel.wheelset.input_checks import is_free
+from ..kernel.wheelset.rolling_contact import (
+    close_rolling,
+    move_side,
+    open_rolling,
+    side_friction,
+    write_side_wear,
+)
 
 #: The torque that is left is less than this share of that of all friction [-]; the half-space's forces are
 #: known to some 1e-3.
@@ -28,7 +34,7 @@ class BeyondAdhesion(ArithmeticError):
 
 def rub_wheels(tables, work, find):
     """Creep forces of all patches in the workspace, at the rotation that is given or follows, as
-    :func:`~wrcontact.kernel.wheelset.rubbing.rub_patches` and
+    :func:`~wrcontact.kernel.wheelset.rolling_contact.solve_creep_forces` and
     :func:`~wrcontact.kernel.wheelset.free_rolling.roll_freely` find them.
 
     Parameters
@@ -97,7 +103,7 @@ def _torque(tables, work, find, wheels, rate):
     for index in wheels:
         side = work.sides[index]
         for patch in side.patches[: side.patch_count]:
-            rub_patch(side.motion, patch)
+            add_creep_force(side.motion, patch)
             torque += patch.forces.driving_torque
     return torque
 

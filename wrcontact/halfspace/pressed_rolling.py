@@ -14,7 +14,7 @@ from scipy import ndimage
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
 from ..kernel.creep.creepage import move_strip
-from ..kernel.creep.cut import cut_patch
+from ..kernel.creep.rolling_strips import divide_into_strips
 from ..kernel.normal.wear_places import nearest_patch
 from .edge import EDGE_PAD, edge_field, extent
 from .outputs import split_patches
@@ -75,7 +75,7 @@ def cut_patches(side, record, strips):
     """Cut the patches of a side, record SideSearch, which lie on ``strips``, record SolvedStrips, along the
     rolling direction; ``side`` is its :class:`SolvedSide`."""
     for patch in record.patches[: record.patch_count]:
-        cut_patch(patch, strips)
+        divide_into_strips(patch, strips)
         nodes = [strips[k] for k in range(patch.first, patch.last + 1)]
         station, x = np.array([(node.station, node.x) for node in nodes]).T
         for strip in patch.strips:

@@ -7,11 +7,11 @@ import numpy as np
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
 from ..kernel.creep.creep_force import mirror_rolling
-from ..kernel.creep.cut import clear_creep
+from ..kernel.creep.rolling_strips import clear_creep
 from ..kernel.creep.tractions import add_strip
 from ..kernel.wheelset.forces import sum_forces
+from ..kernel.wheelset.input_checks import has_creep_forces
 from ..kernel.wheelset.report import report
-from ..kernel.wheelset.requested import has_creep_forces
 from ..status import Status
 from .free_rolling import BeyondAdhesion, rub_wheels
 from .rolling.extrapolation import roll_outline

@@ -12,8 +12,8 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.wheelset.requested import has_creep_forces, has_wear, requested_outcome
-from ..kernel.wheelset.rubbing import move_patches, move_wheelset
+from ..kernel.wheelset.input_checks import has_creep_forces, has_wear, requested_outcome
+from ..kernel.wheelset.rolling_contact import move_patches, move_wheelset
 from ..progress import tracked
 from ..status import Status
 from ..stepper import Stepper

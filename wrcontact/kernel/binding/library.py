@@ -139,14 +139,14 @@ class Kernel:
             source.write_methods(setup, tables)
         return outcome
 
-    def cut_patch(self, workspace):
+    def divide_into_strips(self, workspace):
         """Cut the patch by itself in the workspace (n,) into strips along the rolling direction."""
         if self.compiled:
             self.library.wrcontact_cut_patch(span(workspace))
             return
         work = Work.at(workspace)
-        source = import_module("..creep.cut", __package__)
-        source.cut_patch(work.patch, work.contact.strips)
+        source = import_module("..creep.rolling_strips", __package__)
+        source.divide_into_strips(work.patch, work.contact.strips)
 
     def solve_creep_force(self, tables, workspace):
         """The creep force of the patch by itself in the workspace (n,), by the model of the tables (n,)."""

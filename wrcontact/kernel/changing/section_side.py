@@ -25,9 +25,9 @@ from ..search.smallest_gap import search_side
 from ..sections.section_surface import section_jet
 from ..surface.locus import outline_point, outline_x
 from ..surface.tables import height_slope
-from ..wheelset.at_height import GRAZING
-from ..wheelset.side import load_side, press_side, solve_side, touch_side
-from ..wheelset.trial import DEEPEST
+from ..wheelset.prescribed_height import GRAZING
+from ..wheelset.side import load_side, lower_wheel, solve_side, touch_side
+from ..wheelset.residuals import DEEPEST
 from .one_valley import has_one_valley
 from .rail_at_pose import write_rail_at_pose
 from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track
@@ -116,7 +116,7 @@ def load_pressed_within(tables: Tables, work: Work, index: int, height: float, f
         return NOT_CONVERGED, True
     # the frame holds for this height
     side.best = -approach * pair.sections.frame.down[2]
-    status = press_side(tables, work, index, -side.best)
+    status = lower_wheel(tables, work, index, -side.best)
     if status == VALID and tables.depth != DEPTH_GEOMETRY:
         count, status = load_side(tables, work, index, 0.0, work.contact.frame.depth)
     if status > UNLOADED:

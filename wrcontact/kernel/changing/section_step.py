@@ -21,8 +21,8 @@ from ..layout import (
 from ..elementary.runs import copy_run
 from ..patch.outline import row_size
 from ..wheelset.report import report
-from ..wheelset.requested import check_inputs, counted_outcome, is_moving, is_needed, side_force
-from ..wheelset.rigid import pressed_outcome
+from ..wheelset.input_checks import check_inputs, counted_outcome, is_moving, is_needed, side_force
+from ..wheelset.rigid import penetration_status
 from ..wheelset.side import clear_side
 from ..wheelset.vertical_load import release_friction
 from .section_forces import sum_pushes
@@ -59,7 +59,7 @@ def evaluate_changing(tables: Tables, work: Work):
     if status <= UNLOADED:
         sum_pushes(tables, work)
         if tables.mode == MODE_RIGID:
-            status = pressed_outcome(tables, work, status)
+            status = penetration_status(tables, work, status)
     if status <= UNLOADED:
         report(tables, work)
         report_slopes(work, 0)

@@ -25,10 +25,10 @@ from ..layout import (
 from ..search.bounds import bend_bounds, node_below, only_rises_or_falls
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
-from .deep_points import append_point, deepest_entry, is_listed, merge_points, sort_last
+from .penetration_maxima import append_point, deepest_entry, is_listed, merge_points, sort_last
 from .overlap_samples import walk_overlap
 from .turning_cells import UNCLEAR, count_turns, foot_aside, list_from_samples
-from .pressed import LINE_SHARP, NODE_SHARP, meet_wheel, turning_point
+from .penetrated import LINE_SHARP, NODE_SHARP, meet_wheel, turning_point
 
 #: Between two samples the overlap is examined in this many parts at most; in half as many where both samples
 #: show that it turns.

@@ -19,7 +19,7 @@ from ..layout import RAIL, SEPARATION_NORMAL, SEPARATION_VERTICAL, WHEEL, Frame,
 from ..surface.tables import height_slope_bend
 from .frame import NO_GAP, normal_gap
 from .curves import curve_jet, move_across, move_to_station, within
-from .pressed import NOT_MET, met_curvature, pressed_gap
+from .penetrated import NOT_MET, met_curvature, penetrated_gap
 from .traces import note_point
 
 
@@ -121,7 +121,7 @@ def separation_jet(pair: Pair, frame: Frame, origin: Origin, station: float, tol
     if kind == SEPARATION_NORMAL and not frame.pressed:
         gap, rate, bend = normal_gap(pair, frame, station, tolerance)
     elif kind == SEPARATION_NORMAL:
-        gap, rate, bend = pressed_gap(pair, frame, station)
+        gap, rate, bend = penetrated_gap(pair, frame, station)
     else:
         gap, rate, bend = moved_separation(pair, frame, origin, station, kind)
     return gap, rate, bend

@@ -16,10 +16,10 @@ from typing import Final
 
 from ..layout import Overlap, Pair, Place, RailCell, Samples, Scan, TurnCell, inlined, seldom
 from ..search.bounds import only_rises_or_falls, rail_index, rail_place
-from ..search.rising_cell import departure_from_line
+from ..search.single_minimum import departure_from_line
 from ..surface.locus import outline_jet
-from .deep_points import append_point, is_listed
-from .pressed import turning_point
+from .penetration_maxima import append_point, is_listed
+from .penetrated import turning_point
 
 #: The overlap may turn more than once between two samples, or the bounds do not say.
 UNCLEAR: Final[int] = 2

@@ -1,4 +1,4 @@
-"""What the strips' force and stick share of an ellipse lack to those of the complete theory.
+"""Correction of the strip model: its error in force and stick share for an ellipse, against the complete theory.
 
 For the ellipse with the patch's area and length over width, r = a/b, the saturation
 

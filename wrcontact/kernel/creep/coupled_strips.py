@@ -1,6 +1,6 @@
 """Coupled strips: creep force of any patch, strip by strip.
 
-Each strip has its stick zone and its slip zone (march.py), with the stiffness that it has beside the others
+Each strip has its stick zone and its slip zone (traction_integration.py), with the stiffness that it has beside the others
 on one half-space (stiffness.py).  What an ellipse with the patch's area and length over width is known to
 differ by from the complete theory comes to the sum (correction.py).  Sums over a strip:
 
@@ -46,10 +46,10 @@ of which the first two count only for k^2 > 1, the first only for v k < 0.
 from math import fabs, pi, sqrt
 from typing import Final
 
-from ..layout import ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingStrip, Tables
+from ..layout import ROLLING_STRIP_LIMIT, Patch, Rolling, StripIntegration, RollingStrip, Tables
 from .correction import correct_force
 from .falling import open_falling
-from .march import NOTHING, march_strips, open_marches, set_pushes, set_stick
+from .traction_integration import NOTHING, integrate_strips, open_integrations, set_pushes, set_stick
 from .stiffness import patch_stiffnesses, stiffnesses_at
 from .tractions import add_strip, bound_rate, patch_area, point_weight
 
@@ -66,58 +66,65 @@ FLOOR_RATIO: Final[float] = 4.5
 FLOOR_TWIST: Final[float] = 1.5
 
 
-def open_stick_zone(march: RollingMarch, shift: float, width: float, ratio: float):
+def open_stick_zone(integration: StripIntegration, shift: float, width: float, ratio: float):
     """Depth and weight of a strip's stick zone as eq. (Z2) first has them, and the strip's share of linear
-    theory, into its march; its longitudinal creepage has a ``shift`` in it, ``width`` [m] is the strip's,
+    theory, into its integration; its longitudinal creepage has a ``shift`` in it, ``width`` [m] is the strip's,
     ``ratio`` the patch's a/b."""
-    a = march.half_length
-    inverse = 1.0 / march.rate
-    march.stick_x = -march.along * (march.slip + shift) * inverse
-    march.stick_y = -march.across * march.lateral * inverse
-    march.twist = -march.turning * march.spin * inverse
-    march.spread = spread_square(march, width * inverse, march.twist, ratio)
-    depth, weight = slip_depth(march.stick_x * march.stick_x + march.spread, march.stick_y, march.twist, a)
-    march.depth = depth
-    march.weight = weight
+    a = integration.half_length
+    inverse = 1.0 / integration.rate
+    integration.stick_x = -integration.along * (integration.slip + shift) * inverse
+    integration.stick_y = -integration.across * integration.lateral * inverse
+    integration.twist = -integration.turning * integration.spin * inverse
+    integration.spread = spread_square(integration, width * inverse, integration.twist, ratio)
+    depth, weight = slip_depth(
+        integration.stick_x * integration.stick_x + integration.spread,
+        integration.stick_y,
+        integration.twist,
+        a,
+    )
+    integration.depth = depth
+    integration.weight = weight
     if depth < a:
-        march.carried = weight * (1.0 - 0.5 * depth / a)
+        integration.carried = weight * (1.0 - 0.5 * depth / a)
     else:
-        march.carried = weight * (0.5 * a / depth)
+        integration.carried = weight * (0.5 * a / depth)
 
 
-def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
-    """Depth, direction and weight of a strip's stick zone, into its march; ``mean`` is the patch's share of
+def find_stick_zone(integration: StripIntegration, mean: float, ratio: float):
+    """Depth, direction and weight of a strip's stick zone, into its integration; ``mean`` is the patch's share of
     linear theory."""
-    a = march.half_length
-    share = later_share(march.depth / a, ratio)
-    yielding = YIELD / (1.0 + YIELD_TWIST * march.twist * march.twist)
-    push = share * (1.0 + yielding * (march.carried - mean) / (max(march.carried, mean) + NOTHING))
-    u = push * march.stick_x
-    v = push * march.stick_y
-    k = share * march.twist
-    depth, weight = slip_depth(u * u + share * share * march.spread, v, k, a)
-    weight = min(weight, march.weight)
-    march.depth = a
-    march.weight = 0.0
-    march.twist = k
-    march.stick_x = 0.0
-    march.stick_y = 0.0
-    march.lead_x = u
-    march.lead_y = v
+    a = integration.half_length
+    share = later_share(integration.depth / a, ratio)
+    yielding = YIELD / (1.0 + YIELD_TWIST * integration.twist * integration.twist)
+    push = share * (
+        1.0 + yielding * (integration.carried - mean) / (max(integration.carried, mean) + NOTHING)
+    )
+    u = push * integration.stick_x
+    v = push * integration.stick_y
+    k = share * integration.twist
+    depth, weight = slip_depth(u * u + share * share * integration.spread, v, k, a)
+    weight = min(weight, integration.weight)
+    integration.depth = a
+    integration.weight = 0.0
+    integration.twist = k
+    integration.stick_x = 0.0
+    integration.stick_y = 0.0
+    integration.lead_x = u
+    integration.lead_y = v
     if weight > 0.0 and depth < a:
-        march.depth = depth
-        march.stick_x = u / (depth + NOTHING)
-        march.stick_y = v / (depth + NOTHING) + k
-        march.weight = weight * smooth_step((1.0 - depth / a) / FADE) * edge_weight(march)
-    march.edge = 2.0 * march.depth - a
+        integration.depth = depth
+        integration.stick_x = u / (depth + NOTHING)
+        integration.stick_y = v / (depth + NOTHING) + k
+        integration.weight = weight * smooth_step((1.0 - depth / a) / FADE) * edge_weight(integration)
+    integration.edge = 2.0 * integration.depth - a
 
 
-def spread_square(march: RollingMarch, scale: float, k: float, ratio: float):
+def spread_square(integration: StripIntegration, scale: float, k: float, ratio: float):
     """s^2 [m^2] of eq. (Z3); ``scale`` is the strip's width over m."""
-    over_width = march.along * march.spin * scale
+    over_width = integration.along * integration.spin * scale
     twist = min(fabs(k), FLOOR_TWIST)
     long = min(ratio / FLOOR_RATIO, 1.0)
-    floor = SPREAD_FLOOR * long * twist * twist * march.half_length
+    floor = SPREAD_FLOOR * long * twist * twist * integration.half_length
     return over_width * over_width / 6.0 + floor * floor
 
 
@@ -153,13 +160,13 @@ def later_share(depth: float, ratio: float):
     return share
 
 
-def edge_weight(march: RollingMarch):
+def edge_weight(integration: StripIntegration):
     """The second factor of eq. (Z5)."""
     weight = 1.0
-    if march.twist * march.twist > 1.0:
-        t = sqrt(1.0 - march.depth / march.half_length)
-        along = march.stick_x * (1.0 - t)
-        across = march.stick_y * (1.0 - t) + march.twist * t
+    if integration.twist * integration.twist > 1.0:
+        t = sqrt(1.0 - integration.depth / integration.half_length)
+        along = integration.stick_x * (1.0 - t)
+        across = integration.stick_y * (1.0 - t) + integration.twist * t
         weight = 1.0 - smooth_step(sqrt(along * along + across * across) - 1.0)
     return weight
 
@@ -185,24 +192,29 @@ def solve_coupled_strips(tables: Tables, rolling: Rolling, patch: Patch):
 
 def add_strips(tables: Tables, rolling: Rolling, patch: Patch):
     """What the strips add up to, without correction; friction's share of that of rest."""
-    marches = rolling.marches
+    integrations = rolling.integrations
     ratio = patch.half_length / patch.half_width
     plane, spinning = flexibilities(patch)
-    open_marches(marches, ratio)
+    open_integrations(integrations, ratio)
     mean = open_stick_zones(rolling, patch, ratio)
     falls = patch.fall_rate > 0.0
     if falls:
         open_falling(rolling.falling, patch)
     stuck = 0.0
     for i in range(ROLLING_STRIP_LIMIT):
-        march = rolling.begun[i]
-        if march.rate > 0.0:
-            find_stick_zone(march, mean, ratio)
-            set_pushes(march, marches, i, plane, spinning, ratio)
-            set_stick(tables.rolling, march, marches, i)
-            stuck += 2.0 * (march.half_length - march.depth) * march.weight * patch.strips[i].width
-    march_strips(tables.rolling, marches, rolling.falling, falls)
-    finish_marches(rolling, patch)
+        integration = rolling.begun[i]
+        if integration.rate > 0.0:
+            find_stick_zone(integration, mean, ratio)
+            set_pushes(integration, integrations, i, plane, spinning, ratio)
+            set_stick(tables.rolling, integration, integrations, i)
+            stuck += (
+                2.0
+                * (integration.half_length - integration.depth)
+                * integration.weight
+                * patch.strips[i].width
+            )
+    integrate_strips(tables.rolling, integrations, rolling.falling, falls)
+    finish_integrations(rolling, patch)
     patch.stick_share = stuck / patch_area(patch)
     share = 1.0
     if falls:
@@ -216,14 +228,14 @@ def open_stick_zones(rolling: Rolling, patch: Patch, ratio: float):
     whole = 0.0
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
-        march = rolling.begun[i]
-        march.rate = bound_rate(patch, strip)
-        if march.rate > 0.0:
-            begin_march(rolling, march, strip, i)
-            open_stick_zone(march, rolling.shift, strip.width, ratio)
-            weight = march.along * march.half_length * strip.width
+        integration = rolling.begun[i]
+        integration.rate = bound_rate(patch, strip)
+        if integration.rate > 0.0:
+            begin_integration(rolling, integration, strip, i)
+            open_stick_zone(integration, rolling.shift, strip.width, ratio)
+            weight = integration.along * integration.half_length * strip.width
             whole += weight
-            carried += weight * march.carried
+            carried += weight * integration.carried
     return carried / (whole + NOTHING)
 
 
@@ -241,35 +253,35 @@ def flexibilities(patch: Patch):
     return 0.5 * pi * first / second, 0.75 * pi * second / third
 
 
-def begin_march(rolling: Rolling, march: RollingMarch, strip: RollingStrip, index: int):
-    """Creepages and stiffnesses of a strip, into its ``march``."""
-    march.half_length = strip.half_length
-    march.slip = strip.slip
-    march.lateral = strip.lateral
-    march.spin = strip.spin
+def begin_integration(rolling: Rolling, integration: StripIntegration, strip: RollingStrip, index: int):
+    """Creepages and stiffnesses of a strip, into its ``integration``."""
+    integration.half_length = strip.half_length
+    integration.slip = strip.slip
+    integration.lateral = strip.lateral
+    integration.spin = strip.spin
     along, across, turning = stiffnesses_at(rolling.blocks, index, strip.station)
-    march.along = along
-    march.across = across
-    march.turning = turning
+    integration.along = along
+    integration.across = across
+    integration.turning = turning
 
 
-def finish_marches(rolling: Rolling, patch: Patch):
+def finish_integrations(rolling: Rolling, patch: Patch):
     """Add the strips' forces, eqs. (T1), (T2), and find the largest traction."""
-    marches = rolling.marches
+    integrations = rolling.integrations
     largest = 0.0
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
         unit = bound_rate(patch, strip) * strip.half_length
-        square = marches.largest[i] * unit * unit
+        square = integrations.largest[i] * unit * unit
         largest = max(largest, square)
         if unit > 0.0:
             unit *= point_weight(strip)
             add_strip(
                 patch,
                 strip,
-                unit * marches.sum_x[i],
-                unit * marches.sum_y[i],
-                unit * strip.half_length * marches.sum_moment[i],
+                unit * integrations.sum_x[i],
+                unit * integrations.sum_y[i],
+                unit * strip.half_length * integrations.sum_moment[i],
             )
     patch.max_shear = sqrt(largest)
 

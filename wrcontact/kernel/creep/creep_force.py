@@ -11,7 +11,7 @@ from ..layout import (
     Tables,
 )
 from .coupled_strips import solve_coupled_strips
-from .cut import clear_creep
+from .rolling_strips import clear_creep
 from .fastrip import solve_fastrip
 from .fastsim import solve_fastsim
 from .friction import keep_dissipating

@@ -5,7 +5,7 @@ What slips at the point x of a strip has the share
     f = (1 - A) exp(-t) + A,   t = (B V_ref / k) sqrt(w_x^2 + (w_y + phi x)^2)                   (L1)
 
 of the friction of rest, with the strip's creepages and spin and the k of a reduced slope, by which they are
-multiplied.  Stick zones, marches and directions are those of the friction of rest: only tractions of slip
+multiplied.  Stick zones, integrations and directions are those of the friction of rest: only tractions of slip
 count f times.  So the force is continuous, and no equation has several solutions.  The coefficient of
 friction of the patch is then the mean over its points, weighted with their pressure, in which what sticks
 counts with the friction of rest.
@@ -16,7 +16,7 @@ The correction of strips counts in proportion to that mean.
 from math import sqrt
 from typing import Final
 
-from ..layout import ROLLING_STRIP_LIMIT, FallingFriction, Patch, RollingMarches, RollingStrip
+from ..layout import ROLLING_STRIP_LIMIT, FallingFriction, Patch, StripIntegrations, RollingStrip
 
 #: exp(-t) is the sixty-fourth power of exp(-t/64).
 POWER: Final[float] = 64.0
@@ -65,22 +65,22 @@ def decay(t: float):
     return p * p
 
 
-def weigh_slips(marches: RollingMarches, falling: FallingFriction, bound: float):
+def weigh_slips(integrations: StripIntegrations, falling: FallingFriction, bound: float):
     """Let what slips at a point with the ``bound`` count with friction's share, until
     :func:`restore_slips`."""
     for i in range(ROLLING_STRIP_LIMIT):
         share = falling.share[i]
-        slips = marches.slips[i]
-        noted = marches.noted[i]
+        slips = integrations.slips[i]
+        noted = integrations.noted[i]
         falling.slips[i] = slips
         falling.noted[i] = noted
         falling.lost[i] += bound * bound * slips * (1.0 - share)
-        marches.slips[i] = slips * share
-        marches.noted[i] = noted * share * share
+        integrations.slips[i] = slips * share
+        integrations.noted[i] = noted * share * share
 
 
-def restore_slips(marches: RollingMarches, falling: FallingFriction):
+def restore_slips(integrations: StripIntegrations, falling: FallingFriction):
     """Let what slips count as a whole again."""
     for i in range(ROLLING_STRIP_LIMIT):
-        marches.slips[i] = falling.slips[i]
-        marches.noted[i] = falling.noted[i]
+        integrations.slips[i] = falling.slips[i]
+        integrations.noted[i] = falling.noted[i]

@@ -22,7 +22,7 @@ from ..layout import (
     ROLLING_STRIP_LIMIT,
     Patch,
     Rolling,
-    RollingMarch,
+    StripIntegration,
     RollingStrip,
     RollingTable,
     Tables,
@@ -34,60 +34,60 @@ from .tractions import add_strip, bound_rate, cut_to, kalker_coefficients, patch
 
 def solve_fastrip(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch."""
-    march = rolling.march
+    integration = rolling.integration
     along, across, turning = stiffnesses(tables, patch)
-    set_stiffnesses(tables, patch, march)
-    march.largest = 0.0
+    set_stiffnesses(tables, patch, integration)
+    integration.largest = 0.0
     stuck = 0.0
     lost = 0.0
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
         rate = bound_rate(patch, strip)
         if rate > 0.0:
-            march.half_length = strip.half_length
-            march.rate = rate
+            integration.half_length = strip.half_length
+            integration.rate = rate
             slanted = strip.spin * strip.x
-            find_stick(march, longitudinal(tables, rolling, patch, strip), strip.lateral, strip.spin)
-            march.push_x = strip_push(rolling, patch, strip, along, turning)
-            march.push_y = (strip.lateral - slanted) * across + slanted * turning
-            march.push_turn = strip.spin * turning
-            lost += add_tractions(tables.rolling, patch, march, strip)
-            stuck += 2.0 * (march.half_length - march.depth) * strip.width
+            find_stick(integration, longitudinal(tables, rolling, patch, strip), strip.lateral, strip.spin)
+            integration.push_x = strip_push(rolling, patch, strip, along, turning)
+            integration.push_y = (strip.lateral - slanted) * across + slanted * turning
+            integration.push_turn = strip.spin * turning
+            lost += add_tractions(tables.rolling, patch, integration, strip)
+            stuck += 2.0 * (integration.half_length - integration.depth) * strip.width
     patch.friction -= lost / patch.totals.load
-    patch.max_shear = sqrt(march.largest)
+    patch.max_shear = sqrt(integration.largest)
     patch.stick_share = stuck / patch_area(patch)
 
 
-def set_stiffnesses(tables: Tables, patch: Patch, march: RollingMarch):
+def set_stiffnesses(tables: Tables, patch: Patch, integration: StripIntegration):
     """K1, K2, K3 of all strips; eq. (A1)."""
     ratio = patch.half_length / patch.half_width
     first, second, third = kalker_coefficients(tables.rolling, ratio)
     modulus = tables.shear_modulus
-    march.along = 2.0 * first * modulus / (pi * pi)
-    march.across = 2.0 * second * modulus / (pi * pi)
-    march.turning = 1.5 * third * modulus / (pi * sqrt(ratio))
+    integration.along = 2.0 * first * modulus / (pi * pi)
+    integration.across = 2.0 * second * modulus / (pi * pi)
+    integration.turning = 1.5 * third * modulus / (pi * sqrt(ratio))
 
 
 def longitudinal(tables: Tables, rolling: Rolling, patch: Patch, strip: RollingStrip):
     """K1 w_x of a strip [Pa]."""
-    march = rolling.march
-    push = march.along * strip.slip
+    integration = rolling.integration
+    push = integration.along * strip.slip
     if rolling.published:
-        push = march.along * patch.creepage_x + march.turning * (strip.slip - patch.creepage_x) / (
-            1.0 - tables.parameters.poisson_ratio
-        )
+        push = integration.along * patch.creepage_x + integration.turning * (
+            strip.slip - patch.creepage_x
+        ) / (1.0 - tables.parameters.poisson_ratio)
     return push
 
 
-def find_stick(march: RollingMarch, push: float, lateral: float, spin: float):
+def find_stick(integration: StripIntegration, push: float, lateral: float, spin: float):
     """Depth of the slip zone and direction of the stick zone of a strip; ``push`` = K1 w_x."""
-    u = -push / march.rate
-    v = -march.across * lateral / march.rate
-    k = -march.turning * spin / march.rate
+    u = -push / integration.rate
+    v = -integration.across * lateral / integration.rate
+    k = -integration.turning * spin / integration.rate
     rest = 1.0 - k * k
     cross = v * k
     spread = v * v + rest * u * u
-    depth = 2.0 * march.half_length
+    depth = 2.0 * integration.half_length
     if rest > 0.0:
         root = sqrt(spread)
         depth = root + cross
@@ -97,40 +97,40 @@ def find_stick(march: RollingMarch, push: float, lateral: float, spin: float):
         depth /= rest
     elif cross < 0.0 and spread > 0.0:
         depth = (u * u + v * v) / (sqrt(spread) - cross)
-    march.twist = k
-    march.depth = march.half_length
-    march.lead_x = u
-    march.lead_y = v
-    march.stick_x = 0.0
-    march.stick_y = 0.0
-    if depth < march.half_length:
-        march.depth = depth
-        march.stick_x = u / (depth + 1e-300)
-        march.stick_y = v / (depth + 1e-300) + k
-    march.edge = 2.0 * march.depth - march.half_length
+    integration.twist = k
+    integration.depth = integration.half_length
+    integration.lead_x = u
+    integration.lead_y = v
+    integration.stick_x = 0.0
+    integration.stick_y = 0.0
+    if depth < integration.half_length:
+        integration.depth = depth
+        integration.stick_x = u / (depth + 1e-300)
+        integration.stick_y = v / (depth + 1e-300) + k
+    integration.edge = 2.0 * integration.depth - integration.half_length
 
 
-def add_tractions(table: RollingTable, patch: Patch, march: RollingMarch, strip: RollingStrip):
+def add_tractions(table: RollingTable, patch: Patch, integration: StripIntegration, strip: RollingStrip):
     """Add a strip's force from its tractions; what its bound loses where friction falls [N].
 
     The stick zone's are those of strip theory without end, integrated exactly as in eqs. (T1), (T2), but for
     the points behind its edge, and for what the bound cuts.
     """
-    a = march.half_length
-    march.x = a
-    march.first_x = 0.0
-    march.first_y = 0.0
+    a = integration.half_length
+    integration.x = a
+    integration.first_x = 0.0
+    integration.first_y = 0.0
     lost = 0.0
-    open_stick(march)
+    open_stick(integration)
     for q in range(POINT_LIMIT):
         x = a * table.cosines[q]
-        bound = march.rate * a * table.sines[q]
-        march_on(march, x, bound)
-        p_x, p_y = slip_direction(march, bound)
-        without_x = march.stick_x * bound
-        without_y = march.stick_y * bound
-        if x > march.edge:
-            without_x, without_y = stick_traction(march, x, bound)
+        bound = integration.rate * a * table.sines[q]
+        integrate_on(integration, x, bound)
+        p_x, p_y = slip_direction(integration, bound)
+        without_x = integration.stick_x * bound
+        without_y = integration.stick_y * bound
+        if x > integration.edge:
+            without_x, without_y = stick_traction(integration, x, bound)
             p_x, p_y = cut_to(without_x, without_y, bound)
         elif patch.fall_rate > 0.0:
             share = point_share(patch, strip, x)
@@ -138,42 +138,50 @@ def add_tractions(table: RollingTable, patch: Patch, march: RollingMarch, strip:
             p_y *= share
             lost += table.sines[q] * bound * (1.0 - share)
         square = p_x * p_x + p_y * p_y
-        march.largest = max(march.largest, square)
-        march.sum_x += table.sines[q] * (p_x - without_x)
-        march.sum_y += table.sines[q] * (p_y - without_y)
-        march.sum_moment += table.sines[q] * x * (p_y - without_y)
+        integration.largest = max(integration.largest, square)
+        integration.sum_x += table.sines[q] * (p_x - without_x)
+        integration.sum_y += table.sines[q] * (p_y - without_y)
+        integration.sum_moment += table.sines[q] * x * (p_y - without_y)
     weight = point_weight(strip)
-    add_strip(patch, strip, weight * march.sum_x, weight * march.sum_y, weight * march.sum_moment)
+    add_strip(
+        patch, strip, weight * integration.sum_x, weight * integration.sum_y, weight * integration.sum_moment
+    )
     return weight * strip.width * lost
 
 
-def open_stick(march: RollingMarch):
+def open_stick(integration: StripIntegration):
     """Sums over the points of strip theory's traction without end; nothing where all of a strip slips."""
-    march.sum_x = 0.0
-    march.sum_y = 0.0
-    march.sum_moment = 0.0
-    if march.depth < march.half_length:
-        depth = march.depth / march.half_length
-        whole = 0.5 * float(POINT_LIMIT + 1) * march.rate
-        march.sum_x = whole * march.lead_x * (2.0 - depth)
-        march.sum_y = whole * (march.lead_y * (2.0 - depth) + march.twist * march.half_length)
-        march.sum_moment = -whole * march.lead_y * march.half_length * (1.0 - depth) * (1.0 - depth)
+    integration.sum_x = 0.0
+    integration.sum_y = 0.0
+    integration.sum_moment = 0.0
+    if integration.depth < integration.half_length:
+        depth = integration.depth / integration.half_length
+        whole = 0.5 * float(POINT_LIMIT + 1) * integration.rate
+        integration.sum_x = whole * integration.lead_x * (2.0 - depth)
+        integration.sum_y = whole * (
+            integration.lead_y * (2.0 - depth) + integration.twist * integration.half_length
+        )
+        integration.sum_moment = (
+            -whole * integration.lead_y * integration.half_length * (1.0 - depth) * (1.0 - depth)
+        )
 
 
-def march_on(march: RollingMarch, x: float, bound: float):
+def integrate_on(integration: StripIntegration, x: float, bound: float):
     """FASTSIM's traction at the next point ``x``."""
-    step = march.x - x
-    across = march.push_y + march.push_turn * (x + 0.5 * step)
-    p_x, p_y = cut_to(march.first_x - step * march.push_x, march.first_y - step * across, bound)
-    march.x = x
-    march.first_x = p_x
-    march.first_y = p_y
+    step = integration.x - x
+    across = integration.push_y + integration.push_turn * (x + 0.5 * step)
+    p_x, p_y = cut_to(
+        integration.first_x - step * integration.push_x, integration.first_y - step * across, bound
+    )
+    integration.x = x
+    integration.first_x = p_x
+    integration.first_y = p_y
 
 
-def slip_direction(march: RollingMarch, bound: float):
+def slip_direction(integration: StripIntegration, bound: float):
     """The bound in the direction of FASTSIM's traction."""
-    p_x = march.first_x
-    p_y = march.first_y
+    p_x = integration.first_x
+    p_y = integration.first_y
     size = sqrt(p_x * p_x + p_y * p_y)
     if size > 0.0:
         p_x *= bound / size
@@ -181,10 +189,12 @@ def slip_direction(march: RollingMarch, bound: float):
     return p_x, p_y
 
 
-def stick_traction(march: RollingMarch, x: float, bound: float):
+def stick_traction(integration: StripIntegration, x: float, bound: float):
     """The traction of strip theory at ``x`` in the stick zone, eq. (Z1), in a form that is regular where no
     depth slips."""
-    reach = march.half_length - march.depth
-    root = march.rate * sqrt(max(reach * reach - (x - march.depth) * (x - march.depth), 0.0))
-    lead = 2.0 * march.rate * march.rate * (march.half_length - x) / (bound + root)
-    return march.lead_x * lead, march.lead_y * lead + march.twist * bound
+    reach = integration.half_length - integration.depth
+    root = integration.rate * sqrt(
+        max(reach * reach - (x - integration.depth) * (x - integration.depth), 0.0)
+    )
+    lead = 2.0 * integration.rate * integration.rate * (integration.half_length - x) / (bound + root)
+    return integration.lead_x * lead, integration.lead_y * lead + integration.twist * bound

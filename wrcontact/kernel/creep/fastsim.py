@@ -38,7 +38,7 @@ def solve_fastsim(tables: Tables, rolling: Rolling, patch: Patch):
         rate = bound_rate(patch, strip)
         if rate > 0.0:
             push = strip_push(rolling, patch, strip, along, turning)
-            sticks, loses = march_strip(tables.rolling, patch, strip, rate, push, across, turning)
+            sticks, loses = integrate_strip(tables.rolling, patch, strip, rate, push, across, turning)
             stuck += sticks
             lost += loses
     patch.friction -= lost / patch.totals.load
@@ -68,7 +68,7 @@ def strip_push(rolling: Rolling, patch: Patch, strip: RollingStrip, along: float
     return push
 
 
-def march_strip(
+def integrate_strip(
     table: RollingTable,
     patch: Patch,
     strip: RollingStrip,

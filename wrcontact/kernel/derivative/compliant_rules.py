@@ -3,11 +3,11 @@
 from ..layout import Tables, Work
 from ..surface.gap import vertical_gap
 from ..surface.rails import is_sprung
-from ..wheelset.at_height import is_damped, load_at_height
-from ..wheelset.requested import is_moving, is_needed
-from ..wheelset.leaning import set_reference
-from ..wheelset.rubbing import open_given_motion
-from ..wheelset.springs import UNSETTLED, deflect, has_settled, open_settling, weigh_rail
+from ..wheelset.prescribed_height import is_damped, load_at_height
+from ..wheelset.input_checks import is_moving, is_needed
+from ..wheelset.rolled_rails import set_reference
+from ..wheelset.rolling_contact import open_given_motion
+from ..wheelset.springs import UNSETTLED, deflect, is_balanced, open_equilibrium, weigh_rail
 from .intrinsics import held, moving, nonzero, rate_of, seeded
 from .motion_rules import place_moving
 
@@ -36,27 +36,27 @@ def follow_deflection(tables: Tables, work: Work, index: int, lateral: float, ve
     weigh_rail(tables, work, index, work.inputs.vertical_shift)
 
 
-def follow_settled(tables: Tables, work: Work, index: int) -> bool:
+def follow_balanced(tables: Tables, work: Work, index: int) -> bool:
     """The rail of a side, settled on its springs: the residuals of both deflections vanish.
 
-    Whether they do not: then a force jumps past what the springs carry (settling_brackets.py), and no
+    Whether they do not: then a force jumps past what the springs carry (rail_deflection_brackets.py), and no
     equation gives the rate of that place.
     """
-    settling = work.settling
-    open_settling(tables, work, index)
+    equilibrium = work.equilibrium
+    open_equilibrium(tables, work, index)
     lateral = held(work.sides[index].deflection.lateral)
     vertical = held(work.sides[index].deflection.vertical)
     follow_deflection(tables, work, index, lateral, vertical)
-    if not has_settled(settling, work.sides[index], UNSETTLED):
+    if not is_balanced(equilibrium, work.sides[index], UNSETTLED):
         return True
-    residual_lateral = rate_of(settling.lateral)
-    residual_vertical = rate_of(settling.vertical)
+    residual_lateral = rate_of(equilibrium.lateral)
+    residual_vertical = rate_of(equilibrium.vertical)
     follow_deflection(tables, work, index, seeded(lateral, 1.0), vertical)
-    lateral_lateral = rate_of(settling.lateral) - residual_lateral
-    vertical_lateral = rate_of(settling.vertical) - residual_vertical
+    lateral_lateral = rate_of(equilibrium.lateral) - residual_lateral
+    vertical_lateral = rate_of(equilibrium.vertical) - residual_vertical
     follow_deflection(tables, work, index, lateral, seeded(vertical, 1.0))
-    lateral_vertical = rate_of(settling.lateral) - residual_lateral
-    vertical_vertical = rate_of(settling.vertical) - residual_vertical
+    lateral_vertical = rate_of(equilibrium.lateral) - residual_lateral
+    vertical_vertical = rate_of(equilibrium.vertical) - residual_vertical
     determinant = lateral_lateral * vertical_vertical - lateral_vertical * vertical_lateral
     if not nonzero(determinant):
         return True
@@ -68,7 +68,7 @@ def follow_settled(tables: Tables, work: Work, index: int) -> bool:
 
 def follow_compliant(tables: Tables, work: Work) -> bool:
     """Both sides of a wheelset at the height and roll of the inputs; whether their rates are not defined
-    (``follow_settled``)."""
+    (``follow_balanced``)."""
     outcome = False
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
@@ -81,7 +81,7 @@ def follow_compliant(tables: Tables, work: Work) -> bool:
     for index in range(2):
         if is_needed(tables, work.inputs, index):
             if is_sprung(tables, index):
-                undefined = follow_settled(tables, work, index)
+                undefined = follow_balanced(tables, work, index)
                 outcome = outcome or undefined
             else:
                 follow_minimum(tables, work, index)

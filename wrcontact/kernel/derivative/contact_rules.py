@@ -6,7 +6,7 @@ from math import fabs, sqrt
 
 from ..contact.curves import arc_length, curve_jet, curve_speed, move_across, move_arc, move_chord
 from ..contact.overlaps import find_overlaps
-from ..contact.pressed import LINE_SHARP, meet_wheel
+from ..contact.penetrated import LINE_SHARP, meet_wheel
 from ..contact.separation import separation_jet
 from ..contact.traces import start_traces
 from ..contact.widths import HALVED_SHARP, WIDTH_TRACE, width_limit, width_tolerance, zone_width

@@ -3,11 +3,11 @@ elastic wheelset."""
 
 from ..creep.motion import constraint_residual, set_rates
 from ..layout import Inputs, Tables, Work
-from ..search.roll import lean_both, place_both, turn_both
+from ..search.roll import roll_rails, place_both, turn_both
 from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
-from ..wheelset.leaning import set_reference
-from ..wheelset.requested import side_force
-from ..wheelset.trial import balance_side
+from ..wheelset.rolled_rails import set_reference
+from ..wheelset.input_checks import side_force
+from ..wheelset.residuals import balance_side
 from .elementary_rules import sine_cosine_rule
 from .intrinsics import held, nonzero, rate_of, seeded
 
@@ -20,7 +20,7 @@ def place_moving(tables: Tables, work: Work, inputs: Inputs, roll: float):
     else:
         begin_yaw(work, inputs, roll)
         if nonzero(rate_of(inputs.left_rail_roll)) or nonzero(rate_of(inputs.right_rail_roll)):
-            lean_both(tables, inputs, work.sides, roll)
+            roll_rails(tables, inputs, work.sides, roll)
 
 
 def begin_yaw(work: Work, inputs: Inputs, roll: float):

@@ -5,10 +5,10 @@ from math import fabs
 from ..creep.motion import are_independent
 from ..layout import Tables, Work
 from ..surface.rails import on_springs
-from ..wheelset.forces import rub_patch
+from ..wheelset.forces import add_creep_force
 from ..wheelset.free_rolling import UNCARRIED, nominal_rate
-from ..wheelset.requested import is_free, outer_torque
-from ..wheelset.rubbing import move_side, open_given_motion, rub_side
+from ..wheelset.input_checks import is_free, outer_torque
+from ..wheelset.rolling_contact import move_side, open_given_motion, solve_side_creep
 from .intrinsics import held, nonzero, rate_of, seeded
 from .compliant_rules import follow_compliant
 
@@ -24,7 +24,7 @@ def follow_turning(tables: Tables, work: Work) -> bool:
                 undefined = undefined or lost
             else:
                 move_side(tables, work.sides[index])
-                rub_side(tables, work, index)
+                solve_side_creep(tables, work, index)
     else:
         undefined = follow_turn(tables, work, 0, 1)
     return undefined
@@ -62,10 +62,10 @@ def follow_torque(tables: Tables, work: Work, first: int, last: int, rate: float
         side = work.sides[index]
         side.motion.wheel_rate = rate
         move_side(tables, side)
-        rub_side(tables, work, index)
+        solve_side_creep(tables, work, index)
         for number in range(side.patch_count):
             patch = side.patches[number]
-            rub_patch(side.motion, patch)
+            add_creep_force(side.motion, patch)
             torque += patch.forces.driving_torque
             scale += held(patch.friction * patch.totals.load * patch.rolling_radius)
     return torque, scale

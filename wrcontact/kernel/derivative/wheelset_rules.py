@@ -21,12 +21,12 @@ from ..surface.gap import gap_per_roll, vertical_gap
 from ..wheelset.enclosing import UNBALANCED
 from ..wheelset.forces import sum_forces
 from ..wheelset.free_rolling import turns_freely
-from ..wheelset.requested import is_moving, side_force
-from ..wheelset.leaning import set_reference
-from ..wheelset.rubbing import move_patches, move_wheelset, rub_patches
+from ..wheelset.input_checks import is_moving, side_force
+from ..wheelset.rolled_rails import set_reference
+from ..wheelset.rolling_contact import move_patches, move_wheelset, solve_creep_forces
 from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
-from ..wheelset.trial import balance_side
+from ..wheelset.residuals import balance_side
 from ..wheelset.vertical_load import carried_share, carries_friction
 from .compliant_rules import follow_compliant, follow_minimum
 from .intrinsics import held, moving, nonzero, rate_of, seeded
@@ -59,7 +59,7 @@ def follow_gaps(tables: Tables, work: Work, roll: float, height: float):
     return left - height, right - height
 
 
-def follow_leaning_roll(tables: Tables, work: Work):
+def follow_roll_on_rolled_rails(tables: Tables, work: Work):
     """The rigid roll [rad] over rolled rails: roll and vertical shift let both gaps end at the reference,
     which moves with them."""
     roll = held(work.wheelset.roll)
@@ -124,7 +124,7 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
 
 def differentiate(tables: Tables, work: Work) -> bool:
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
-    left it; whether the rates are not defined (``follow_elastic``, ``follow_settled``)."""
+    left it; whether the rates are not defined (``follow_elastic``, ``follow_balanced``)."""
     outcome = follow_wheelset(tables, work)
     if carries_friction(tables, work):
         outcome = follow_load(tables, work)
@@ -171,7 +171,7 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
     if mode == MODE_RIGID:
         roll = follow_roll(tables, work)
         if work.sides[1].place.leaning:
-            roll = follow_leaning_roll(tables, work)
+            roll = follow_roll_on_rolled_rails(tables, work)
         place_moving(tables, work, work.inputs, roll)
         follow_minimum(tables, work, 0)
         follow_minimum(tables, work, 1)
@@ -189,6 +189,6 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
         outcome = outcome or undefined
     else:
         move_patches(tables, work)
-        rub_patches(tables, work)
+        solve_creep_forces(tables, work)
     sum_forces(tables, work)
     return outcome

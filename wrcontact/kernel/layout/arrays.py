@@ -120,7 +120,7 @@ class Spring:
 
 
 @record
-class Settled:
+class TriedDeflection:
     """A deflection of a rail, and what its springs carry there more than the wheel presses."""
 
     lateral: float  # [m]
@@ -130,7 +130,7 @@ class Settled:
 
 
 @record
-class Settling:
+class RailEquilibrium:
     """A rail on springs that settles under the forces of its wheel.
 
     Over a step in time a damper is a spring, too, from another place.
@@ -150,14 +150,14 @@ class Settling:
     vertical_vertical: float
     move_lateral: float  # the last move [m]
     move_vertical: float
-    one: Settled  # two deflections whose moves lead towards each other,
-    other: Settled
+    one: TriedDeflection  # two deflections whose moves lead towards each other,
+    other: TriedDeflection
     away_lateral: float  # and the move from the first [m]
     away_vertical: float
 
 
 @record
-class SettledRail:
+class BalancedRail:
     """A rail that has settled in this step, for the case that its wheel turns at another rate."""
 
     standing: (
@@ -318,8 +318,8 @@ class Work:
     roll_bracket: Bracket
     trials: RollTrials
     reference: Reference
-    settling: Settling
-    settled: SettledRail * 2
+    equilibrium: RailEquilibrium
+    settled: BalancedRail * 2
     wheelset: Wheelset
     turning: Turning
     rolling: Rolling

@@ -129,7 +129,7 @@ class KeptStiffnesses:
 
 
 @record
-class RollingMarch:
+class StripIntegration:
     """A strip while its stick zone is found, and FaStrip's tractions; equations of coupled_strips.py."""
 
     half_length: float  # a [m]
@@ -167,20 +167,20 @@ StripRow = run(ROLLING_STRIP_LIMIT)
 
 
 @record
-class RollingMarches:
-    """All strips side by side while their tractions are followed; equations of march.py.  Places are
+class StripIntegrations:
+    """All strips side by side while their tractions are followed; equations of traction_integration.py.  Places are
     over a and tractions over m a."""
 
-    push_x: StripRow  # what the traction of march A loses per way: along,
+    push_x: StripRow  # what the traction of integration A loses per way: along,
     push_y: StripRow  # across on the middle,
     push_turn: StripRow  # and across per distance from it
-    centre_x: StripRow  # the same of march B
+    centre_x: StripRow  # the same of integration B
     centre_y: StripRow
     centre_turn: StripRow
     lag: StripRow  # where in a step the spin is taken, of the step
     slips: StripRow  # how much the traction of slip counts,
     noted: StripRow  # and the square of it in the largest traction
-    first_x: StripRow  # tractions of both marches
+    first_x: StripRow  # tractions of both integrations
     first_y: StripRow
     second_x: StripRow
     second_y: StripRow
@@ -197,7 +197,7 @@ class RollingMarches:
     edge_share: StripRow  # its way to the next point, of the step between the points around it
     next: StripRow  # the next strip whose stick zone ends before the same point; -1: none
     at_point: Float * POINT_LIMIT  # the first of them
-    share: float  # W, of march B in the direction of slip
+    share: float  # W, of integration B in the direction of slip
 
 
 @record
@@ -209,7 +209,7 @@ class FallingFriction:
     slide_y: StripRow  # across on the middle,
     slide_turn: StripRow  # and across per place x/a
     share: StripRow  # friction at the point over that of rest
-    slips: StripRow  # slips and noted of the marches, without friction's share
+    slips: StripRow  # slips and noted of the integrations, without friction's share
     noted: StripRow
     lost: StripRow  # sums over the points of what friction has lost
 
@@ -229,9 +229,9 @@ class Rolling:
     equations_x: BlockMatrix  # of the blocks, for longitudinal and lateral creepage and for spin
     equations_y: BlockMatrix
     equations_spin: BlockMatrix
-    march: RollingMarch  # of FaStrip, one strip after the other
-    begun: RollingMarch * ROLLING_STRIP_LIMIT
-    marches: RollingMarches
+    integration: StripIntegration  # of FaStrip, one strip after the other
+    begun: StripIntegration * ROLLING_STRIP_LIMIT
+    integrations: StripIntegrations
     falling: FallingFriction
     stiffnesses: KeptStiffnesses * AXLE_PATCHES
 

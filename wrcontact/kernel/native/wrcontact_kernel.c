@@ -22,7 +22,7 @@ int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *i
 
 void wrcontact_cut_patch(array_double_1d workspace)
 {
-    cut__cut_patch(workspace, layout__WORK_PATCH);
+    rolling_strips__divide_into_strips(workspace, layout__WORK_PATCH);
 }
 
 void wrcontact_solve_creep_force(array_double_1d tables, array_double_1d workspace)

@@ -11,9 +11,9 @@ The estimate depends on pose and force alone and is smooth in them, and so is th
 from math import isfinite
 from typing import Final
 
-from ..contact.deep_points import keep_deepest
+from ..contact.penetration_maxima import keep_deepest
 from ..contact.frame import locate_along_track
-from ..contact.pressed_regions import gather_overlaps, sink_wheel
+from ..contact.penetrated_regions import gather_overlaps, sink_wheel
 from ..contact.widths import keep_widths, start_widths
 from ..layout import REGION_LIMIT, Contact, Pair, SideSearch
 from .analyn import solve_penetrations

@@ -16,7 +16,7 @@ nothing, ANALYN's answer stays.
 from math import isfinite
 from typing import Final
 
-from ..contact.pressed_regions import raise_wheel
+from ..contact.penetrated_regions import raise_wheel
 from ..layout import REGION_LIMIT, Contact, Pair, Patch, Regions, SideSearch, SolvedStrips, seldom
 from .analyn_contact import analyn_contact, fill_from_analyn, solve_analyn
 from .model_error import STRIPS_MISS, analyn_error

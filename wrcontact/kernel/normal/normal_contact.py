@@ -54,7 +54,7 @@ def has_coarse_form(tables: Tables) -> bool:
 
 
 def residual_rate(tables: Tables):
-    """About how fast the penetration under a force falls behind the depth, where a wheel is pressed deeper.
+    """Approximate derivative of (depth - penetration under the force) with respect to the depth.
 
     Strips are as long as at that depth, and a strip's pressure keeps its shape.
     """

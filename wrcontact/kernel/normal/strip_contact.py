@@ -19,9 +19,9 @@ is a sweep.  There are always as many, so that results follow the pose smoothly.
 from math import isfinite, pi
 from typing import Final
 
-from ..contact.deep_points import deepest_entry
+from ..contact.penetration_maxima import deepest_entry
 from ..contact.frame import is_yawed, locate_along_track
-from ..contact.pressed_regions import gather_overlaps, sink_wheel
+from ..contact.penetrated_regions import gather_overlaps, sink_wheel
 from ..layout import SEPARATION_VERTICAL, Contact, Pair, SideSearch, StripProblem, Tables
 from .analyn_contact import solve_analyn
 from .estimate import first_penetration

@@ -4,7 +4,7 @@ from where their pressures end, eq. (S14)."""
 from math import fabs, pi, sqrt
 from typing import Final
 
-from ..contact.pressed import limited
+from ..contact.penetrated import limited
 from ..layout import Strip, StripProblem, StripRun, Tables, Waves
 from .strip_pressures import TESTED, local_displacement, tested_displacements
 from .strip_runs import gap_beside

@@ -3,7 +3,7 @@
 from math import pi, sqrt
 from typing import Final
 
-from ..contact.pressed import limited
+from ..contact.penetrated import limited
 from ..layout import StripProblem, Waves
 from .strip_runs import add_run, adopt_runs, raise_axes, run_station
 from .strip_surfaces import between, interval, way_through

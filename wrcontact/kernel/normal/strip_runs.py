@@ -10,7 +10,7 @@ closer together towards the edges, where half-length and pressure fall to zero l
 from math import pi, sqrt
 from typing import Final
 
-from ..contact.pressed import limited
+from ..contact.penetrated import limited
 from ..elementary.powers import log
 from ..layout import FINE_WAVES, STRIP_RUN_LIMIT, Strip, StripProblem, StripRun, TracedStation, Waves, copy
 from .strip_surfaces import between, interval, rest_gap, way_through

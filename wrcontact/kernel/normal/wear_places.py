@@ -5,7 +5,7 @@ one that the rail's normal meets there, with the wheel as it stands or has sunk;
 patches that are far from each other, both abscissae run alike from the point of the patch on.
 """
 
-from ..contact.pressed import NODE_SHARP, meet_wheel
+from ..contact.penetrated import NODE_SHARP, meet_wheel
 from ..layout import (
     REGION_LIMIT,
     ROLLING_STRIP_LIMIT,

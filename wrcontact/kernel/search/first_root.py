@@ -53,7 +53,7 @@ LEVER_TURNED_SHARE: Final[float] = 1.1
 LEVER_YAWED_SHARE: Final[float] = 1.2
 #: A rolled rail sees the wheelset rolled the other way: shares of its roll and of the wheel's radius by which
 #: that changes levers and places at most [-].
-LEANING_SHARE: Final[float] = 1.1
+ROLLED_RAIL_SHARE: Final[float] = 1.1
 #: Share by which the outline's slope changes faster along a yawed wheel than the profile's [-].
 FASTER: Final[float] = 1.5
 
@@ -182,7 +182,7 @@ def is_beside_rail(pair: Pair, at: Place, known: float, roll: float, sine: float
     beside = True
     if low >= 0:
         reach = REACH_SHARE * sine * sine * pair.radius * scan.steepest
-        reach += LEANING_SHARE * pair.radius * fabs(at.rail_sin)
+        reach += ROLLED_RAIL_SHARE * pair.radius * fabs(at.rail_sin)
         furthest = at.shift + pair.tables.arm + scan.nodes[high].y + reach
         if furthest > pair.rail_y + pair.rail.start:
             beside = False
@@ -198,7 +198,9 @@ def is_certainly_first(tables: Tables, sides: Sides, roll: float) -> bool:
     roll, for which that one is searched.
     """
     sine = sides[1].place.sin_yaw
-    turned = fabs(roll) + LEANING_SHARE * max(fabs(sides[0].place.rail_sin), fabs(sides[1].place.rail_sin))
+    turned = fabs(roll) + ROLLED_RAIL_SHARE * max(
+        fabs(sides[0].place.rail_sin), fabs(sides[1].place.rail_sin)
+    )
     certain = False
     if roll < 0.0:
         known = largest_lever_beyond(tables.pairs[1], sides[1].best_y, turned, sine)

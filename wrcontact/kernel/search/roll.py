@@ -30,7 +30,7 @@ from ..layout import (
 )
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
-from ..surface.rails import deflect_rail, lean_rail, move_rail, on_springs, turn_leaning
+from ..surface.rails import deflect_rail, roll_rail, move_rail, on_springs, turn_rolled_rail
 from .bounds import rail_below
 from .smallest_gap import SHARP, search_side
 
@@ -79,13 +79,13 @@ def place_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
         deflect_rail(sides[1].place, sides[1].deflection)
         deflect_rail(sides[0].place, sides[0].deflection)
     if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0:
-        lean_both(tables, inputs, sides, roll)
+        roll_rails(tables, inputs, sides, roll)
 
 
-def lean_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
+def roll_rails(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
     """Let both rails have their roll below wheels that are placed at ``roll``."""
-    lean_rail(sides[1].place, tables.pairs[1].rail_y, inputs.right_rail_roll)
-    lean_rail(sides[0].place, tables.pairs[0].rail_y, -inputs.left_rail_roll)
+    roll_rail(sides[1].place, tables.pairs[1].rail_y, inputs.right_rail_roll)
+    roll_rail(sides[0].place, tables.pairs[0].rail_y, -inputs.left_rail_roll)
     turn_both(sides, roll)
 
 
@@ -97,8 +97,8 @@ def turn_both(sides: Sides, roll: float):
     turn_wheelset(sides[1].place, roll)
     mirror_roll(sides[1].place, sides[0].place)
     if sides[1].place.leaning:
-        turn_leaning(sides[1].place)
-        turn_leaning(sides[0].place)
+        turn_rolled_rail(sides[1].place)
+        turn_rolled_rail(sides[0].place)
 
 
 def restore_yaw(place: Place):

@@ -31,7 +31,7 @@ from .bounds import (
     rising_from_minimum,
 )
 from .own_bounds import own_bounds
-from .rising_cell import rises_in_cell
+from .single_minimum import rises_in_cell
 
 #: A part of a cell in which the gap is nowhere lower than this below both ends is not halved [m].
 HIDDEN: Final[float] = 1e-11

@@ -7,7 +7,7 @@ A rail rolls about its highest point in its nominal place, after it was displace
 axle has another yaw and roll, its centre is elsewhere, and down is not the frame's vertical: how far the
 wheelset has come down moves it sideways too. A place therefore holds for one vertical shift, its
 ``reference``; the frame's vertical gap is the way down from there to first order only, and where the gap is
-sought, the reference follows it (wheelset/leaning.py).
+sought, the reference follows it (wheelset/rolled_rails.py).
 """
 
 from math import sqrt
@@ -45,9 +45,9 @@ def deflect_rail(place: Place, deflection: Deflection):
     place.rail_vertical += deflection.vertical
 
 
-def lean_rail(place: Place, rail_y: float, angle: float):
+def roll_rail(place: Place, rail_y: float, angle: float):
     """Let the rail below a placed wheel roll by ``angle`` [rad], field side down, about its highest point,
-    whose nominal place is ``rail_y`` [m]; turn_leaning has to follow."""
+    whose nominal place is ``rail_y`` [m]; turn_rolled_rail has to follow."""
     sine, cosine = sine_cosine(angle)
     across = place.shift - rail_y
     down = place.reference - place.height
@@ -61,7 +61,7 @@ def lean_rail(place: Place, rail_y: float, angle: float):
     place.leaning = True
 
 
-def turn_leaning(place: Place):
+def turn_rolled_rail(place: Place):
     """Yaw and roll that a placed wheelset has in the frame of its rolled rail: those of its axle, since a
     wheel is round."""
     sin_roll = place.sin_roll

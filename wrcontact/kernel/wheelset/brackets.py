@@ -23,8 +23,8 @@ from ..layout import (
     Work,
     seldom,
 )
-from .side import load_side, press_side
-from .trial import DEEPEST, SHALLOWEST, balance_side, depth_outcome, permitted_approach, turn_to
+from .side import load_side, lower_wheel
+from .residuals import DEEPEST, SHALLOWEST, balance_side, depth_outcome, permitted_approach, turn_to
 
 #: Brackets end here, or when they or what they enclose are this small [m, rad].
 BRACKETINGS: Final[int] = 90
@@ -88,7 +88,7 @@ def height_residual(tables: Tables, work: Work, index: int, force: float, height
     if status == NOT_CONVERGED:
         satisfied = False
         approach = permitted_approach(support, work.sides[index], height)
-        status = press_side(tables, work, index, approach)
+        status = lower_wheel(tables, work, index, approach)
         if status == VALID:
             count, status = load_side(tables, work, index, 0.0, work.contact.frame.depth)
             residual = approach

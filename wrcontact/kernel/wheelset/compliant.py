@@ -1,14 +1,14 @@
 """Compliant contact: height and roll of the wheelset are given, and each wheel's load follows from how deep
-it is in its rail (at_height.py), which may stand on springs (springs.py)."""
+it is in its rail (prescribed_height.py), which may stand on springs (springs.py)."""
 
 from ..layout import OFF_PROFILE, UNLOADED, VALID, Tables, Work, seldom
 from ..search.roll import nearest_start, place_both
 from ..surface.rails import is_sprung
-from .at_height import is_damped, load_at_height, search_near
-from .leaning import set_reference
-from .requested import counted_outcome, is_needed
-from .rubbing import open_given_motion
-from .settling import settle_again, settle_rail
+from .prescribed_height import is_damped, load_at_height, search_near
+from .rolled_rails import set_reference
+from .input_checks import counted_outcome, is_needed
+from .rolling_contact import open_given_motion
+from .rail_deflection import equilibrate_again, equilibrate_rail
 from .side import clear_side
 from .springs import rest_rail
 
@@ -57,7 +57,7 @@ def load_standing(tables: Tables, work: Work, index: int, height: float):
     """The load of a requested side at ``height`` [m], whose rail is rigid or has settled on its springs; its
     outcome."""
     if is_sprung(tables, index):
-        return settle_rail(tables, work, index, height)
+        return equilibrate_rail(tables, work, index, height)
     return load_at_height(tables, work, index, height)
 
 
@@ -68,20 +68,20 @@ def turn_compliant(tables: Tables, work: Work, index: int):
     height = work.inputs.vertical_shift
     if not (is_sprung(tables, index) and is_needed(tables, work.inputs, index)):
         return VALID
-    status = settle_again(tables, work, index, height)
+    status = equilibrate_again(tables, work, index, height)
     if status > UNLOADED:
-        status = settle_anew(tables, work, index)
+        status = equilibrate_anew(tables, work, index)
     return status
 
 
 @seldom
-def settle_anew(tables: Tables, work: Work, index: int):
+def equilibrate_anew(tables: Tables, work: Work, index: int):
     """A side of the wheelset that is solved, whose rail settles on its springs from rest on; the outcome."""
     rest_rail(tables, work, index)
     place_both(tables, work.inputs, work.sides, work.inputs.roll)
     if not search_near(tables, work, index, nearest_start(tables.starts, work.inputs.lateral_shift)):
         return OFF_PROFILE
-    return settle_rail(tables, work, index, work.inputs.vertical_shift)
+    return equilibrate_rail(tables, work, index, work.inputs.vertical_shift)
 
 
 @seldom
@@ -95,5 +95,5 @@ def leave_jumps(tables: Tables, work: Work, first: int, last: int):
         needed = is_sprung(tables, index) and is_needed(tables, work.inputs, index)
         if needed and settled.standing and not settled.lifted:
             left = True
-            status = max(status, settle_anew(tables, work, index))
+            status = max(status, equilibrate_anew(tables, work, index))
     return left, status

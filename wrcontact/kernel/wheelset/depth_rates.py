@@ -1,7 +1,7 @@
 """How the depth of an elastic wheelset changes while it moves: its vertical velocity and roll rate.
 
 Under a load that stays, a wheel sinks deeper where its patches change their shape.  The velocities that
-follow from the loads' work (rubbing.py) leave this out.  Here both sides are displaced along the run, a
+follow from the loads' work (rolling_contact.py) leave this out.  Here both sides are displaced along the run, a
 little ahead and as far back, by these velocities, and the heights at which they carry their loads there show
 what is missing.  The residual of a side, how much faster than the wheelset it comes down, vanishes in the
 velocities that are sought, as that of its height does in equilibrium: the derivatives of both are the same,
@@ -16,9 +16,9 @@ from ..layout import MODE_ELASTIC, UNLOADED, Inputs, Tables, Work, copy, seldom
 from ..normal.normal_contact import residual_rate
 from ..search.roll import place_both
 from .elastic import find_move, update
-from .leaning import set_reference
-from .requested import is_moving, side_force
-from .trial import balance_side
+from .rolled_rails import set_reference
+from .input_checks import is_moving, side_force
+from .residuals import balance_side
 
 #: So far both ways a wheel is displaced against its rail [m].
 DISPLACED: Final[float] = 5e-7

@@ -10,7 +10,7 @@ How a side's height follows the roll,
 is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's
 slope, by the envelope theorem (docs/theory/elastic.md).
 
-Both unknowns are found by Newton's method, in trials (trial.py).  A wheel's residual depends on little more
+Both unknowns are found by Newton's method, in trials (residuals.py).  A wheel's residual depends on little more
 than how deep it stands, so that what a move has changed says by which factor its derivatives are wrong; where
 a move leaves it nearly as deep, they are renewed by Broyden's formula (Broyden 1965).  Where this finds
 nothing, brackets do (brackets.py).
@@ -19,7 +19,7 @@ nothing, brackets do (brackets.py).
 from math import fabs
 from typing import Final
 
-from ..contact.pressed import limited
+from ..contact.penetrated import limited
 from ..layout import (
     NOT_CONVERGED,
     OFF_PROFILE,
@@ -36,7 +36,7 @@ from ..normal.normal_contact import has_coarse_form, residual_rate
 from .brackets import bracket_roll
 from .enclosing import enclose_equilibrium, gaps_hold, ELASTIC_SHARP, NOT_LAST, LONGEST_MOVE, LEAST_LEVER
 from .side import side_lever
-from .trial import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
+from .residuals import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 18

@@ -11,11 +11,11 @@ that does not jump carries its load.
 from math import fabs
 from typing import Final
 
-from ..contact.pressed import limited
+from ..contact.penetrated import limited
 from ..layout import NOT_CONVERGED, ROLL_LIMIT, UNLOADED, Bracket, Supports, Tables, Work, seldom
 from ..normal.normal_contact import residual_rate
 from .brackets import height_residual
-from .trial import depth_outcome, turn_near, turn_to
+from .residuals import depth_outcome, turn_near, turn_to
 
 #: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
 #: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up

@@ -15,31 +15,31 @@ from math import fabs
 
 from ..layout import ROLLING_STRIP_LIMIT, Forces, Motion, Patch, SideSearch, Tables, Vector, Work, clear, copy
 from ..creep.friction import creep_gain
-from .requested import has_creep_forces
+from .input_checks import has_creep_forces
 
 
 def sum_forces(tables: Tables, work: Work):
     """The forces on both wheels and on the wheelset."""
     total = work.wheelset.forces
-    rubbing = has_creep_forces(tables, work)
+    with_creep = has_creep_forces(tables, work)
     clear(total)
     for index in range(2):
         mirror = float(2 * index - 1)
         side = work.sides[index]
         side.motion.centre_y = mirror * work.inputs.lateral_shift
         side.motion.centre_z = work.wheelset.vertical_shift - tables.height
-        sum_side(side, rubbing)
+        sum_side(side, with_creep)
         add_forces(total, side.forces, mirror)
 
 
-def sum_side(side: SideSearch, rubbing: bool):
-    """The forces on a wheel; with creep forces if its patches are ``rubbing``."""
+def sum_side(side: SideSearch, with_creep: bool):
+    """The forces on a wheel; with creep forces if ``with_creep``."""
     clear(side.forces)
     for number in range(side.patch_count):
         patch = side.patches[number]
         press_patch(side.motion, patch)
-        if rubbing:
-            rub_patch(side.motion, patch)
+        if with_creep:
+            add_creep_force(side.motion, patch)
         add_forces(side.forces, patch.forces, 1.0)
 
 
@@ -56,7 +56,7 @@ def press_patch(motion: Motion, patch: Patch):
     copy(forces.normal_moment, forces.moment)
 
 
-def rub_patch(motion: Motion, patch: Patch):
+def add_creep_force(motion: Motion, patch: Patch):
     """Add the creep force of a patch to its forces: tractions act at their strips, in the strips' own planes,
     and what a model adds to the strips acts at the centre of load.  About the axle all have the rolling
     radius as their arm."""

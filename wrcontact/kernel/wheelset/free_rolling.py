@@ -49,9 +49,9 @@ from ..layout import (
 )
 from ..surface.rails import on_springs
 from .compliant import leave_jumps, turn_compliant
-from .forces import rub_patch
-from .requested import has_creep_forces, is_free, outer_torque
-from .rubbing import move_side, open_given_motion, rub_wheel, side_friction, write_side_wear
+from .forces import add_creep_force
+from .input_checks import has_creep_forces, is_free, outer_torque
+from .rolling_contact import move_side, open_given_motion, solve_wheel_creep, side_friction, write_side_wear
 
 #: Growth of the distances at which rates are tried where friction falls.
 GROWTH: Final[float] = 1.5
@@ -94,7 +94,7 @@ def roll_freely(tables: Tables, work: Work):
             if is_free(tables, work.inputs, index):
                 outcome = turn(tables, work, index, index)
             else:
-                rub_at(tables, work, index, index, work.sides[index].motion.wheel_rate)
+                solve_creep_at(tables, work, index, index, work.sides[index].motion.wheel_rate)
             status = max(status, outcome)
     else:
         status = turn(tables, work, 0, 1)
@@ -182,10 +182,10 @@ def torque_at(tables: Tables, work: Work, first: int, last: int, rate: float):
             if outcome > UNLOADED:
                 return 0.0, outcome
         open_given_motion(tables, work)
-    return rub_at(tables, work, first, last, rate), VALID
+    return solve_creep_at(tables, work, first, last, rate), VALID
 
 
-def rub_at(tables: Tables, work: Work, first: int, last: int, rate: float):
+def solve_creep_at(tables: Tables, work: Work, first: int, last: int, rate: float):
     """Creepages and creep forces of wheels whose contact is known, at ``rate`` [rad/s]; their torque about
     the axle [N m], summed as the report sums it."""
     torque = 0.0
@@ -194,9 +194,9 @@ def rub_at(tables: Tables, work: Work, first: int, last: int, rate: float):
         side.motion.wheel_rate = rate
         move_side(tables, side)
         own = 0.0
-        rub_wheel(tables, work, index)
+        solve_wheel_creep(tables, work, index)
         for number in range(side.patch_count):
-            rub_patch(side.motion, side.patches[number])
+            add_creep_force(side.motion, side.patches[number])
             own += side.patches[number].forces.driving_torque
         torque += own
     return torque

@@ -42,9 +42,9 @@ from ..layout import (
 from ..patch.outline import wear_place
 from ..surface.rails import on_springs
 from .fatigue import shakedown_ratio, wear_number_damage
-from .shared_power import share_power
-from .requested import has_creep_forces, is_requested, is_rolling
-from .rubbing import strip_slip
+from .distributed_power import distribute_power
+from .input_checks import has_creep_forces, is_requested, is_rolling
+from .rolling_contact import strip_slip
 
 #: Runs of an outline that are there without friction: stations, half-lengths and pressures.
 OUTLINE_RUNS: Final[int] = 3
@@ -262,12 +262,12 @@ def outline_place(tables: Tables, work: Work, index: int):
     return place
 
 
-def report_outline(side: SideSearch, outline: Outline, stations: int, rubbing: bool):
-    """The outline of a side, with shear and slip if its patches are ``rubbing``."""
+def report_outline(side: SideSearch, outline: Outline, stations: int, with_creep: bool):
+    """The outline of a side, with shear and slip if ``with_creep``."""
     known = 0
     if side.patch_count > 0:
         known = OUTLINE_RUNS * stations
-        if rubbing:
+        if with_creep:
             known = RUN_COUNT * stations
     for i in range(known):
         outline.numbers[i] = side.outline.numbers[i]
@@ -295,7 +295,7 @@ def report_wear(tables: Tables, work: Work, index: int, requested: bool):
     for rank in range(PATCH_LIMIT):
         clear(StripOutputs.at(work, strips + STRIP_OUTPUTS_SIZE * rank))
     if side.patch_count > 0:
-        share_power(side, tables.stations)
+        distribute_power(side, tables.stations)
         for i in range(runs):
             found.numbers[i] = side.wear.numbers[i]
         for number in range(side.patch_count):
@@ -306,13 +306,13 @@ def report_wear(tables: Tables, work: Work, index: int, requested: bool):
 
 
 @seldom
-def complete_strips(patch: Patch, worn: StripOutputs, rubbing: bool):
-    """What the strips of a patch have beside places and power, with slip if it is ``rubbing``."""
+def complete_strips(patch: Patch, worn: StripOutputs, with_creep: bool):
+    """What the strips of a patch have beside places and power, with slip if ``with_creep``."""
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
         worn.width[i] = strip.width
         worn.line_load[i] = strip.line_load
         worn.half_length[i] = strip.half_length
         worn.slip[i] = 0.0
-        if rubbing:
+        if with_creep:
             worn.slip[i] = strip_slip(patch, strip)

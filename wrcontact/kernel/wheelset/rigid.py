@@ -6,18 +6,18 @@ from typing import Final
 from ..layout import NOT_CONVERGED, OFF_PROFILE, VALID, State, Tables, Work
 from ..search.first_root import solve_roll
 from ..search.roll import nearest_start
-from .leaning import (
+from .rolled_rails import (
     MEETINGS,
     RIGID_MET,
-    is_leaning,
+    has_rolled_rail,
     next_reference,
     note_reference,
     open_reference,
     set_reference,
 )
-from .requested import counted_outcome, is_needed, side_force
+from .input_checks import counted_outcome, is_needed, side_force
 from .side import clear_side, solve_side
-from .trial import DEEPEST
+from .residuals import DEEPEST
 
 #: After a longer lateral move the search does not start at the last contacts [m].
 NEAR_SHIFT: Final[float] = 2e-4
@@ -44,12 +44,12 @@ def find_roll(tables: Tables, work: Work, state: State):
             warm = True
     set_reference(work.sides, 0.0)
     roll, status = solve_roll(tables, work.inputs, work.sides, work.trials, guess, warm)
-    if status == VALID and is_leaning(work.sides):
-        roll, status = find_leaning_roll(tables, work, roll)
+    if status == VALID and has_rolled_rail(work.sides):
+        roll, status = find_roll_on_rolled_rails(tables, work, roll)
     return roll, status
 
 
-def find_leaning_roll(tables: Tables, work: Work, roll: float):
+def find_roll_on_rolled_rails(tables: Tables, work: Work, roll: float):
     """Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
     on: both are sought together with the vertical shift."""
     open_reference(work.reference, 0.0, work.sides[1].best)
@@ -78,7 +78,7 @@ def solve_rigid(tables: Tables, work: Work, roll: float):
     return status
 
 
-def pressed_outcome(tables: Tables, work: Work, status: int):
+def penetration_status(tables: Tables, work: Work, status: int):
     """``status``, or OFF_PROFILE if a rigid wheel carries its load deeper in its rail than DEEPEST, which the
     other modes refuse too.  A penetration that is prescribed is taken as it is."""
     for index in range(2):

@@ -6,11 +6,11 @@ Its contact is described by where it is on wheel, rail and track, its angle, rad
 from math import fabs, isfinite
 from typing import Final
 
-from ..contact.deep_points import deepest_entry, follow_overlaps, keep_points
+from ..contact.penetration_maxima import deepest_entry, follow_overlaps, keep_points
 from ..contact.frame import open_contact_region, open_frame
 from ..contact.overlaps import find_overlaps
-from ..contact.pressed_regions import press_frame, touching_shift
-from ..creep.cut import cut_patch
+from ..contact.penetrated_regions import lower_frame, touching_shift
+from ..creep.rolling_strips import divide_into_strips
 from ..elementary.circle import atan
 from ..layout import (
     DEPTH_ALL,
@@ -36,7 +36,7 @@ from ..surface.curvature import relative_curvature
 from ..surface.gap import gap_per_roll
 from ..surface.locus import around_wheel
 from ..surface.rails import on_track, pitch_of_frame
-from .requested import has_wear
+from .input_checks import has_wear
 
 #: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is
 #: none.  Within a profile they may differ by CORNER, as where the contact stays on a step in height: one of 1 nm,
@@ -124,7 +124,7 @@ def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: 
         place_patches(pair, work.contact, side)
         if tables.tangential != TANGENTIAL_NONE or has_wear(tables):
             for number in range(side.patch_count):
-                cut_patch(side.patches[number], work.contact.strips)
+                divide_into_strips(side.patches[number], work.contact.strips)
                 place_strips(pair, work.contact, side.patches[number])
         if tables.depth == DEPTH_ALL:
             write_outline(
@@ -161,7 +161,7 @@ def solve_side(tables: Tables, work: Work, index: int, force: float):
     return status
 
 
-def press_side(tables: Tables, work: Work, index: int, approach: float):
+def lower_wheel(tables: Tables, work: Work, index: int, approach: float):
     """Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its
     rail most; its outcome."""
     pair = tables.pairs[index]
@@ -174,7 +174,7 @@ def press_side(tables: Tables, work: Work, index: int, approach: float):
     deepest = work.contact.overlap.points[deepest_entry(work.contact.overlap)]
     aside, shift = touching_shift(pair, side.place, deepest)
     describe_contact(tables, work, index, deepest.wheel, aside, shift)
-    press_frame(work.contact.frame, height, deepest.depth, 0.0)
+    lower_frame(work.contact.frame, height, deepest.depth, 0.0)
     return VALID
 
 

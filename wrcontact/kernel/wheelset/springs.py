@@ -15,11 +15,11 @@ dampers carry nothing.
 from math import fabs
 from typing import Final
 
-from ..layout import UNLOADED, Settling, SideSearch, Tables, Work
-from .at_height import load_at_height
+from ..layout import UNLOADED, RailEquilibrium, SideSearch, Tables, Work
+from .prescribed_height import load_at_height
 from .forces import sum_side
-from .requested import has_creep_forces, is_moving
-from .rubbing import move_side, rub_side
+from .input_checks import has_creep_forces, is_moving
+from .rolling_contact import move_side, solve_side_creep
 
 #: Springs carry what the wheel presses but for this share of it [-]; what misses it lies on a jump.
 UNSETTLED: Final[float] = 1e-8
@@ -33,9 +33,9 @@ def damper_stiffness(damping: float, time_step: float):
     return stiffness
 
 
-def open_settling(tables: Tables, work: Work, index: int):
+def open_equilibrium(tables: Tables, work: Work, index: int):
     """Springs and dampers of side ``index`` over the step in time."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     spring = tables.springs[index]
     time_step = work.inputs.rail_time_step
     lateral = -work.inputs.left_rail_deflection_lateral_before
@@ -43,27 +43,27 @@ def open_settling(tables: Tables, work: Work, index: int):
     if index == 1:
         lateral = work.inputs.right_rail_deflection_lateral_before
         vertical = work.inputs.right_rail_deflection_vertical_before
-    settling.lateral_stiffness = 0.0
-    settling.lateral_rest = 0.0
-    settling.lateral_before = 0.0
+    equilibrium.lateral_stiffness = 0.0
+    equilibrium.lateral_rest = 0.0
+    equilibrium.lateral_before = 0.0
     if spring.lateral_stiffness > 0.0:
         damper = damper_stiffness(spring.lateral_damping, time_step)
-        settling.lateral_stiffness = spring.lateral_stiffness + damper
-        settling.lateral_rest = damper * lateral / settling.lateral_stiffness
-        settling.lateral_before = lateral
-    settling.vertical_stiffness = 0.0
-    settling.vertical_rest = 0.0
-    settling.vertical_before = 0.0
+        equilibrium.lateral_stiffness = spring.lateral_stiffness + damper
+        equilibrium.lateral_rest = damper * lateral / equilibrium.lateral_stiffness
+        equilibrium.lateral_before = lateral
+    equilibrium.vertical_stiffness = 0.0
+    equilibrium.vertical_rest = 0.0
+    equilibrium.vertical_before = 0.0
     if spring.vertical_stiffness > 0.0:
         damper = damper_stiffness(spring.vertical_damping, time_step)
-        settling.vertical_stiffness = spring.vertical_stiffness + damper
-        settling.vertical_rest = damper * vertical / settling.vertical_stiffness
-        settling.vertical_before = vertical
+        equilibrium.vertical_stiffness = spring.vertical_stiffness + damper
+        equilibrium.vertical_rest = damper * vertical / equilibrium.vertical_stiffness
+        equilibrium.vertical_before = vertical
 
 
 def deflect(work: Work, index: int, lateral: float, vertical: float):
     """Let the rail of side ``index`` have this deflection [m], and the rates that it has come with."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     deflection = work.sides[index].deflection
     deflection.lateral = lateral
     deflection.vertical = vertical
@@ -71,14 +71,14 @@ def deflect(work: Work, index: int, lateral: float, vertical: float):
     deflection.vertical_rate = 0.0
     time_step = work.inputs.rail_time_step
     if time_step > 0.0:
-        deflection.lateral_rate = (lateral - settling.lateral_before) / time_step
-        deflection.vertical_rate = (vertical - settling.vertical_before) / time_step
+        deflection.lateral_rate = (lateral - equilibrium.lateral_before) / time_step
+        deflection.vertical_rate = (vertical - equilibrium.vertical_before) / time_step
 
 
 def rest_rail(tables: Tables, work: Work, index: int):
     """Let the rail of side ``index`` stand where nothing presses it."""
-    open_settling(tables, work, index)
-    deflect(work, index, work.settling.lateral_rest, work.settling.vertical_rest)
+    open_equilibrium(tables, work, index)
+    deflect(work, index, work.equilibrium.lateral_rest, work.equilibrium.vertical_rest)
 
 
 def spring_residual(stiffness: float, rest: float, deflection: float, force: float):
@@ -95,27 +95,30 @@ def weigh_rail(tables: Tables, work: Work, index: int, height: float):
     status = load_at_height(tables, work, index, height)
     if status <= UNLOADED:
         side = work.sides[index]
-        settling = work.settling
-        rubbing = has_creep_forces(tables, work)
+        equilibrium = work.equilibrium
+        with_creep = has_creep_forces(tables, work)
         if is_moving(tables, work.inputs):
             move_side(tables, side)
-        if rubbing:
-            rub_side(tables, work, index)
-        sum_side(side, rubbing)
-        settling.lateral = spring_residual(
-            settling.lateral_stiffness, settling.lateral_rest, side.deflection.lateral, -side.forces.force[1]
+        if with_creep:
+            solve_side_creep(tables, work, index)
+        sum_side(side, with_creep)
+        equilibrium.lateral = spring_residual(
+            equilibrium.lateral_stiffness,
+            equilibrium.lateral_rest,
+            side.deflection.lateral,
+            -side.forces.force[1],
         )
-        settling.vertical = spring_residual(
-            settling.vertical_stiffness,
-            settling.vertical_rest,
+        equilibrium.vertical = spring_residual(
+            equilibrium.vertical_stiffness,
+            equilibrium.vertical_rest,
             side.deflection.vertical,
             -side.forces.force[2],
         )
     return status
 
 
-def has_settled(settling: Settling, side: SideSearch, share: float) -> bool:
+def is_balanced(equilibrium: RailEquilibrium, side: SideSearch, share: float) -> bool:
     """Whether the springs carry what the wheel presses but for this ``share`` of it."""
     force = side.forces.force
     limit = share * (fabs(force[1]) + fabs(force[2]))
-    return fabs(settling.lateral) + fabs(settling.vertical) <= limit
+    return fabs(equilibrium.lateral) + fabs(equilibrium.vertical) <= limit

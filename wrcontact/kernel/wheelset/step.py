@@ -30,20 +30,20 @@ from .depth_rates import follow_depths
 from .elastic import solve_elastic
 from .forces import sum_forces
 from .free_rolling import release_rates, roll_freely, turns_freely
-from .requested import check_inputs, requested_outcome, side_force
-from .leaning import (
+from .input_checks import check_inputs, requested_outcome, side_force
+from .rolled_rails import (
     ELASTIC_MET,
     MEETINGS,
-    is_leaning,
+    has_rolled_rail,
     next_reference,
     note_reference,
     open_reference,
     set_reference,
 )
-from .rubbing import move_patches, move_wheelset, rub_patches
+from .rolling_contact import move_patches, move_wheelset, solve_creep_forces
 from .report import report
-from .rigid import find_roll, keep_roll, pressed_outcome, solve_rigid
-from .trial import turn_to
+from .rigid import find_roll, keep_roll, penetration_status, solve_rigid
+from .residuals import turn_to
 from .vertical_load import (
     LOAD_PASSES,
     carries_friction,
@@ -65,7 +65,7 @@ def evaluate(tables: Tables, work: Work, state: State):
     if status <= UNLOADED and carries_friction(tables, work):
         status = solve_with_friction(tables, work, state, status)
     if status <= UNLOADED and tables.mode == MODE_RIGID:
-        status = pressed_outcome(tables, work, status)
+        status = penetration_status(tables, work, status)
     if status <= UNLOADED:
         report(tables, work)
     return status
@@ -96,7 +96,7 @@ def solve_wheelset(tables: Tables, work: Work, state: State):
             outcome = roll_freely(tables, work)
         else:
             move_patches(tables, work)
-            rub_patches(tables, work)
+            solve_creep_forces(tables, work)
         status = max(status, outcome)
         sum_forces(tables, work)
     return status
@@ -124,8 +124,8 @@ def stand(tables: Tables, work: Work, state: State):
 def elastic_from_rigid(tables: Tables, work: Work, rigid_roll: float):
     """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
     roll, status = solve_elastic(tables, work, rigid_roll, side_force(work, 0), side_force(work, 1))
-    if status <= UNLOADED and is_leaning(work.sides):
-        roll, status = meet_leaning(tables, work, rigid_roll)
+    if status <= UNLOADED and has_rolled_rail(work.sides):
+        roll, status = meet_rolled_rails(tables, work, rigid_roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = support_height(work)
     return requested_outcome(tables, work, status)
@@ -136,7 +136,7 @@ def support_height(work: Work):
     return 0.5 * (work.supports[0].height + work.supports[1].height)
 
 
-def meet_leaning(tables: Tables, work: Work, rigid_roll: float):
+def meet_rolled_rails(tables: Tables, work: Work, rigid_roll: float):
     """Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
     shift; the equilibrium for the rigid height as reference is known."""
     roll = rigid_roll

@@ -17,8 +17,8 @@ from math import fabs
 from typing import Final
 
 from ..layout import LOAD_VERTICAL, MODE_COMPLIANT, Support, Tables, Work
-from .requested import has_creep_forces, wanted_force
-from .trial import DEEPEST
+from .input_checks import has_creep_forces, wanted_force
+from .residuals import DEEPEST
 
 #: The load is met when no wheel misses it by more than this share [-].
 LOAD_MET: Final[float] = 1e-9

@@ -10,7 +10,7 @@ from typing import Final
 from ..layout import OFF_PROFILE, UNLOADED, VALID, SideSearch, Support, Tables, Work, seldom
 from ..normal.estimate import first_penetration
 from ..search.roll import follow_side, search_both, turn_both
-from .side import load_side, press_side, side_lever, touch_side
+from .side import load_side, lower_wheel, side_lever, touch_side
 
 #: A loaded wheel is pressed down by this share of its first estimate at least [-].
 SHALLOWEST: Final[float] = 0.1
@@ -51,7 +51,7 @@ def balance_side(tables: Tables, work: Work, index: int, force: float, height: f
         support.lever = side_lever(tables, work, index, 0)
         return touch_side(tables, work, index)
     approach = permitted_approach(support, side, height)
-    status = press_side(tables, work, index, approach)
+    status = lower_wheel(tables, work, index, approach)
     if status == VALID:
         count, status = load_side(tables, work, index, force, tables.absent)
         carried = approach + (side.penetration - work.contact.frame.depth) / work.contact.frame.plane.cos

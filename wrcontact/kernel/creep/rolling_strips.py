@@ -24,7 +24,7 @@ SHORTEST_PATCH: Final[float] = 0.05
 LONGEST_PATCH: Final[float] = 40.0
 
 
-def cut_patch(patch: Patch, strips: SolvedStrips):
+def divide_into_strips(patch: Patch, strips: SolvedStrips):
     """Cut a patch, which lies on ``strips`` of its normal model, along the rolling direction; creepages and
     friction stay."""
     totals = patch.totals
@@ -32,9 +32,9 @@ def cut_patch(patch: Patch, strips: SolvedStrips):
     divide_patch(patch, totals.start, totals.stop)
     if totals.width > 0.0:
         if patch.rule == RULE_ELLIPSE:
-            cut_ellipse(patch)
+            divide_ellipse(patch)
         else:
-            cut_strips(patch, strips)
+            divide_strips(patch, strips)
     finish_strips(patch)
     plane_slips(patch)
 
@@ -88,7 +88,7 @@ def divide_patch(patch: Patch, start: float, stop: float):
         strip.line_load = 0.0
 
 
-def cut_ellipse(patch: Patch):
+def divide_ellipse(patch: Patch):
     """Integrals over each strip of a^2 and of a shape of the line load, 1 - (s/b)^2, into its half-length
     and its line load; the ellipse is around station zero."""
     totals = patch.totals
@@ -103,7 +103,7 @@ def cut_ellipse(patch: Patch):
         strip.line_load = share
 
 
-def cut_strips(patch: Patch, strips: SolvedStrips):
+def divide_strips(patch: Patch, strips: SolvedStrips):
     """Integrals over each strip of a^2 and of the line load, into its half-length and its line load, from the
     patch's strips in the normal model."""
     low = patch.totals.start

@@ -1,5 +1,5 @@
-"""Rails that are rolled: the place of a wheelset over them holds for one vertical shift (surface/rails.py),
-which is found together with the contact.
+"""With rolled rails the placement of the wheelset depends on its vertical shift (surface/rails.py), so both are
+solved together.
 
 The residual, how much lower the contact is found than the reference, falls at a rate of nearly one as the
 reference rises. So the secant finds its root in three or four contacts.
@@ -43,7 +43,7 @@ def set_reference(sides: Sides, height: float):
     sides[1].place.reference = height
 
 
-def is_leaning(sides: Sides) -> bool:
+def has_rolled_rail(sides: Sides) -> bool:
     """Whether a rail below the placed wheelset is rolled."""
     return sides[1].place.leaning
 

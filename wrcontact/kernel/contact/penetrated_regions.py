@@ -18,9 +18,9 @@ from ..surface.locus import outline_point
 from ..surface.tables import height_slope
 from .curves import rail_length
 from .frame import BEYOND, NO_GAP, incline_region, locate_along_track, open_frame
-from .deep_points import deepest_entry
+from .penetration_maxima import deepest_entry
 from .overlaps import find_overlaps
-from .pressed import NOT_MET, met_curvature, pressed_gap
+from .penetrated import NOT_MET, met_curvature, penetrated_gap
 from .traces import start_traces
 
 
@@ -34,7 +34,7 @@ def touching_shift(pair: Pair, place: Place, point: DeepPoint):
 
 
 @seldom
-def press_frame(frame: Frame, height: float, depth: float, gap: float):
+def lower_frame(frame: Frame, height: float, depth: float, gap: float):
     """Let the open frame be that of a wheel pressed ``depth`` deep at vertical shift ``height``, whose own
     gap is ``gap`` [m]."""
     frame.height = height
@@ -49,7 +49,7 @@ def sink_wheel(pair: Pair, frame: Frame, overlap: Overlap, side: SideSearch, pen
     ``penetration`` [m] deep along the normal; the number of regions in which it overlaps its rail."""
     height = frame.shift + penetration / frame.plane.cos
     count = find_overlaps(pair, overlap, side, height)
-    press_frame(frame, height, penetration, 0.0)
+    lower_frame(frame, height, penetration, 0.0)
     frame.sunk = True
     return count
 
@@ -74,18 +74,18 @@ def sink_deeper(frame: Frame, frames: KeptFrames, regions: Regions, count: int, 
     The regions stay: their deepest points move by less than what counts.
     """
     height = frame.shift + penetration / frame.plane.cos
-    press_frame(frame, height, penetration, 0.0)
+    lower_frame(frame, height, penetration, 0.0)
     copy(frame, frames[REGION_LIMIT])
     for index in range(count):
         region = regions[index]
         copy(frames[index], frame)
-        press_frame(frame, height, region.alignment * penetration - region.gap, region.gap)
+        lower_frame(frame, height, region.alignment * penetration - region.gap, region.gap)
         copy(frame, frames[index])
     copy(frames[REGION_LIMIT], frame)
 
 
 @seldom
-def open_pressed_region(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
+def open_penetrated_region(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
     """Start a region at a deepest point, inclined as the rail there."""
     region.station = 0.0
     region.gap = 0.0
@@ -110,7 +110,7 @@ def give_own_frame(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
     region.alignment = region.cos / cosine
     region.gap = region.alignment * depth - point.depth
     region.offset = rail_length(pair, abscissa, point.rail)
-    press_frame(frame, height, point.depth, region.gap)
+    lower_frame(frame, height, point.depth, region.gap)
     frame.sunk = sunk
 
 
@@ -125,11 +125,11 @@ def gather_overlaps(pair: Pair, frame: Frame, frames: KeptFrames, regions: Regio
     for index in range(count):
         region = regions[index]
         point = overlap.points[index]
-        open_pressed_region(pair, frame, region, point)
+        open_penetrated_region(pair, frame, region, point)
         if index != contact or frame.sunk:
             give_own_frame(pair, frame, region, point)
         start_traces(frame, 0.0, point.rail, point.wheel)
-        gap, rate, bend = pressed_gap(pair, frame, 0.0)
+        gap, rate, bend = penetrated_gap(pair, frame, 0.0)
         region.bend = bend
         region.curvature = NOT_MET
         if gap < NO_GAP:

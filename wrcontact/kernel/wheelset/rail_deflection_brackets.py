@@ -16,7 +16,7 @@ from ..layout import (
     UNLOADED,
     VALID,
     Bracket,
-    Settling,
+    RailEquilibrium,
     SideSearch,
     Tables,
     Work,
@@ -24,13 +24,13 @@ from ..layout import (
 )
 from ..search.roll import follow_side, place_both
 from ..search.smallest_gap import search_side
-from .at_height import GRAZING, is_damped
+from .prescribed_height import GRAZING, is_damped
 from .brackets import BRACKET_SHARP, BRACKETINGS, narrow_bracket, next_in_bracket
-from .requested import is_moving
-from .rubbing import open_given_motion
-from .settling_slopes import GROWTH
-from .springs import deflect, has_settled, weigh_rail
-from .trial import DEEPEST
+from .input_checks import is_moving
+from .rolling_contact import open_given_motion
+from .rail_deflection_slopes import GROWTH
+from .springs import deflect, is_balanced, weigh_rail
+from .residuals import DEEPEST
 
 #: A wheel is pressed no deeper than this share of DEEPEST while its rail is let down [-].
 NOT_DEEPEST: Final[float] = 0.999
@@ -102,7 +102,7 @@ def nearer_end(bracket: Bracket):
 def vertical_slope(tables: Tables, work: Work, index: int):
     """How what the springs carry more than the wheel presses follows the vertical deflection [N/m], from the
     springs, and from patches whose forces grow as Hertz's along their normals."""
-    slope = work.settling.vertical_stiffness
+    slope = work.equilibrium.vertical_stiffness
     side = work.sides[index]
     for number in range(side.patch_count):
         patch = side.patches[number]
@@ -133,7 +133,7 @@ def bracket_vertical(
         the lateral residual.
     reach : where it stands is at a jump, and so it is within this distance [m] if it does.
     """
-    settling = work.settling
+    equilibrium = work.equilibrium
     bracket = work.height_bracket
     near = work.sides[index].deflection.vertical
     status = open_vertical(tables, work, index, height, lateral)
@@ -142,8 +142,8 @@ def bracket_vertical(
     lowest = bracket.low
     vertical = near
     if not (near > lowest and near < bracket.high):
-        stiffness = settling.vertical_stiffness
-        touching = bracket.high - settling.vertical_rest
+        stiffness = equilibrium.vertical_stiffness
+        touching = bracket.high - equilibrium.vertical_rest
         vertical = max(bracket.high - touching * stiffness / (stiffness + CONTACT_STIFFNESS), lowest)
     if reach > 0.0:
         status = narrow_beside(tables, work, index, height, lateral, near + reach)
@@ -156,14 +156,14 @@ def bracket_vertical(
     width = 0.0
     for i in range(BRACKETINGS):
         status = press_rail(tables, work, index, height, lateral, vertical)
-        if status > UNLOADED or is_level(settling, work.sides[index], exact):
+        if status > UNLOADED or is_level(equilibrium, work.sides[index], exact):
             return status
-        residual = settling.vertical
+        residual = equilibrium.vertical
         if vertical == lowest and residual >= 0.0:
             return OFF_PROFILE
         narrow_bracket(bracket, vertical, -residual)
         enclosed = bracket.at_low > 0.0
-        if enclosed and is_narrow(bracket, vertical, fabs(settling.lateral), exact):
+        if enclosed and is_narrow(bracket, vertical, fabs(equilibrium.lateral), exact):
             break
         slope = corrected_slope(vertical_slope(tables, work, index), residual - before, move)
         following = vertical - residual / slope
@@ -195,34 +195,34 @@ def is_within(bracket: Bracket, place: float) -> bool:
 def open_vertical(tables: Tables, work: Work, index: int, height: float, lateral: float):
     """Bracket the vertical deflection of a rail with this ``lateral`` one [m]: from where its wheel just
     touches it down to where it is deepest; VALID, or the outcome if no vertical one is sought."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     bracket = work.height_bracket
-    rest = settling.vertical_rest
+    rest = equilibrium.vertical_rest
     bracket.low = rest
     bracket.high = rest
     bracket.at_low = 0.0
     bracket.at_high = 0.0
     approach = 0.0
-    if settling.vertical_stiffness > 0.0:
+    if equilibrium.vertical_stiffness > 0.0:
         if not stand_on(tables, work, index, lateral, rest):
             return OFF_PROFILE
         approach = height - work.sides[index].best
     if not approach > GRAZING:
         return max(press_rail(tables, work, index, height, lateral, rest), UNLOADED)
     bracket.high = rest + approach
-    bracket.at_high = -settling.vertical_stiffness * approach
+    bracket.at_high = -equilibrium.vertical_stiffness * approach
     bracket.low = max(rest, bracket.high - NOT_DEEPEST * DEEPEST)
     return VALID
 
 
 @seldom
-def is_level(settling: Settling, side: SideSearch, exact: bool) -> bool:
+def is_level(equilibrium: RailEquilibrium, side: SideSearch, exact: bool) -> bool:
     """Whether the vertical residual is small: against the force, or, if it is not to be ``exact``, against the
     lateral residual."""
     limit = BALANCED * fabs(side.forces.force[2])
     if not exact:
-        limit = max(limit, SMALL_SHARE * fabs(settling.lateral))
-    return fabs(settling.vertical) <= limit
+        limit = max(limit, SMALL_SHARE * fabs(equilibrium.lateral))
+    return fabs(equilibrium.vertical) <= limit
 
 
 @seldom
@@ -255,33 +255,33 @@ def narrow_beside(tables: Tables, work: Work, index: int, height: float, lateral
     if vertical > bracket.low and vertical < bracket.high:
         status = press_rail(tables, work, index, height, lateral, vertical)
         if status <= UNLOADED:
-            narrow_bracket(bracket, vertical, -work.settling.vertical)
+            narrow_bracket(bracket, vertical, -work.equilibrium.vertical)
     return status
 
 
 @seldom
 def bracket_rail(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle; the outcome."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     bracket = work.roll_bracket
-    lateral = settling.lateral_rest
-    sideways = settling.lateral_stiffness > 0.0
+    lateral = equilibrium.lateral_rest
+    sideways = equilibrium.lateral_stiffness > 0.0
     status = bracket_vertical(tables, work, index, height, lateral, not sideways, 0.0)
-    if status > UNLOADED or not sideways or settling.lateral == 0.0:
+    if status > UNLOADED or not sideways or equilibrium.lateral == 0.0:
         return status
     bracket.low = lateral
     bracket.high = lateral
-    bracket.at_low = -settling.lateral
-    bracket.at_high = -settling.lateral
+    bracket.at_low = -equilibrium.lateral
+    bracket.at_high = -equilibrium.lateral
     reach = NEAR_END
-    if settling.lateral > 0.0:
+    if equilibrium.lateral > 0.0:
         reach = -NEAR_END
     for i in range(DOUBLINGS):
-        lateral = settling.lateral_rest + reach
+        lateral = equilibrium.lateral_rest + reach
         status = bracket_vertical(tables, work, index, height, lateral, False, 0.0)
         if status > UNLOADED:
             return status
-        narrow_bracket(bracket, lateral, -settling.lateral)
+        narrow_bracket(bracket, lateral, -equilibrium.lateral)
         if bracket.at_low > 0.0 and bracket.at_high <= 0.0:
             break
         reach *= 2.0
@@ -293,7 +293,7 @@ def bracket_rail(tables: Tables, work: Work, index: int, height: float):
 @seldom
 def narrow_lateral(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle within the bracket of its lateral deflection; the outcome."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     bracket = work.roll_bracket
     deflection = work.sides[index].deflection
     width = bracket.high - bracket.low
@@ -306,9 +306,9 @@ def narrow_lateral(tables: Tables, work: Work, index: int, height: float):
         if ends_at_jump(work.height_bracket):
             reach = STEEPEST_WAY * fabs(lateral - deflection.lateral) + JUMP_WIDTH
         status = bracket_vertical(tables, work, index, height, lateral, False, reach)
-        if status > UNLOADED or has_settled(settling, work.sides[index], BALANCED):
+        if status > UNLOADED or is_balanced(equilibrium, work.sides[index], BALANCED):
             return status
-        residual = settling.lateral
+        residual = equilibrium.lateral
         narrow_bracket(bracket, lateral, -residual)
         shrunk = bracket.high - bracket.low < REDUCED * width
         width = bracket.high - bracket.low

@@ -1,7 +1,7 @@
-"""Where in a patch friction takes its power: the power of the patch, shared among its strips and then among
-the stations of the outline, for models of wear.
+"""Distribution of a patch's friction power over its strips and over the stations of the outline, for models of
+wear.
 
-A strip's share is its own power (rubbing.py); what the models add to the sum over the strips counts in
+A strip's share is its own power (rolling_contact.py); what the models add to the sum over the strips counts in
 proportion.  Polach's formula has no strips: there the share is the load of the strip, as if tractions were
 spread like the pressure.  So the strips of a patch have its friction power, no more and no less.
 
@@ -24,11 +24,11 @@ from ..layout import (
     WearRuns,
     seldom,
 )
-from .rubbing import strip_power
+from .rolling_contact import strip_power
 
 
 @seldom
-def share_power(side: SideSearch, stations: int):
+def distribute_power(side: SideSearch, stations: int):
     """Friction power per width [W/m] of all strips of a wheel, and at the ``stations`` of its outline."""
     for j in range(2 * stations, 3 * stations):
         side.wear.numbers[j] = 0.0

@@ -9,10 +9,10 @@ from math import fabs
 from typing import Final
 
 from ..layout import NOT_CONVERGED, UNLOADED, Tables, Work, seldom
-from .settling_brackets import press_rail
-from .settling_enclosing import SETTLED, let_down, residual_size, shorten_settling
-from .settling_slopes import find_settling, hold_rigid, update_slopes
-from .springs import UNSETTLED, has_settled
+from .rail_deflection_brackets import press_rail
+from .rail_deflection_enclosing import SETTLED, let_down, residual_size, shorten_move
+from .rail_deflection_slopes import find_equilibrium_of_rail, hold_rigid, update_slopes
+from .springs import UNSETTLED, is_balanced
 
 #: Moves at most, and parts of a move that are tried.
 MOVES: Final[int] = 16
@@ -30,7 +30,7 @@ GOOD: Final[float] = 0.05
 def approach_balance(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where no part of a move
     reduces what is left."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     side = work.sides[index]
     deflection = side.deflection
     status = press_rail(tables, work, index, height, deflection.lateral, deflection.vertical)
@@ -44,21 +44,21 @@ def approach_balance(tables: Tables, work: Work, index: int, height: float):
         vertical = deflection.vertical
         if not good and not difference_slopes(tables, work, index, height):
             return NOT_CONVERGED
-        if not find_settling(tables, work, index, height):
+        if not find_equilibrium_of_rail(tables, work, index, height):
             return NOT_CONVERGED
-        if fabs(settling.move_lateral) < SETTLED and fabs(settling.move_vertical) < SETTLED:
+        if fabs(equilibrium.move_lateral) < SETTLED and fabs(equilibrium.move_vertical) < SETTLED:
             status = press_rail(tables, work, index, height, lateral, vertical)
-            if status > UNLOADED or not has_settled(settling, side, UNSETTLED):
+            if status > UNLOADED or not is_balanced(equilibrium, side, UNSETTLED):
                 return NOT_CONVERGED
             return status
-        shorten_settling(settling)
-        left_lateral = settling.lateral
-        left_vertical = settling.vertical
-        size = residual_size(settling)
+        shorten_move(equilibrium)
+        left_lateral = equilibrium.lateral
+        left_vertical = equilibrium.vertical
+        size = residual_size(equilibrium)
         status = move_part(tables, work, index, height, lateral, vertical)
-        good = status <= UNLOADED and residual_size(settling) < GOOD * size
+        good = status <= UNLOADED and residual_size(equilibrium) < GOOD * size
         if good:
-            update_slopes(settling, left_lateral, left_vertical)
+            update_slopes(equilibrium, left_lateral, left_vertical)
     return NOT_CONVERGED
 
 
@@ -66,45 +66,45 @@ def approach_balance(tables: Tables, work: Work, index: int, height: float):
 def move_part(tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float):
     """Move the rail from ``lateral`` and ``vertical`` [m], and less far until this reduces the residuals; the
     outcome."""
-    settling = work.settling
-    size = residual_size(settling)
+    equilibrium = work.equilibrium
+    size = residual_size(equilibrium)
     for i in range(PARTS):
         status = press_rail(
             tables,
             work,
             index,
             height,
-            lateral + settling.move_lateral,
-            vertical + settling.move_vertical,
+            lateral + equilibrium.move_lateral,
+            vertical + equilibrium.move_vertical,
         )
-        if status <= UNLOADED and residual_size(settling) < LEFT * size:
+        if status <= UNLOADED and residual_size(equilibrium) < LEFT * size:
             return status
-        settling.move_lateral *= PART
-        settling.move_vertical *= PART
+        equilibrium.move_lateral *= PART
+        equilibrium.move_vertical *= PART
     return NOT_CONVERGED
 
 
 @seldom
 def difference_slopes(tables: Tables, work: Work, index: int, height: float) -> bool:
     """The residuals' derivatives by both deflections, by differences; whether the contact is known there."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     deflection = work.sides[index].deflection
     lateral = deflection.lateral
     vertical = deflection.vertical
-    left_lateral = settling.lateral
-    left_vertical = settling.vertical
+    left_lateral = equilibrium.lateral
+    left_vertical = equilibrium.vertical
     found = True
-    if settling.lateral_stiffness > 0.0:
+    if equilibrium.lateral_stiffness > 0.0:
         status = press_rail(tables, work, index, height, lateral + DIFFERENCE, vertical)
         found = status <= UNLOADED
-        settling.lateral_lateral = (settling.lateral - left_lateral) / DIFFERENCE
-        settling.vertical_lateral = (settling.vertical - left_vertical) / DIFFERENCE
-    if settling.vertical_stiffness > 0.0:
+        equilibrium.lateral_lateral = (equilibrium.lateral - left_lateral) / DIFFERENCE
+        equilibrium.vertical_lateral = (equilibrium.vertical - left_vertical) / DIFFERENCE
+    if equilibrium.vertical_stiffness > 0.0:
         status = press_rail(tables, work, index, height, lateral, vertical + DIFFERENCE)
         found = found and status <= UNLOADED
-        settling.lateral_vertical = (settling.lateral - left_lateral) / DIFFERENCE
-        settling.vertical_vertical = (settling.vertical - left_vertical) / DIFFERENCE
-    hold_rigid(settling)
-    settling.lateral = left_lateral
-    settling.vertical = left_vertical
+        equilibrium.lateral_vertical = (equilibrium.lateral - left_lateral) / DIFFERENCE
+        equilibrium.vertical_vertical = (equilibrium.vertical - left_vertical) / DIFFERENCE
+    hold_rigid(equilibrium)
+    equilibrium.lateral = left_lateral
+    equilibrium.vertical = left_vertical
     return found

@@ -27,8 +27,8 @@ from ..patch.filling import total_patches
 from ..search.roll import follow_side, nearest_start
 from ..search.smallest_gap import search_side
 from ..surface.rails import is_sprung
-from .side import load_side, press_side, touch_side
-from .trial import DEEPEST
+from .side import load_side, lower_wheel, touch_side
+from .residuals import DEEPEST
 
 #: A wheel that overlaps its rail by less than this [m], to which smallest gaps are known,
 #: does not touch; 5e-9 N.
@@ -59,7 +59,7 @@ def load_at_height(tables: Tables, work: Work, index: int, height: float):
         return touch_side(tables, work, index)
     if approach > DEEPEST:
         return OFF_PROFILE
-    status = press_side(tables, work, index, approach)
+    status = lower_wheel(tables, work, index, approach)
     if tables.depth == DEPTH_GEOMETRY and not is_sprung(tables, index):
         return status
     if status == VALID:

@@ -1,6 +1,6 @@
-"""Rails that settle on their springs until these carry what the wheel presses: both deflections of a side by
+"""Equilibrium of a rail on springs with the forces of its wheel: both deflections of a side by
 Broyden's method (Broyden 1965), from an estimate for one contact place; where it finds nothing, by brackets
-(settling_brackets.py)."""
+(rail_deflection_brackets.py)."""
 
 from math import fabs
 from typing import Final
@@ -9,13 +9,13 @@ from ..elementary.circle import sine_cosine
 from ..elementary.powers import cube_root
 from ..layout import NOT_CONVERGED, UNLOADED, Tables, Work, seldom
 from ..normal.estimate import first_penetration
-from .at_height import GRAZING
-from .settling_brackets import bracket_rail, press_rail, stand_on
-from .settling_enclosing import SETTLED, enclose_deflection, shorten_settling
-from .settling_newton import approach_balance
-from .settling_slopes import begin_slopes, find_settling, update_slopes
+from .prescribed_height import GRAZING
+from .rail_deflection_brackets import bracket_rail, press_rail, stand_on
+from .rail_deflection_enclosing import SETTLED, enclose_deflection, shorten_move
+from .rail_deflection_newton import approach_balance
+from .rail_deflection_slopes import begin_slopes, find_equilibrium_of_rail, update_slopes
 from .side import touch_side
-from .springs import UNSETTLED, has_settled, open_settling
+from .springs import UNSETTLED, is_balanced, open_equilibrium
 
 #: Places at which one contact is estimated, and how near two of them are [m].
 ESTIMATES: Final[int] = 5
@@ -23,7 +23,7 @@ SAME_PLACE: Final[float] = 1e-5
 #: Newton's steps for the force of the estimate, from above.
 FORCE_STEPS: Final[int] = 12
 #: Broyden's method needs seven trials; what it has not found after so many, it seldom will.
-SETTLING_TRIALS: Final[int] = 14
+DEFLECTION_TRIALS: Final[int] = 14
 #: The same where the rail has settled with nearly the same forces.
 AGAIN_TRIALS: Final[int] = 8
 #: and when it moves by less [m]: what each rate leaves open is by chance, and shows in differences of forces.
@@ -31,10 +31,10 @@ AGAIN_SHARP: Final[float] = 1e-15
 
 
 @seldom
-def settle_rail(tables: Tables, work: Work, index: int, height: float):
+def equilibrate_rail(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose
     smallest gap is known; the outcome."""
-    open_settling(tables, work, index)
+    open_equilibrium(tables, work, index)
     side = work.sides[index]
     work.settled[index].lifted = not height - side.best > GRAZING
     if work.settled[index].lifted:
@@ -42,7 +42,7 @@ def settle_rail(tables: Tables, work: Work, index: int, height: float):
     status = NOT_CONVERGED
     if estimate_deflection(tables, work, index, height):
         status = iterate_deflection(
-            tables, work, index, height, side.deflection.lateral, side.deflection.vertical, SETTLING_TRIALS
+            tables, work, index, height, side.deflection.lateral, side.deflection.vertical, DEFLECTION_TRIALS
         )
     if status > UNLOADED:
         status = approach_balance(tables, work, index, height)
@@ -57,34 +57,34 @@ def settle_rail(tables: Tables, work: Work, index: int, height: float):
 @seldom
 def keep_slopes(work: Work, index: int):
     """Keep how a rail that has settled follows its forces, and whether they balance."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     settled = work.settled[index]
-    settled.standing = not has_settled(settling, work.sides[index], UNSETTLED)
-    settled.lateral_lateral = settling.lateral_lateral
-    settled.lateral_vertical = settling.lateral_vertical
-    settled.vertical_lateral = settling.vertical_lateral
-    settled.vertical_vertical = settling.vertical_vertical
+    settled.standing = not is_balanced(equilibrium, work.sides[index], UNSETTLED)
+    settled.lateral_lateral = equilibrium.lateral_lateral
+    settled.lateral_vertical = equilibrium.lateral_vertical
+    settled.vertical_lateral = equilibrium.vertical_lateral
+    settled.vertical_vertical = equilibrium.vertical_vertical
 
 
 @seldom
-def settle_again(tables: Tables, work: Work, index: int, height: float):
+def equilibrate_again(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
     rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
 
     A rail that stands at a jump of the forces stays there (``leave_jumps``).
     """
-    settling = work.settling
+    equilibrium = work.equilibrium
     settled = work.settled[index]
     deflection = work.sides[index].deflection
-    open_settling(tables, work, index)
+    open_equilibrium(tables, work, index)
     if settled.lifted:
         return UNLOADED
     if settled.standing:
         return press_rail(tables, work, index, height, deflection.lateral, deflection.vertical)
-    settling.lateral_lateral = settled.lateral_lateral
-    settling.lateral_vertical = settled.lateral_vertical
-    settling.vertical_lateral = settled.vertical_lateral
-    settling.vertical_vertical = settled.vertical_vertical
+    equilibrium.lateral_lateral = settled.lateral_lateral
+    equilibrium.lateral_vertical = settled.lateral_vertical
+    equilibrium.vertical_lateral = settled.vertical_lateral
+    equilibrium.vertical_vertical = settled.vertical_vertical
     status = iterate_deflection(
         tables, work, index, height, deflection.lateral, deflection.vertical, AGAIN_TRIALS
     )
@@ -127,19 +127,19 @@ def one_contact(tables: Tables, work: Work, index: int, approach: float, sideway
     With the flexibility s of the springs along the normal, and the penetration D F^(2/3), both together are
     the way A that the rail at rest would be penetrated: s x^3 + D x^2 = A for the force F = x^3.
     """
-    settling = work.settling
+    equilibrium = work.equilibrium
     side = work.sides[index]
     sine, cosine = sine_cosine(side.point.contact_angle)
     across = 0.0
     down = 0.0
-    if sideways and settling.lateral_stiffness > 0.0:
-        across = sine / settling.lateral_stiffness
-    if settling.vertical_stiffness > 0.0:
-        down = cosine / settling.vertical_stiffness
+    if sideways and equilibrium.lateral_stiffness > 0.0:
+        across = sine / equilibrium.lateral_stiffness
+    if equilibrium.vertical_stiffness > 0.0:
+        down = cosine / equilibrium.vertical_stiffness
     flexibility = across * sine + down * cosine
-    way = (approach + side.deflection.vertical - settling.vertical_rest) * cosine
+    way = (approach + side.deflection.vertical - equilibrium.vertical_rest) * cosine
     if sideways:
-        way += (side.deflection.lateral - settling.lateral_rest) * sine
+        way += (side.deflection.lateral - equilibrium.lateral_rest) * sine
     force = 0.0
     if way > 0.0 and flexibility > 0.0:
         x = cube_root(way / flexibility)
@@ -147,7 +147,7 @@ def one_contact(tables: Tables, work: Work, index: int, approach: float, sideway
         for i in range(FORCE_STEPS):
             x -= (x * x * (flexibility * x + soft) - way) / (x * (3.0 * flexibility * x + 2.0 * soft))
         force = x * x * x
-    return settling.lateral_rest + across * force, settling.vertical_rest + down * force
+    return equilibrium.lateral_rest + across * force, equilibrium.vertical_rest + down * force
 
 
 # --- Broyden's method -------------------------------------------------------------------------------------
@@ -159,30 +159,30 @@ def iterate_deflection(
 ):
     """Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the outcome,
     NOT_CONVERGED where so many ``trials`` find nothing.  Fewer begin with the derivatives that are known."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     side = work.sides[index]
     sharp = SETTLED
-    if trials != SETTLING_TRIALS:
+    if trials != DEFLECTION_TRIALS:
         sharp = AGAIN_SHARP
     for trial in range(trials):
-        before_lateral = settling.lateral
-        before_vertical = settling.vertical
+        before_lateral = equilibrium.lateral
+        before_vertical = equilibrium.vertical
         status = press_rail(tables, work, index, height, lateral, vertical)
         if status > UNLOADED:
             return NOT_CONVERGED
         before = fabs(before_lateral) + fabs(before_vertical)
-        worse = fabs(settling.lateral) + fabs(settling.vertical) > before
-        if trial == 0 and trials == SETTLING_TRIALS or trial > 0 and worse:
+        worse = fabs(equilibrium.lateral) + fabs(equilibrium.vertical) > before
+        if trial == 0 and trials == DEFLECTION_TRIALS or trial > 0 and worse:
             begin_slopes(tables, work, index, height)
         elif trial > 0:
-            update_slopes(settling, before_lateral, before_vertical)
-        if not find_settling(tables, work, index, height):
+            update_slopes(equilibrium, before_lateral, before_vertical)
+        if not find_equilibrium_of_rail(tables, work, index, height):
             return NOT_CONVERGED
-        if fabs(settling.move_lateral) < sharp and fabs(settling.move_vertical) < sharp:
-            if not has_settled(settling, side, UNSETTLED):
+        if fabs(equilibrium.move_lateral) < sharp and fabs(equilibrium.move_vertical) < sharp:
+            if not is_balanced(equilibrium, side, UNSETTLED):
                 status = NOT_CONVERGED
             return status
-        shorten_settling(settling)
-        lateral += settling.move_lateral
-        vertical += settling.move_vertical
+        shorten_move(equilibrium)
+        lateral += equilibrium.move_lateral
+        vertical += equilibrium.move_vertical
     return NOT_CONVERGED

@@ -47,7 +47,7 @@ from ..layout import (
 )
 from ..surface.rails import on_springs
 from .forces import sum_side
-from .requested import has_creep_forces, is_free, is_moving, is_needed
+from .input_checks import has_creep_forces, is_free, is_moving, is_needed
 from .side import touch_side
 
 
@@ -186,16 +186,16 @@ def strip_power(patch: Patch, strip: RollingStrip):
     return patch.speed * max(power, 0.0)
 
 
-def rub_patches(tables: Tables, work: Work):
+def solve_creep_forces(tables: Tables, work: Work):
     """Creep forces of all patches, if there are any."""
     if has_creep_forces(tables, work):
-        rub_side(tables, work, 0)
-        rub_side(tables, work, 1)
+        solve_side_creep(tables, work, 0)
+        solve_side_creep(tables, work, 1)
 
 
-def rub_side(tables: Tables, work: Work, index: int):
+def solve_side_creep(tables: Tables, work: Work, index: int):
     """Creep forces of the patches of side ``index``, and shear and slip over its outline."""
-    rub_wheel(tables, work, index)
+    solve_wheel_creep(tables, work, index)
     write_side_wear(tables, work.sides[index])
 
 
@@ -213,7 +213,7 @@ def side_friction(work: Work, index: int):
     return friction
 
 
-def rub_wheel(tables: Tables, work: Work, index: int):
+def solve_wheel_creep(tables: Tables, work: Work, index: int):
     """Creep forces of the patches of side ``index``."""
     side = work.sides[index]
     friction = side_friction(work, index)

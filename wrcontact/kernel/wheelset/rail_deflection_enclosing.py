@@ -11,15 +11,15 @@ the place.
 from math import fabs
 from typing import Final
 
-from ..layout import NOT_CONVERGED, UNLOADED, Settled, Settling, Tables, Work, copy, seldom
-from .settling_brackets import press_rail, stand_on
-from .settling_slopes import begin_slopes, find_settling
-from .springs import UNSETTLED, has_settled
+from ..layout import NOT_CONVERGED, UNLOADED, TriedDeflection, RailEquilibrium, Tables, Work, copy, seldom
+from .rail_deflection_brackets import press_rail, stand_on
+from .rail_deflection_slopes import begin_slopes, find_equilibrium_of_rail
+from .springs import UNSETTLED, is_balanced
 
 #: A rail has settled when it moves by less [m].
 SETTLED: Final[float] = 2e-14
 #: Longest move of a rail in one trial [m].
-LONGEST_SETTLING: Final[float] = 5e-4
+LONGEST_MOVE: Final[float] = 5e-4
 #: Trials at most, and halvings of a move to where the wheel stands too deep.
 ENCLOSINGS: Final[int] = 28
 RETREATS: Final[int] = 12
@@ -38,7 +38,7 @@ REDUCED: Final[float] = 0.5
 def enclose_deflection(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where nothing is
     found."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     deflection = work.sides[index].deflection
     status = press_rail(tables, work, index, height, deflection.lateral, deflection.vertical)
     if status > UNLOADED:
@@ -50,25 +50,25 @@ def enclose_deflection(tables: Tables, work: Work, index: int, height: float):
     span = 0.0
     for trial in range(ENCLOSINGS):
         begin_slopes(tables, work, index, height)
-        if not find_settling(tables, work, index, height):
+        if not find_equilibrium_of_rail(tables, work, index, height):
             return NOT_CONVERGED
-        if fabs(settling.move_lateral) < SETTLED and fabs(settling.move_vertical) < SETTLED:
-            if has_settled(settling, work.sides[index], UNSETTLED):
+        if fabs(equilibrium.move_lateral) < SETTLED and fabs(equilibrium.move_vertical) < SETTLED:
+            if is_balanced(equilibrium, work.sides[index], UNSETTLED):
                 return status
-        shorten_settling(settling)
-        places = note_settling(settling, deflection.lateral, deflection.vertical, places)
-        size = residual_size(settling)
+        shorten_move(equilibrium)
+        places = note_equilibrium(equilibrium, deflection.lateral, deflection.vertical, places)
+        size = residual_size(equilibrium)
         reduced = size < REDUCED * before
         before = size
         if places == 2:
             if trial % CLOSING == CLOSING - 1:
-                apart = places_apart(settling)
+                apart = places_apart(equilibrium)
                 if span > 0.0 and not apart < CLOSER * span:
                     return NOT_CONVERGED
                 span = apart
             if not move_between(tables, work, index, height, reduced):
                 return NOT_CONVERGED
-            if is_at_jump(settling, deflection.lateral, deflection.vertical):
+            if is_at_jump(equilibrium, deflection.lateral, deflection.vertical):
                 return stand_nearer(tables, work, index, height)
         status = move_rail(tables, work, index, height)
         if status > UNLOADED:
@@ -77,22 +77,24 @@ def enclose_deflection(tables: Tables, work: Work, index: int, height: float):
 
 
 @seldom
-def shorten_settling(settling: Settling):
+def shorten_move(equilibrium: RailEquilibrium):
     """Let the move be no longer than is permitted, in its direction."""
-    longest = max(fabs(settling.move_lateral), fabs(settling.move_vertical))
-    if longest > LONGEST_SETTLING:
-        settling.move_lateral *= LONGEST_SETTLING / longest
-        settling.move_vertical *= LONGEST_SETTLING / longest
+    longest = max(fabs(equilibrium.move_lateral), fabs(equilibrium.move_vertical))
+    if longest > LONGEST_MOVE:
+        equilibrium.move_lateral *= LONGEST_MOVE / longest
+        equilibrium.move_vertical *= LONGEST_MOVE / longest
 
 
 @seldom
 def let_down(tables: Tables, work: Work, index: int, height: float):
     """Let the rail down until the wheel just touches it; the outcome."""
-    settling = work.settling
-    vertical = settling.vertical_rest
-    if settling.vertical_stiffness > 0.0 and stand_on(tables, work, index, settling.lateral_rest, vertical):
+    equilibrium = work.equilibrium
+    vertical = equilibrium.vertical_rest
+    if equilibrium.vertical_stiffness > 0.0 and stand_on(
+        tables, work, index, equilibrium.lateral_rest, vertical
+    ):
         vertical += max(height - work.sides[index].best, 0.0)
-    return press_rail(tables, work, index, height, settling.lateral_rest, vertical)
+    return press_rail(tables, work, index, height, equilibrium.lateral_rest, vertical)
 
 
 @seldom
@@ -104,51 +106,51 @@ def scaled(stiffness: float, residual: float):
 
 
 @seldom
-def residual_size(settling: Settling):
+def residual_size(equilibrium: RailEquilibrium):
     """The last residuals as deflections of their springs [m]."""
-    return fabs(scaled(settling.lateral_stiffness, settling.lateral)) + fabs(
-        scaled(settling.vertical_stiffness, settling.vertical)
+    return fabs(scaled(equilibrium.lateral_stiffness, equilibrium.lateral)) + fabs(
+        scaled(equilibrium.vertical_stiffness, equilibrium.vertical)
     )
 
 
 @seldom
-def keep_settled(settling: Settling, place: Settled, lateral: float, vertical: float):
+def keep_deflection(equilibrium: RailEquilibrium, place: TriedDeflection, lateral: float, vertical: float):
     """Keep the deflection of the last trial and its residuals."""
     place.lateral = lateral
     place.vertical = vertical
-    place.residual_lateral = settling.lateral
-    place.residual_vertical = settling.vertical
+    place.residual_lateral = equilibrium.lateral
+    place.residual_vertical = equilibrium.vertical
 
 
 @seldom
-def distance_to(settling: Settling, place: Settled):
+def distance_to(equilibrium: RailEquilibrium, place: TriedDeflection):
     """How far the last residuals are from those of a place, as deflections [m]."""
-    return fabs(scaled(settling.lateral_stiffness, settling.lateral - place.residual_lateral)) + fabs(
-        scaled(settling.vertical_stiffness, settling.vertical - place.residual_vertical)
+    return fabs(scaled(equilibrium.lateral_stiffness, equilibrium.lateral - place.residual_lateral)) + fabs(
+        scaled(equilibrium.vertical_stiffness, equilibrium.vertical - place.residual_vertical)
     )
 
 
 @seldom
-def note_settling(settling: Settling, lateral: float, vertical: float, places: int):
+def note_equilibrium(equilibrium: RailEquilibrium, lateral: float, vertical: float, places: int):
     """Let the deflection of the last trial be one of the two; how many of them are known."""
-    one = settling.one
+    one = equilibrium.one
     if places == 2:
-        if distance_to(settling, one) < distance_to(settling, settling.other):
-            keep_settled(settling, one, lateral, vertical)
+        if distance_to(equilibrium, one) < distance_to(equilibrium, equilibrium.other):
+            keep_deflection(equilibrium, one, lateral, vertical)
         else:
-            keep_settled(settling, settling.other, lateral, vertical)
+            keep_deflection(equilibrium, equilibrium.other, lateral, vertical)
         return 2
     if places == 1:
         way_lateral = lateral - one.lateral
         way_vertical = vertical - one.vertical
-        there = settling.away_lateral * way_lateral + settling.away_vertical * way_vertical
-        back = settling.move_lateral * way_lateral + settling.move_vertical * way_vertical
+        there = equilibrium.away_lateral * way_lateral + equilibrium.away_vertical * way_vertical
+        back = equilibrium.move_lateral * way_lateral + equilibrium.move_vertical * way_vertical
         if there > 0.0 and back < 0.0:
-            keep_settled(settling, settling.other, lateral, vertical)
+            keep_deflection(equilibrium, equilibrium.other, lateral, vertical)
             return 2
-    keep_settled(settling, one, lateral, vertical)
-    settling.away_lateral = settling.move_lateral
-    settling.away_vertical = settling.move_vertical
+    keep_deflection(equilibrium, one, lateral, vertical)
+    equilibrium.away_lateral = equilibrium.move_lateral
+    equilibrium.away_vertical = equilibrium.move_vertical
     return 1
 
 
@@ -156,47 +158,47 @@ def note_settling(settling: Settling, lateral: float, vertical: float, places: i
 def move_between(tables: Tables, work: Work, index: int, height: float, reduced: bool) -> bool:
     """The move from the last trial to the next place between both, which is that of the share of their forces
     if the last trial has ``reduced`` the residuals, else half way; whether there is one."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     deflection = work.sides[index].deflection
-    one = settling.one
-    other = settling.other
-    lateral = scaled(settling.lateral_stiffness, one.residual_lateral)
-    vertical = scaled(settling.vertical_stiffness, one.residual_vertical)
-    across = scaled(settling.lateral_stiffness, other.residual_lateral) - lateral
-    down = scaled(settling.vertical_stiffness, other.residual_vertical) - vertical
+    one = equilibrium.one
+    other = equilibrium.other
+    lateral = scaled(equilibrium.lateral_stiffness, one.residual_lateral)
+    vertical = scaled(equilibrium.vertical_stiffness, one.residual_vertical)
+    across = scaled(equilibrium.lateral_stiffness, other.residual_lateral) - lateral
+    down = scaled(equilibrium.vertical_stiffness, other.residual_vertical) - vertical
     size = across * across + down * down
     share = 0.5
     if size > 0.0:
         share = min(max(-(lateral * across + vertical * down) / size, 0.0), 1.0)
-    settling.lateral = one.residual_lateral + share * (other.residual_lateral - one.residual_lateral)
-    settling.vertical = one.residual_vertical + share * (other.residual_vertical - one.residual_vertical)
-    if not find_settling(tables, work, index, height):
+    equilibrium.lateral = one.residual_lateral + share * (other.residual_lateral - one.residual_lateral)
+    equilibrium.vertical = one.residual_vertical + share * (other.residual_vertical - one.residual_vertical)
+    if not find_equilibrium_of_rail(tables, work, index, height):
         return False
     if not reduced:
         share = 0.5
-    settling.move_lateral += one.lateral + share * (other.lateral - one.lateral) - deflection.lateral
-    settling.move_vertical += one.vertical + share * (other.vertical - one.vertical) - deflection.vertical
-    shorten_settling(settling)
+    equilibrium.move_lateral += one.lateral + share * (other.lateral - one.lateral) - deflection.lateral
+    equilibrium.move_vertical += one.vertical + share * (other.vertical - one.vertical) - deflection.vertical
+    shorten_move(equilibrium)
     return True
 
 
 @seldom
-def places_apart(settling: Settling):
+def places_apart(equilibrium: RailEquilibrium):
     """How far both places are from each other [m]."""
-    one = settling.one
-    other = settling.other
+    one = equilibrium.one
+    other = equilibrium.other
     return fabs(other.lateral - one.lateral) + fabs(other.vertical - one.vertical)
 
 
 @seldom
-def is_at_jump(settling: Settling, lateral: float, vertical: float) -> bool:
+def is_at_jump(equilibrium: RailEquilibrium, lateral: float, vertical: float) -> bool:
     """Whether both places, and the next one, are the same but for a jump."""
-    one = settling.one
-    other = settling.other
-    apart = places_apart(settling)
-    move = fabs(settling.move_lateral) + fabs(settling.move_vertical)
-    jump = fabs(scaled(settling.lateral_stiffness, other.residual_lateral - one.residual_lateral)) + fabs(
-        scaled(settling.vertical_stiffness, other.residual_vertical - one.residual_vertical)
+    one = equilibrium.one
+    other = equilibrium.other
+    apart = places_apart(equilibrium)
+    move = fabs(equilibrium.move_lateral) + fabs(equilibrium.move_vertical)
+    jump = fabs(scaled(equilibrium.lateral_stiffness, other.residual_lateral - one.residual_lateral)) + fabs(
+        scaled(equilibrium.vertical_stiffness, other.residual_vertical - one.residual_vertical)
     )
     return apart < JUMP_SHARP and move < JUMP_SHARP and jump > STEEPEST * apart
 
@@ -205,12 +207,12 @@ def is_at_jump(settling: Settling, lateral: float, vertical: float) -> bool:
 def stand_nearer(tables: Tables, work: Work, index: int, height: float):
     """Stand on the side of a jump on which the wheel's force is nearer to that of the springs; the
     outcome."""
-    settling = work.settling
-    one = settling.one
-    other = settling.other
-    settling.lateral = 0.0
-    settling.vertical = 0.0
-    if distance_to(settling, other) < distance_to(settling, one):
+    equilibrium = work.equilibrium
+    one = equilibrium.one
+    other = equilibrium.other
+    equilibrium.lateral = 0.0
+    equilibrium.vertical = 0.0
+    if distance_to(equilibrium, other) < distance_to(equilibrium, one):
         copy(other, one)
     return press_rail(tables, work, index, height, one.lateral, one.vertical)
 
@@ -218,7 +220,7 @@ def stand_nearer(tables: Tables, work: Work, index: int, height: float):
 @seldom
 def move_rail(tables: Tables, work: Work, index: int, height: float):
     """Move the rail, less far where its wheel would stand too deep; the outcome."""
-    settling = work.settling
+    equilibrium = work.equilibrium
     deflection = work.sides[index].deflection
     lateral = deflection.lateral
     vertical = deflection.vertical
@@ -230,8 +232,8 @@ def move_rail(tables: Tables, work: Work, index: int, height: float):
             work,
             index,
             height,
-            lateral + share * settling.move_lateral,
-            vertical + share * settling.move_vertical,
+            lateral + share * equilibrium.move_lateral,
+            vertical + share * equilibrium.move_vertical,
         )
         if status <= UNLOADED:
             return status

@@ -20,7 +20,7 @@ from ..layout import (
     seldom,
 )
 from ..surface.tables import height_slope
-from .pressed import turning_point
+from .penetrated import turning_point
 
 #: Two deepest points are one region while the overlap between them has fallen by less than this share of
 #: the largest.  Against the complete theory 0.3 does best; 0.2 parts the centred S1002 (peak pressure

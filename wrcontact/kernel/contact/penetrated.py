@@ -136,7 +136,7 @@ def mean_bend(pair: Pair, frame: Frame, y: float, bend: float):
 
 
 @seldom
-def pressed_gap(pair: Pair, frame: Frame, station: float):
+def penetrated_gap(pair: Pair, frame: Frame, station: float):
     """How much smaller the overlap is at ``station`` [m] than the region's depth, plus the region's own gap
     [m], with its derivatives [-, 1/m]: as ``normal_gap``, for the open frame of a pressed wheel."""
     frame.place.node_count += 1.0
