@@ -14,7 +14,7 @@ The steps are the files of tools/transpile: ``modules`` reads the Python, with i
   compiler can fold them, and nothing has to be initialised at run time, where threads could race.
 * Functions are ``static``, in the order of the Python source, each under its docstring. Four translation
   units include them: ``unit.c`` holds a step, ``prepare_unit.c`` what lays out the tables once,
-  ``sections_unit.c`` the search over rails whose section changes, ``derivative_unit.c`` the derivatives. What is marked ``@seldom`` is not inlined, ``@inlined`` always, and
+  ``sections_unit.c`` the search over rails whose section changes, ``changing_unit.c`` a step on them, ``derivative_unit.c`` the derivatives. What is marked ``@seldom`` is not inlined, ``@inlined`` always, and
   ``@native`` stands in native/spans.h (kernel/layout/record.py).
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/binding/files.py).
 

@@ -149,7 +149,7 @@ def test_a_rail_that_rises_is_a_flatter_one_in_a_pitched_track(rise, model):
     assert found["moment.y"] == pytest.approx(0.0, abs=1e-6 * 6e4 * radius)  # no torque about the axle
 
 
-def waving(height, length, spacing=2e-3):
+def waving(height, length, spacing=5e-3):
     """A head on a cosine along the track, and its wave number [1/m]."""
     k, at = 2.0 * np.pi / length, np.arange(-0.2, 0.2001, spacing)
     places = np.column_stack([0.0 * at, -height * np.cos(k * at)])

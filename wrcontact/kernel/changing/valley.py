@@ -207,6 +207,8 @@ def follow_line(
     whether it is found, and these three where it is.
 
     Along the line the slope of the gap along x is brought to zero by secants, the first one with the wheel's curvature.
+
+    Long because what a node holds follows from all the numbers of its place.
     """
     frame = pair.sections.frame
     before = 0.0
