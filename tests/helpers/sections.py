@@ -5,7 +5,8 @@ from functools import cache
 import numpy as np
 
 from wrcontact import RailSections
-from wrcontact.interface.calls import PLACES, START_ROW
+from wrcontact.interface.calls import START_ROW
+from wrcontact.interface.index import PLACES
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.library import changing_kernel, default_kernel
 from wrcontact.profiles import standard_profile

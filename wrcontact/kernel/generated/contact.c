@@ -10,8 +10,9 @@ static OUT_OF_LINE int64_t curves__open_origin(array_double_1d tables, array_dou
 static OUT_OF_LINE int64_t curves__open_curve(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double u);
 static OUT_OF_LINE double curves__panel_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double low, double high);
 static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double start, double stop);
+static OUT_OF_LINE double curves__rail_way(array_double_1d tables, int64_t pair, double abscissa);
 static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop);
-static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length);
+static inline double curves__abscissa_after(array_double_1d tables, int64_t pair, double way);
 static OUT_OF_LINE bool curves__move_arc(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double length);
 static OUT_OF_LINE bool curves__move_chord(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double chord);
 static OUT_OF_LINE bool curves__move_to_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t curve, double station);
@@ -31,6 +32,7 @@ static inline int64_t frame__open_contact_region(array_double_1d work, array_dou
 static ALWAYS_INLINE void overlap_samples__sample_overlap(double* gap_out, double* out_1, double* abscissa_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry);
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry);
 static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, int64_t direction, double height, int64_t first);
+static ALWAYS_INLINE int64_t overlap_samples__falling_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double depth, double slope, int64_t exponent);
 
 /* contact/overlaps.py */
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height);
@@ -119,8 +121,9 @@ static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables,
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
 static inline double widths__width_tolerance(double estimate);
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate);
-static inline int64_t widths__keep_widths(array_double_1d work, int64_t region);
-static inline int64_t widths__start_widths(array_double_1d work, int64_t region);
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t first, int64_t region);
+static inline int64_t widths__begin_widths(array_double_1d work, int64_t known, int64_t region);
+static inline int64_t widths__start_widths(array_double_1d work, int64_t first, int64_t region);
 static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration);
 static inline double widths__side_curvature(double reached, double own, double mean);
 
@@ -139,7 +142,8 @@ static inline double widths__side_curvature(double reached, double own, double m
  * Gauss     exact to rounding, piece by piece of the profile: the arcs of the equidistant separation, which are
  *           compared on wheel and rail to 1e-13 m and must not depend on where a piece ends.
  * a table   prepared with the profiles: the stations of a pressed wheel along its rail; any coordinate is
- *           suitable for them that is smooth, the same at every use, and cheap.
+ *           suitable for them that is smooth, the same at every use, and cheap.  That is the way for which the
+ *           table of abscissae holds, within 1e-8 m of the arc length.
  *
  * Moves along the curves are by arc length, by chords, or to a lateral coordinate.  A move leaves the new
  * abscissa in the frame's trace, and returns whether the curve reaches that far.
@@ -312,38 +316,40 @@ static OUT_OF_LINE double curves__arc_length(array_double_1d tables, array_doubl
     return total;
 }
 
-/* Length of the rail profile between two abscissae [m], negative where ``stop`` is the smaller one. */
-static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop)
+/* Way along the rail [m] from its start to an ``abscissa`` [m], for which the table of abscissae gives just
+ * this one: the table of arcs is within 1e-8 m of it, and a step of Newton's method leaves rounding.
+ */
+static OUT_OF_LINE double curves__rail_way(array_double_1d tables, int64_t pair, double abscissa)
 {
-    return tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), stop) - tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), start);
+    double way, found, rate;
+    way = tables__read_cubic(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), abscissa);
+    tables__read_cubic_jet(&found, &rate, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), way);
+    return way + (abscissa - found) / rate;
 }
 
-/* Abscissa [m] of the rail at ``length`` [m] of arc from ``start``; beyond an end, by what is missing.
- *
- * The table of abscissae is within 1e-8 m of the other's inverse, and a step of Newton's method on that one
- * leaves rounding.
- */
-static OUT_OF_LINE double curves__rail_abscissa(array_double_1d tables, int64_t pair, double start, double length)
+/* Way along the rail between two abscissae [m], negative where ``stop`` is the smaller one. */
+static OUT_OF_LINE double curves__rail_length(array_double_1d tables, int64_t pair, double start, double stop)
 {
-    int64_t rail, arcs, abscissae;
-    double arc, x, found, speed;
-    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    arcs = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC);
+    return curves__rail_way(tables, pair, stop) - curves__rail_way(tables, pair, start);
+}
+
+/* Abscissa [m] of the rail after a ``way`` [m] from its start; beyond an end, by what is missing. */
+static inline double curves__abscissa_after(array_double_1d tables, int64_t pair, double way)
+{
+    int64_t abscissae;
+    double x;
     abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
-    arc = tables__read_cubic(tables, arcs, start) + length;
-    if (arc < 0.0)
+    if (way < 0.0)
     {
-        x = AT(tables, rail + layout__PROFILE_START) + arc;
+        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + way;
     }
-    else if (arc * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
+    else if (way * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
-        x = AT(tables, rail + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) + (way - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
     }
     else
     {
-        x = tables__read_cubic(tables, abscissae, arc);
-        tables__read_cubic_jet(&found, &speed, tables, arcs, x);
-        x += (arc - found) / speed;
+        x = tables__read_cubic(tables, abscissae, way);
     }
     return x;
 }
@@ -533,7 +539,7 @@ static inline void frame__open_frame(double* z_out, double* slope_out, double* y
     traces__start_traces(work, 0.0, abscissa, y);
     along = cosine + outline_slope * sine;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND) = rail_bend * cosine * cosine * cosine - outline_rate / (stretch * along * along * along);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE) = curvature__longitudinal_curvature(work, tables, place, z, slope, bend);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE) = curvature__longitudinal_curvature(work, tables, place, y, z, slope, bend);
     mismatch = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
@@ -594,9 +600,9 @@ static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t regi
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 27; i_1 += 1)
+        for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1);
         }
     }
     return 0;
@@ -608,9 +614,9 @@ static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t regi
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 27; i_1 += 1)
+        for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1);
         }
     }
     return 0;
@@ -715,16 +721,18 @@ static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, a
 }
 
 /* Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
- * above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``.
+ * above the rail, or where the overlap only falls; the entry after the last one.  Entries begin with
+ * ``first`` and run in ``direction``.
  */
 static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, int64_t direction, double height, int64_t first)
 {
-    int64_t count, entry, exponent, step;
+    int64_t count, entry, exponent, falling, step;
     double adjacent, gap, mismatch, abscissa;
     bool on_rail;
     count = (int64_t)AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN) + layout__SCAN_COUNT);
     entry = first;
     exponent = layout__EXPONENTS - 1;
+    falling = 1;
     adjacent = 1.0;
     while (node >= 0 && node < count && entry > 0 && entry < 2 * layout__OVERLAP_LIMIT - 1)
     {
@@ -767,9 +775,87 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables,
                 exponent += 1;
             }
         }
+        else if ((double)direction * mismatch > 0.0 && height - gap < overlap_samples__DEEPEST)
+        {
+            falling = overlap_samples__falling_exponent(tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN), place, node, direction, abscissa, height - gap, (double)direction * mismatch, falling);
+            if (falling > 0)
+            {
+                step = INT64_C(1) << falling;
+                adjacent = 0.0;
+            }
+            falling = int64_min(int64_max(falling, 0) + 1, layout__EXPONENTS - 1);
+        }
         node += direction * step;
     }
     return entry;
+}
+
+/* The largest exponent, from ``exponent`` downwards, for which the overlap along the rail's normals only
+ * falls over the 2^exponent cells from ``node`` on, as long as there is one; -1 if there is none.
+ *
+ * depth : of the wheel below the rail at the node [m].
+ * slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
+ *
+ * The overlap along the normals falls with the slope of the gap straight down, but for what the turning
+ * normal takes from it: depth times ``turns`` at most, and depth falls.  What is left, s, stays above zero
+ * over a length L where (1 - stretch) s >= -(1 + stretch) bend L: where a gap whose slope begins with s / 2
+ * does not fall.  Bounds and shares are those of :func:`~.bounds.clear_exponent`.
+ */
+static ALWAYS_INLINE int64_t overlap_samples__falling_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double depth, double slope, int64_t exponent)
+{
+    double u, roll, least_stretch, share, stretch_per_bend, square, stretch, length, edge, bend, wheel, left;
+    int64_t cells, first, begin, rail, reach;
+    u = bounds__rail_place(tables, scan, abscissa);
+    roll = fabs(AT(work, at + layout__PLACE_SIN_ROLL));
+    least_stretch = bounds__ROLL_STRETCH * roll;
+    share = bounds__ROLL_BEND * roll;
+    stretch_per_bend = 0.0;
+    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
+    {
+        square = AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_SIN_YAW);
+        least_stretch += bounds__STEEP_STRETCH * square;
+        share += bounds__YAW_BEND * square;
+        stretch_per_bend = bounds__BEND_STRETCH * square * AT(work, at + layout__PLACE_RADIUS);
+    }
+    while (exponent >= 0)
+    {
+        cells = INT64_C(1) << exponent;
+        first = node;
+        if (direction < 0)
+        {
+            first = node - cells;
+        }
+        if (first >= 0 && first + cells < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
+        {
+            begin = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first;
+            stretch = least_stretch + stretch_per_bend * AT(tables, begin + layout__SCAN_NODE_STEEPEST_BENDS + exponent);
+            if (stretch < bounds__WIDEST)
+            {
+                length = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (first + cells) + layout__SCAN_NODE_Y) - AT(tables, begin + layout__SCAN_NODE_Y);
+                edge = u;
+                if (direction < 0)
+                {
+                    edge -= (1.0 + bounds__WIDEST) * AT(tables, scan + layout__SCAN_RAIL_PER_METRE) * length;
+                }
+                rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, edge);
+                reach = exponent;
+                if (length > bounds__FINE_CELL * (double)cells)
+                {
+                    reach += 1;
+                }
+                bend = AT(tables, rail + layout__RAIL_CELL_LEAST_BENDS + reach);
+                wheel = AT(tables, begin + layout__SCAN_NODE_MOST_BENDS + exponent);
+                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel);
+                left = slope - overlap_samples__TURNED * depth * AT(tables, rail + layout__RAIL_CELL_TURNS + reach) - overlap_samples__SLOPE_STEPS;
+                if (left > 0.0 && bounds__largest_fall(0.5 * left, bend, length, stretch) <= 0.0)
+                {
+                    return exponent;
+                }
+            }
+        }
+        exponent -= 1;
+    }
+    return exponent;
 }
 
 
@@ -1433,7 +1519,7 @@ static OUT_OF_LINE void penetrated__penetrated_gap(double* gap_out, double* rate
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT) += 1.0;
     rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
     way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
-    abscissa = curves__rail_abscissa(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), way);
+    abscissa = curves__abscissa_after(tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) + station);
     gap = frame__NO_GAP;
     rate = 0.0;
     bend = 0.0;
@@ -1466,7 +1552,7 @@ static inline double penetrated__met_curvature(array_double_1d tables, array_dou
 {
     int64_t meeting;
     meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
-    return curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), penetrated__mean_bend(tables, work, pair, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND)));
+    return curvature__longitudinal_curvature(work, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), penetrated__mean_bend(tables, work, pair, AT(work, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND)));
 }
 
 /* ``step``, no longer than ``limit`` either way. */
@@ -1620,24 +1706,24 @@ static OUT_OF_LINE int64_t penetrated_regions__sink_deeper(array_double_1d work,
     penetrated_regions__lower_frame(work, height, penetration, 0.0);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        for (i_2 = 0; i_2 < 27; i_2 += 1)
+        for (i_2 = 0; i_2 < 28; i_2 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2);
         }
         penetrated_regions__lower_frame(work, height, AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP), AT(work, region + layout__REGION_GAP));
         for (i_3 = 0; i_3 < layout__FRAME_SIZE; i_3 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
         }
     }
-    for (i_4 = 0; i_4 < 27; i_4 += 1)
+    for (i_4 = 0; i_4 < 28; i_4 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_4);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_4);
     }
     return 0;
 }
@@ -1669,10 +1755,11 @@ static OUT_OF_LINE int64_t penetrated_regions__give_own_frame(array_double_1d ta
     sunk = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0;
     penetrated_regions__touching_shift(&aside, &shift, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
     frame__open_frame(&unread, &unread_2, &unread_3, &unread_4, &unread_5, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, point + layout__DEEP_POINT_WHEEL), aside, shift);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) = curves__rail_way(tables, pair, AT(work, point + layout__DEEP_POINT_RAIL));
     AT(work, region + layout__REGION_OWN) = (double)true;
     AT(work, region + layout__REGION_ALIGNMENT) = AT(work, region + layout__REGION_COS) / cosine;
     AT(work, region + layout__REGION_GAP) = AT(work, region + layout__REGION_ALIGNMENT) * depth - AT(work, point + layout__DEEP_POINT_DEPTH);
-    AT(work, region + layout__REGION_OFFSET) = curves__rail_length(tables, pair, abscissa, AT(work, point + layout__DEEP_POINT_RAIL));
+    AT(work, region + layout__REGION_OFFSET) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) - curves__rail_way(tables, pair, abscissa);
     penetrated_regions__lower_frame(work, height, AT(work, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)sunk;
     return 0;
@@ -1690,7 +1777,7 @@ static OUT_OF_LINE int64_t penetrated_regions__gather_overlaps(array_double_1d t
     contact = penetration_maxima__deepest_entry(work);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
@@ -1721,11 +1808,11 @@ static OUT_OF_LINE int64_t penetrated_regions__gather_overlaps(array_double_1d t
         }
         for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
-        for (i_3 = 0; i_3 < 27; i_3 += 1)
+        for (i_3 = 0; i_3 < 28; i_3 += 1)
         {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3);
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3);
         }
     }
     if (count > 1)
@@ -2681,12 +2768,13 @@ static inline double widths__width_tolerance(double estimate)
 /* Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's
  * bound or the end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
  *
- * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear.  The gap is the
- * chosen separation, with arcs in place of the chords whose length follows from this width.
+ * Doubling to a bracket, then Newton on the square root of the gap, which is nearly linear; the last
+ * steps with its bend, which makes them of third order (Chebyshev's method).  The gap is the chosen
+ * separation, with arcs in place of the chords whose length follows from this width.
  */
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate)
 {
-    double limit, tolerance, root, low, high, width, station, abscissa, y, near, gap, rate, bend, rise, following, sharp, square, newton;
+    double limit, tolerance, root, low, high, width, station, abscissa, y, near, gap, rate, bend, rise, following, sharp, square, rising, step, newton;
     int64_t i;
     limit = widths__width_limit(work, region, direction);
     traces__start_traces(work, AT(work, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL));
@@ -2747,7 +2835,13 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
         if (rise > 0.0 && rate * direction > 0.0)
         {
             square = sqrt(rise);
-            newton = width + (root - square) * 2.0 * square / (rate * direction);
+            rising = rate * direction;
+            step = (root - square) * 2.0 * square / rising;
+            if (fabs(step) < widths__BENT_STEP * width)
+            {
+                step -= 0.5 * step * step * (bend / rising - 0.5 * rising / rise);
+            }
+            newton = width + step;
             if (newton > low && newton < 4.0 * width && (high < 0.0 || newton < high))
             {
                 following = newton;
@@ -2768,24 +2862,33 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
 }
 
 /* Note the half-widths of a region about the contact point. */
-static inline int64_t widths__keep_widths(array_double_1d work, int64_t region)
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t first, int64_t region)
 {
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    AT(work, first + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
+    AT(work, first + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
+    AT(work, first + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    return 0;
+}
+
+/* Let a region begin with the half-widths that it had. */
+static inline int64_t widths__begin_widths(array_double_1d work, int64_t known, int64_t region)
+{
+    AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, known + layout__FIRST_WIDTHS_PENETRATION);
+    AT(work, region + layout__REGION_WIDTH_LOW) = AT(work, known + layout__FIRST_WIDTHS_LOW);
+    AT(work, region + layout__REGION_WIDTH_HIGH) = AT(work, known + layout__FIRST_WIDTHS_HIGH);
     return 0;
 }
 
 /* Let a region whose minimum lies within the ``first`` widths begin with them. */
-static inline int64_t widths__start_widths(array_double_1d work, int64_t region)
+static inline int64_t widths__start_widths(array_double_1d work, int64_t first, int64_t region)
 {
     double low, high;
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
-    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
-    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))
+    low = AT(work, first + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
+    high = AT(work, first + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
+    if (AT(work, first + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_HIGH))
     {
-        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION);
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, first + layout__FIRST_WIDTHS_PENETRATION);
         AT(work, region + layout__REGION_WIDTH_LOW) = low;
         AT(work, region + layout__REGION_WIDTH_HIGH) = high;
     }

@@ -222,49 +222,54 @@ static inline void derivative_curves__arc_length_t(double* total_out, lanes* tot
     EACH_LANE each(*total_t_out) = each(total_t);
 }
 
+/* Derivative of ``rail_way``. */
+static inline void derivative_curves__rail_way_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double abscissa, lanes abscissa_t)
+{
+    double v1, way, found, rate, v2, v3;
+    lanes v1_t, way_t, found_t, rate_t;
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), abscissa, abscissa_t);
+    EACH_LANE each(way_t) = each(v1_t);
+    way = v1;
+    derivative_tables__read_cubic_jet_t(&found, &found_t, &rate, &rate_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), way, way_t);
+    v2 = abscissa - found;
+    v3 = v2 / rate;
+    *out_0 = way + v3;
+    EACH_LANE each(*out_1) = each(way_t) + (each(abscissa_t) - each(found_t) - v3 * each(rate_t)) / rate;
+}
+
 /* Derivative of ``rail_length``. */
 static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t)
 {
     double v1, v2;
     lanes v1_t, v2_t;
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), stop, stop_t);
-    derivative_tables__read_cubic_t(&v2, &v2_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), start, start_t);
+    derivative_curves__rail_way_t(&v1, &v1_t, tables, pair, stop, stop_t);
+    derivative_curves__rail_way_t(&v2, &v2_t, tables, pair, start, start_t);
     *out_0 = v1 - v2;
     EACH_LANE each(*out_1) = each(v1_t) - each(v2_t);
 }
 
-/* Derivative of ``rail_abscissa``. */
-static inline void derivative_curves__rail_abscissa_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t)
+/* Derivative of ``abscissa_after``. */
+static inline void derivative_curves__abscissa_after_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double way, lanes way_t)
 {
-    int64_t rail, arcs, abscissae;
-    double v1, arc, x, v2, found, speed, v3, v4;
-    lanes v1_t, arc_t, x_t, v2_t, found_t, speed_t;
-    rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    arcs = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC);
+    int64_t abscissae;
+    lanes x_t, v1_t;
+    double x, v1;
     abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, arcs, start, start_t);
-    EACH_LANE each(arc_t) = each(v1_t) + each(length_t);
-    arc = v1 + length;
-    if (arc < 0.0)
+    if (way < 0.0)
     {
-        EACH_LANE each(x_t) = each(arc_t);
-        x = AT(tables, rail + layout__PROFILE_START) + arc;
+        EACH_LANE each(x_t) = each(way_t);
+        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + way;
     }
-    else if (arc * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
+    else if (way * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
-        EACH_LANE each(x_t) = each(arc_t);
-        x = AT(tables, rail + layout__PROFILE_STOP) + (arc - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+        EACH_LANE each(x_t) = each(way_t);
+        x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) + (way - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
     }
     else
     {
-        derivative_tables__read_cubic_t(&v2, &v2_t, tables, abscissae, arc, arc_t);
-        EACH_LANE each(x_t) = each(v2_t);
-        x = v2;
-        derivative_tables__read_cubic_jet_t(&found, &found_t, &speed, &speed_t, tables, arcs, x, x_t);
-        v3 = arc - found;
-        v4 = v3 / speed;
-        EACH_LANE each(x_t) = each(x_t) + (each(arc_t) - each(found_t) - v4 * each(speed_t)) / speed;
-        x = x + v4;
+        derivative_tables__read_cubic_t(&v1, &v1_t, tables, abscissae, way, way_t);
+        EACH_LANE each(x_t) = each(v1_t);
+        x = v1;
     }
     *x_out = x;
     EACH_LANE each(*x_t_out) = each(x_t);
@@ -468,7 +473,7 @@ static inline void derivative_frame__open_frame_t(double* z_out, lanes* z_t_out,
     v9 = outline_rate / v8;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t) - (each(outline_rate_t) - v9 * (((each(stretch_t) * along + stretch * each(along_t)) * along + v6 * each(along_t)) * along + v7 * each(along_t))) / v8;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND) = v5 * cosine - v9;
-    derivative_curvature__longitudinal_curvature_t(&v10, &v10_t, work, work_t, tables, place, z, z_t, slope, slope_t, bend, bend_t);
+    derivative_curvature__longitudinal_curvature_t(&v10, &v10_t, work, work_t, tables, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
     EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = each(v10_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE) = v10;
     EACH_LANE each(mismatch_t) = each(rail_slope_t) - each(outline_slope_t);
@@ -540,10 +545,10 @@ static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, arra
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 27; i_1 += 1)
+        for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * slot + i_1);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1);
         }
     }
     return 0;
@@ -555,10 +560,10 @@ static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, arra
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
-        for (i_1 = 0; i_1 < 27; i_1 += 1)
+        for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1);
         }
     }
     return 0;
@@ -885,7 +890,7 @@ static inline void derivative_penetrated__mean_bend_t(double* bend_out, lanes* b
 static inline void derivative_penetrated__penetrated_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
     int64_t k1, rail, trace, meeting;
-    lanes way_t, v2_t, abscissa_t, gap_t, rate_t, bend_t, estimate_t;
+    lanes way_t, v2_t, abscissa_t, gap_t, rate_t, bend_t, estimate_t, rates;
     double way, v2, abscissa, gap, rate, bend, estimate, v4, v5;
     bool n3;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
@@ -893,7 +898,8 @@ static inline void derivative_penetrated__penetrated_gap_t(double* gap_out, lane
     rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
     EACH_LANE each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
-    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), way, way_t);
+    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) + each(station_t);
+    derivative_curves__abscissa_after_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) + station, rates);
     EACH_LANE each(abscissa_t) = each(v2_t);
     abscissa = v2;
     gap_t = all_lanes(0.0);
@@ -948,7 +954,7 @@ static inline void derivative_penetrated__met_curvature_t(double* v1_out, lanes*
     lanes v2_t, v1_t;
     meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
     derivative_penetrated__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND), RATE_AT(work_t, meeting + layout__MEETING_BEND));
-    derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_Z), RATE_AT(work_t, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE), v2, v2_t);
+    derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_Z), RATE_AT(work_t, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE), v2, v2_t);
     *v1_out = v1;
     EACH_LANE each(*v1_t_out) = each(v1_t);
 }
@@ -1201,8 +1207,8 @@ static inline int64_t derivative_penetrated_regions__open_penetrated_region_t(ar
 /* Derivative of ``give_own_frame``. */
 static inline int64_t derivative_penetrated_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
-    lanes cosine_t, abscissa_t, height_t, depth_t, aside_t, shift_t, n1_t, n2_t, n3_t, n4_t, n5_t, v7_t;
-    double cosine, abscissa, height, depth, aside, shift, n1, n2, n3, n4, n5, v6, v7;
+    lanes cosine_t, abscissa_t, height_t, depth_t, aside_t, shift_t, n1_t, n2_t, n3_t, n4_t, n5_t, v6_t, v8_t;
+    double cosine, abscissa, height, depth, aside, shift, n1, n2, n3, n4, n5, v6, v7, v8;
     bool sunk;
     EACH_LANE each(cosine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     cosine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
@@ -1215,16 +1221,19 @@ static inline int64_t derivative_penetrated_regions__give_own_frame_t(array_doub
     sunk = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0;
     derivative_penetrated_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
     derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), aside, aside_t, shift, shift_t);
+    derivative_curves__rail_way_t(&v6, &v6_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) = each(v6_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) = v6;
     RATE_AT(work_t, region + layout__REGION_OWN) = all_lanes(0.0);
     AT(work, region + layout__REGION_OWN) = (double)true;
-    v6 = AT(work, region + layout__REGION_COS) / cosine;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) = (each(RATE_AT(work_t, region + layout__REGION_COS)) - v6 * each(cosine_t)) / cosine;
-    AT(work, region + layout__REGION_ALIGNMENT) = v6;
+    v7 = AT(work, region + layout__REGION_COS) / cosine;
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) = (each(RATE_AT(work_t, region + layout__REGION_COS)) - v7 * each(cosine_t)) / cosine;
+    AT(work, region + layout__REGION_ALIGNMENT) = v7;
     EACH_LANE each(RATE_AT(work_t, region + layout__REGION_GAP)) = each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) * depth + AT(work, region + layout__REGION_ALIGNMENT) * each(depth_t) - each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH));
     AT(work, region + layout__REGION_GAP) = AT(work, region + layout__REGION_ALIGNMENT) * depth - AT(work, point + layout__DEEP_POINT_DEPTH);
-    derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, abscissa, abscissa_t, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_OFFSET)) = each(v7_t);
-    AT(work, region + layout__REGION_OFFSET) = v7;
+    derivative_curves__rail_way_t(&v8, &v8_t, tables, pair, abscissa, abscissa_t);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_OFFSET)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) - each(v8_t);
+    AT(work, region + layout__REGION_OFFSET) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) - v8;
     derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, AT(work, point + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP), RATE_AT(work_t, region + layout__REGION_GAP));
     RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)sunk;
@@ -1241,8 +1250,8 @@ static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_dou
     contact = penetration_maxima__deepest_entry(work);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
     {
@@ -1283,13 +1292,13 @@ static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_dou
         }
         for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
-        for (i_3 = 0; i_3 < 27; i_3 += 1)
+        for (i_3 = 0; i_3 < 28; i_3 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3));
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 27 * layout__REGION_LIMIT + i_3);
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3);
         }
     }
     if (count > 1)
@@ -2035,8 +2044,8 @@ static inline void derivative_widths__width_tolerance_t(double* tolerance_out, l
 /* Derivative of ``zone_width``. */
 static inline void derivative_widths__zone_width_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
 {
-    double v1, limit, v2, tolerance, v3, root, low, high, width, station, abscissa, y, near, v4, gap, rate, bend, rise, following, sharp, v5, v6, square, v7, v8, v9, v10, v11, newton;
-    lanes v1_t, limit_t, v2_t, tolerance_t, root_t, low_t, high_t, width_t, station_t, abscissa_t, y_t, v4_t, gap_t, rate_t, bend_t, rise_t, following_t, square_t, newton_t, rates;
+    double v1, limit, v2, tolerance, v3, root, low, high, width, station, abscissa, y, near, v4, gap, rate, bend, rise, following, sharp, v5, v6, square, rising, v7, v8, v9, v10, step, v11, v12, v13, v14, v15, v16, newton;
+    lanes v1_t, limit_t, v2_t, tolerance_t, root_t, low_t, high_t, width_t, station_t, abscissa_t, y_t, v4_t, gap_t, rate_t, bend_t, rise_t, following_t, square_t, rising_t, step_t, newton_t, rates;
     int64_t i;
     derivative_widths__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
     EACH_LANE each(limit_t) = each(v1_t);
@@ -2132,13 +2141,27 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
             v6 = sqrt(rise);
             EACH_LANE each(square_t) = derivative_rates__root_rate(v6, each(rise_t));
             square = v6;
+            EACH_LANE each(rising_t) = each(rate_t) * direction + rate * each(direction_t);
+            rising = rate * direction;
             v7 = root - square;
             v8 = v7 * 2.0;
             v9 = v8 * square;
-            v10 = rate * direction;
-            v11 = v9 / v10;
-            EACH_LANE each(newton_t) = each(width_t) + ((each(root_t) - each(square_t)) * 2.0 * square + v8 * each(square_t) - v11 * (each(rate_t) * direction + rate * each(direction_t))) / v10;
-            newton = width + v11;
+            v10 = v9 / rising;
+            EACH_LANE each(step_t) = ((each(root_t) - each(square_t)) * 2.0 * square + v8 * each(square_t) - v10 * each(rising_t)) / rising;
+            step = v10;
+            if (fabs(step) < widths__BENT_STEP * width)
+            {
+                v11 = 0.5 * step;
+                v12 = v11 * step;
+                v13 = bend / rising;
+                v14 = 0.5 * rising;
+                v15 = v14 / rise;
+                v16 = v13 - v15;
+                EACH_LANE each(step_t) = each(step_t) - ((0.5 * each(step_t) * step + v11 * each(step_t)) * v16 + v12 * ((each(bend_t) - v13 * each(rising_t)) / rising - (0.5 * each(rising_t) - v15 * each(rise_t)) / rise));
+                step = step - v12 * v16;
+            }
+            EACH_LANE each(newton_t) = each(width_t) + each(step_t);
+            newton = width + step;
             if (newton > low && newton < 4.0 * width && (high < 0.0 || newton < high))
             {
                 EACH_LANE each(following_t) = each(newton_t);
@@ -2165,32 +2188,44 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
 }
 
 /* Derivative of ``keep_widths``. */
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region)
 {
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
+    AT(work, first + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
+    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
+    AT(work, first + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
+    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
+    AT(work, first + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
+    return 0;
+}
+
+/* Derivative of ``begin_widths``. */
+static inline int64_t derivative_widths__begin_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t known, int64_t region)
+{
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_PENETRATION));
+    AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, known + layout__FIRST_WIDTHS_PENETRATION);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_LOW));
+    AT(work, region + layout__REGION_WIDTH_LOW) = AT(work, known + layout__FIRST_WIDTHS_LOW);
+    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_HIGH));
+    AT(work, region + layout__REGION_WIDTH_HIGH) = AT(work, known + layout__FIRST_WIDTHS_HIGH);
     return 0;
 }
 
 /* Derivative of ``start_widths``. */
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region)
 {
     lanes low_t, high_t;
     double low, high;
     RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION) = all_lanes(0.0);
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
-    EACH_LANE each(low_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
-    low = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
-    EACH_LANE each(high_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
-    high = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))
+    EACH_LANE each(low_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    low = AT(work, first + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
+    EACH_LANE each(high_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    high = AT(work, first + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
+    if (AT(work, first + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_HIGH))
     {
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
-        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION);
+        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION));
+        AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, first + layout__FIRST_WIDTHS_PENETRATION);
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
         AT(work, region + layout__REGION_WIDTH_LOW) = low;
         EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
@@ -2381,9 +2416,16 @@ static inline void derivative_widths__width_rule_t(double* width_out, lanes* wid
 /* Derivative of ``width_jet``. */
 static inline void derivative_widths__width_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double width, lanes width_t, double tolerance, lanes tolerance_t)
 {
-    double gap, rate, bend;
-    lanes gap_t, rate_t, bend_t, rates;
-    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
+    lanes y_t, gap_t, rate_t, bend_t, rates;
+    double y, gap, rate, bend;
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL));
+    y = AT(work, region + layout__REGION_WHEEL);
+    if ((int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_NORMAL)
+    {
+        y_t = all_lanes(0.0);
+        y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) - direction * width * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    }
+    derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), y, y_t);
     EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
     derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
     *gap_out = gap;

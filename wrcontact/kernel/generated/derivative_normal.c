@@ -392,7 +392,7 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
         derivative_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, pair, force, force_t);
         EACH_LANE each(penetration_t) = each(v1_t);
         penetration = v1;
-        derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+        derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     count = 0;
     satisfied = false;
@@ -447,7 +447,8 @@ static inline void derivative_analyn_contact__solve_estimated_t(double* penetrat
 /* Derivative of ``gather_regions``. */
 static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t)
 {
-    int64_t i, n1, count;
+    int64_t i, n1, count, trial;
+    bool follows;
     for (i = 0; i < layout__REGION_LIMIT; i += 1)
     {
         RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = all_lanes(0.0);
@@ -455,12 +456,32 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
     }
     n1 = derivative_penetrated_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
+    trial = layout__WORK_CONTACT + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_TRIAL);
+    follows = AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0);
     for (i = 0; i < count; i += 1)
     {
-        derivative_widths__start_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        derivative_widths__start_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        if (follows && (int64_t)AT(work, trial + layout__DEEP_POINTS_WIDTH_COUNT) == count)
+        {
+            derivative_widths__begin_widths_t(work, work_t, trial + layout__DEEP_POINTS_WIDTHS + layout__FIRST_WIDTHS_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        }
     }
     derivative_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
+}
+
+/* Derivative of ``keep_trial``. */
+static inline int64_t derivative_analyn_contact__keep_trial_t(array_double_1d work, array_lanes_1d work_t, int64_t count)
+{
+    int64_t trial, i;
+    trial = layout__WORK_CONTACT + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_TRIAL);
+    RATE_AT(work_t, trial + layout__DEEP_POINTS_WIDTH_COUNT) = all_lanes(0.0);
+    AT(work, trial + layout__DEEP_POINTS_WIDTH_COUNT) = (double)count;
+    for (i = 0; i < count; i += 1)
+    {
+        derivative_widths__keep_widths_t(work, work_t, trial + layout__DEEP_POINTS_WIDTHS + layout__FIRST_WIDTHS_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+    }
+    return 0;
 }
 
 /* Derivative of ``solve_fine``. */
@@ -477,6 +498,10 @@ static inline void derivative_analyn_contact__solve_fine_t(double* penetration_o
     for (repeat = 0; repeat < analyn_contact__COVER_REPEATS; repeat += 1)
     {
         derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, all_lanes(0.0));
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
+        {
+            derivative_analyn_contact__keep_trial_t(work, work_t, count);
+        }
         derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
@@ -2628,13 +2653,15 @@ static inline int64_t derivative_patch_places__place_load_t(array_double_1d tabl
 /* Derivative of ``abscissa_at``. */
 static inline void derivative_patch_places__abscissa_at_t(double* abscissa_out, lanes* abscissa_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double away, lanes away_t)
 {
-    lanes abscissa_t, v1_t;
-    double abscissa, v1;
+    lanes abscissa_t, v2_t, v1_t, rates;
+    double abscissa, v2, v1;
     EACH_LANE each(abscissa_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) + (each(away_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + away * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     abscissa = AT(work, region + layout__REGION_RAIL) + away * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && away != 0.0)
     {
-        derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, pair, AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), away, away_t);
+        derivative_curves__rail_way_t(&v2, &v2_t, tables, pair, AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL));
+        EACH_LANE each(rates) = each(v2_t) + each(away_t);
+        derivative_curves__abscissa_after_t(&v1, &v1_t, tables, pair, v2 + away, rates);
         EACH_LANE each(abscissa_t) = each(v1_t);
         abscissa = v1;
     }
@@ -5535,7 +5562,7 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
             EACH_LANE each(mean_t) = (each(before_t) + each(after_t) - 2.0 * each(z_t) - v5 * each(square_t)) / square;
             mean = v5;
         }
-        derivative_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
+        derivative_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, AT(work, at + layout__TRACED_STATION_WHEEL), RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL), z, z_t, slope, slope_t, mean, mean_t);
         EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_A)) = 0.5 * each(v6_t);
         AT(work, at + layout__TRACED_STATION_A) = 0.5 * v6;
         v7 = after - before;

@@ -39,29 +39,39 @@ static inline void derivative_curvature__relative_curvature_t(double* out_0, lan
 }
 
 /* Derivative of ``longitudinal_curvature``. */
-static inline void derivative_curvature__longitudinal_curvature_t(double* curvature_out, lanes* curvature_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+static inline void derivative_curvature__longitudinal_curvature_t(double* v2_out, lanes* v2_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
 {
-    lanes r_t, curvature_t, sin_phi_t, cos_phi_t, e1_t, e2_t, e3_t, around_t, steep_t, v15_t;
-    double r, v1, curvature, v2, v3, v4, v5, sin_phi, cos_phi, e1, e2, e3, around, v6, v7, steep, v8, v9, v10, v11, v12, v13, v14, v15;
-    EACH_LANE each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
-    r = AT(work, place + layout__PLACE_RADIUS) + z;
-    v1 = 1.0 / r;
-    EACH_LANE each(curvature_t) = -v1 * each(r_t) / r;
-    curvature = v1;
-    if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) == layout__LONGITUDINAL_BASIC)
+    double v1, v2;
+    lanes v1_t, v2_t;
+    if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) != layout__LONGITUDINAL_EFFECTIVE)
     {
-        *curvature_out = curvature;
-        EACH_LANE each(*curvature_t_out) = each(curvature_t);
+        derivative_curvature__other_curvature_t(&v1, &v1_t, work, work_t, tables, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
+        *v2_out = v1;
+        EACH_LANE each(*v2_t_out) = each(v1_t);
         return;
     }
+    derivative_curvature__effective_curvature_t(&v2, &v2_t, work, work_t, place, z, z_t, slope, slope_t, bend, bend_t);
+    *v2_out = v2;
+    EACH_LANE each(*v2_t_out) = each(v2_t);
+}
+
+/* Derivative of ``effective_curvature``. */
+static inline void derivative_curvature__effective_curvature_t(double* curvature_out, lanes* curvature_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+{
+    lanes r_t, curvature_t, sin_phi_t, cos_phi_t, e1_t, e2_t, e3_t, around_t, steep_t, v14_t;
+    double r, curvature, v1, v2, v3, v4, sin_phi, cos_phi, e1, e2, e3, around, v5, v6, steep, v7, v8, v9, v10, v11, v12, v13, v14;
+    EACH_LANE each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
+    r = AT(work, place + layout__PLACE_RADIUS) + z;
+    curvature_t = all_lanes(0.0);
+    curvature = 0.0;
     if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
-        v2 = 1.0 + slope * slope;
-        v3 = sqrt(v2);
-        v4 = r * v3;
-        v5 = 1.0 / v4;
-        EACH_LANE each(curvature_t) = -v5 * (each(r_t) * v3 + r * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t))) / v4;
-        curvature = v5;
+        v1 = 1.0 + slope * slope;
+        v2 = sqrt(v1);
+        v3 = r * v2;
+        v4 = 1.0 / v3;
+        EACH_LANE each(curvature_t) = -v4 * (each(r_t) * v2 + r * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t))) / v3;
+        curvature = v4;
     }
     else
     {
@@ -74,29 +84,98 @@ static inline void derivative_curvature__longitudinal_curvature_t(double* curvat
         e3 = AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_SIN_ROLL);
         EACH_LANE each(around_t) = each(e1_t) * cos_phi + e1 * each(cos_phi_t) - (each(e3_t) * sin_phi + e3 * each(sin_phi_t));
         around = e1 * cos_phi - e3 * sin_phi;
-        v6 = 1.0 + slope * slope;
-        v7 = sqrt(v6);
-        EACH_LANE each(steep_t) = derivative_rates__root_rate(v7, each(slope_t) * slope + slope * each(slope_t));
-        steep = v7;
-        v8 = around * around;
-        v9 = v8 / r;
-        v10 = bend * e2;
-        v11 = v9 - v10 * e2;
-        v12 = v11 / steep;
-        v13 = r * steep;
-        v14 = curvature__CURVATURE_FLOOR / v13;
-        v15 = v12;
-        EACH_LANE each(v15_t) = ((each(around_t) * around + around * each(around_t) - v9 * each(r_t)) / r - ((each(bend_t) * e2 + bend * each(e2_t)) * e2 + v10 * each(e2_t)) - v12 * each(steep_t)) / steep;
-        if (v14 > v15)
+        v5 = 1.0 + slope * slope;
+        v6 = sqrt(v5);
+        EACH_LANE each(steep_t) = derivative_rates__root_rate(v6, each(slope_t) * slope + slope * each(slope_t));
+        steep = v6;
+        v7 = around * around;
+        v8 = v7 / r;
+        v9 = bend * e2;
+        v10 = v8 - v9 * e2;
+        v11 = v10 / steep;
+        v12 = r * steep;
+        v13 = curvature__CURVATURE_FLOOR / v12;
+        v14 = v11;
+        EACH_LANE each(v14_t) = ((each(around_t) * around + around * each(around_t) - v8 * each(r_t)) / r - ((each(bend_t) * e2 + bend * each(e2_t)) * e2 + v9 * each(e2_t)) - v11 * each(steep_t)) / steep;
+        if (v13 > v14)
         {
-            v15 = v14;
-            EACH_LANE each(v15_t) = -v14 * (each(r_t) * steep + r * each(steep_t)) / v13;
+            v14 = v13;
+            EACH_LANE each(v14_t) = -v13 * (each(r_t) * steep + r * each(steep_t)) / v12;
         }
-        EACH_LANE each(curvature_t) = each(v15_t);
-        curvature = v15;
+        EACH_LANE each(curvature_t) = each(v14_t);
+        curvature = v14;
     }
     *curvature_out = curvature;
     EACH_LANE each(*curvature_t_out) = each(curvature_t);
+}
+
+/* Derivative of ``other_curvature``. */
+static inline void derivative_curvature__other_curvature_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+{
+    double v1, v2, v3, v4;
+    lanes v3_t, v4_t;
+    if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) == layout__LONGITUDINAL_BASIC)
+    {
+        v1 = AT(work, place + layout__PLACE_RADIUS) + z;
+        v2 = 1.0 / v1;
+        *out_0 = v2;
+        EACH_LANE each(*out_1) = -v2 * (each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t)) / v1;
+        return;
+    }
+    derivative_curvature__effective_curvature_t(&v3, &v3_t, work, work_t, place, z, z_t, slope, slope_t, bend, bend_t);
+    derivative_curvature__rail_bend_t(&v4, &v4_t, tables, y, y_t);
+    *out_0 = v3 + v4;
+    EACH_LANE each(*out_1) = each(v3_t) + each(v4_t);
+}
+
+/* Derivative of ``rail_bend``. */
+static inline void derivative_curvature__rail_bend_t(double* out_0, lanes* out_1, array_double_1d tables, double y, lanes y_t)
+{
+    int64_t low, high, middle, before, behind;
+    lanes share_t, v3_t, v4_t;
+    double share, v1, v2, v3, v4, v5;
+    low = (int64_t)AT(tables, layout__TABLES_VALLEY_FIRST);
+    high = (int64_t)AT(tables, layout__TABLES_VALLEY_LAST);
+    while (high - low > 1)
+    {
+        middle = floor_div(low + high, 2);
+        if (AT(tables, (int64_t)AT(tables, layout__TABLES_VALLEY) + layout__VALLEY_NODE_SIZE * middle + layout__VALLEY_NODE_WHEEL) <= y)
+        {
+            low = middle;
+        }
+        else
+        {
+            high = middle;
+        }
+    }
+    before = (int64_t)AT(tables, layout__TABLES_VALLEY) + layout__VALLEY_NODE_SIZE * low;
+    behind = (int64_t)AT(tables, layout__TABLES_VALLEY) + layout__VALLEY_NODE_SIZE * high;
+    share_t = all_lanes(0.0);
+    share = 0.0;
+    if (AT(tables, behind + layout__VALLEY_NODE_WHEEL) > AT(tables, before + layout__VALLEY_NODE_WHEEL))
+    {
+        v1 = y - AT(tables, before + layout__VALLEY_NODE_WHEEL);
+        v2 = AT(tables, behind + layout__VALLEY_NODE_WHEEL) - AT(tables, before + layout__VALLEY_NODE_WHEEL);
+        v3 = v1 / v2;
+        EACH_LANE each(v3_t) = each(y_t) / v2;
+        if (0.0 > v3)
+        {
+            v3 = 0.0;
+            v3_t = all_lanes(0.0);
+        }
+        v4 = v3;
+        EACH_LANE each(v4_t) = each(v3_t);
+        if (1.0 < v4)
+        {
+            v4 = 1.0;
+            v4_t = all_lanes(0.0);
+        }
+        EACH_LANE each(share_t) = each(v4_t);
+        share = v4;
+    }
+    v5 = AT(tables, behind + layout__VALLEY_NODE_BEND) - AT(tables, before + layout__VALLEY_NODE_BEND);
+    *out_0 = AT(tables, before + layout__VALLEY_NODE_BEND) + share * v5;
+    EACH_LANE each(*out_1) = each(share_t) * v5;
 }
 
 

@@ -1173,6 +1173,8 @@ static inline int64_t derivative_report__report_patch_t(array_double_1d work, ar
     AT(work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = 0.0;
     RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = all_lanes(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SLOPE) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_SLOPE) = 0.0;
     return 0;
 }
 
@@ -2052,8 +2054,8 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
 static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t)
 {
     int64_t pair, side, n1, deepest;
-    lanes height_t, aside_t, shift_t;
-    double height, aside, shift;
+    lanes height_t, aside_t, shift_t, v2_t;
+    double height, aside, shift, v2;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     EACH_LANE each(height_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(approach_t);
@@ -2068,6 +2070,9 @@ static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, arr
     derivative_penetrated_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
     derivative_side__describe_contact_t(tables, work, work_t, index, AT(work, deepest + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, deepest + layout__DEEP_POINT_WHEEL), aside, aside_t, shift, shift_t);
     derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH), 0.0, all_lanes(0.0));
+    derivative_curves__rail_way_t(&v2, &v2_t, tables, pair, AT(work, deepest + layout__DEEP_POINT_RAIL), RATE_AT(work_t, deepest + layout__DEEP_POINT_RAIL));
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) = each(v2_t);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) = v2;
     return layout__VALID;
 }
 
@@ -2077,6 +2082,8 @@ static inline int64_t derivative_side__find_points_t(array_double_1d work, array
     int64_t pair, kept, count, n1, n2;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_TRIAL) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_TRIAL) = (double)(kept - layout__WORK_CONTACT);
     count = 0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0 && (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) > 0)
     {

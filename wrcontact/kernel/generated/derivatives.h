@@ -20,6 +20,7 @@ static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double
 static inline void derivative_analyn_contact__solve_analyn_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration);
 static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t);
+static inline int64_t derivative_analyn_contact__keep_trial_t(array_double_1d work, array_lanes_1d work_t, int64_t count);
 static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration);
 
 /* derivative_auto_contact.py */
@@ -98,7 +99,10 @@ static inline void derivative_creepage__approach_rate_t(double* out_0, lanes* ou
 /* derivative_curvature.py */
 static inline void derivative_curvature__profile_curvature_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double y, lanes y_t);
 static inline void derivative_curvature__relative_curvature_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double y, lanes y_t, double abscissa, lanes abscissa_t);
-static inline void derivative_curvature__longitudinal_curvature_t(double* curvature_out, lanes* curvature_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
+static inline void derivative_curvature__longitudinal_curvature_t(double* v2_out, lanes* v2_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
+static inline void derivative_curvature__effective_curvature_t(double* curvature_out, lanes* curvature_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
+static inline void derivative_curvature__other_curvature_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
+static inline void derivative_curvature__rail_bend_t(double* out_0, lanes* out_1, array_double_1d tables, double y, lanes y_t);
 
 /* derivative_curves.py */
 static inline void derivative_curves__curve_jet_t(double* across_out, lanes* across_t_out, double* down_out, lanes* down_t_out, double* slope_out, lanes* slope_t_out, double* stretch_out, lanes* stretch_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t);
@@ -108,8 +112,9 @@ static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, a
 static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t);
 static inline void derivative_curves__panel_length_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double low, lanes low_t, double high, lanes high_t);
 static inline void derivative_curves__arc_length_t(double* total_out, lanes* total_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double start, lanes start_t, double stop, lanes stop_t);
+static inline void derivative_curves__rail_way_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double abscissa, lanes abscissa_t);
 static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t);
-static inline void derivative_curves__rail_abscissa_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t);
+static inline void derivative_curves__abscissa_after_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double way, lanes way_t);
 static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double station, lanes station_t);
 static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double length, lanes length_t);
 static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double chord, lanes chord_t);
@@ -630,8 +635,9 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
 static inline void derivative_widths__width_limit_t(double* limit_out, lanes* limit_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t);
 static inline void derivative_widths__width_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double estimate, lanes estimate_t);
 static inline void derivative_widths__zone_width_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t);
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region);
+static inline int64_t derivative_widths__begin_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t known, int64_t region);
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region);
 static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double local_penetration, lanes local_penetration_t);
 static inline void derivative_widths__side_curvature_t(double* curvature_out, lanes* curvature_t_out, double reached, lanes reached_t, double own, lanes own_t, double mean, lanes mean_t);
 static inline void derivative_widths__width_rule_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t);

@@ -19,6 +19,7 @@ static inline int64_t analyn_contact__fill_from_analyn(array_double_1d tables, a
 static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline void analyn_contact__solve_estimated(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double estimate, double force, bool by_penetration);
 static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration);
+static inline int64_t analyn_contact__keep_trial(array_double_1d work, int64_t count);
 static inline void analyn_contact__solve_fine(double* penetration_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, double penetration, bool by_penetration);
 
 /* normal/auto_contact.py */
@@ -603,7 +604,7 @@ static inline void analyn_contact__solve_analyn(double* penetration_out, int64_t
     if (!by_penetration)
     {
         penetration = estimate__first_penetration(tables, work, pair, force);
-        widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
+        widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     count = 0;
     satisfied = false;
@@ -656,18 +657,38 @@ static inline void analyn_contact__solve_estimated(double* penetration_out, int6
  */
 static inline int64_t analyn_contact__gather_regions(array_double_1d tables, array_double_1d work, int64_t pair, double penetration)
 {
-    int64_t i, count;
+    int64_t i, count, trial;
+    bool follows;
     for (i = 0; i < layout__REGION_LIMIT; i += 1)
     {
         AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = 0.0;
     }
     count = penetrated_regions__gather_overlaps(tables, work, pair);
+    trial = layout__WORK_CONTACT + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_TRIAL);
+    follows = AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0);
     for (i = 0; i < count; i += 1)
     {
-        widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        if (follows && (int64_t)AT(work, trial + layout__DEEP_POINTS_WIDTH_COUNT) == count)
+        {
+            widths__begin_widths(work, trial + layout__DEEP_POINTS_WIDTHS + layout__FIRST_WIDTHS_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+        }
     }
     estimate__start_penetrations(work, count, penetration);
     return count;
+}
+
+/* Note the half-widths of all regions for the next trial. */
+static inline int64_t analyn_contact__keep_trial(array_double_1d work, int64_t count)
+{
+    int64_t trial, i;
+    trial = layout__WORK_CONTACT + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_TRIAL);
+    AT(work, trial + layout__DEEP_POINTS_WIDTH_COUNT) = (double)count;
+    for (i = 0; i < count; i += 1)
+    {
+        widths__keep_widths(work, trial + layout__DEEP_POINTS_WIDTHS + layout__FIRST_WIDTHS_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+    }
+    return 0;
 }
 
 /* Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
@@ -684,6 +705,10 @@ static inline void analyn_contact__solve_fine(double* penetration_out, bool* sat
     for (repeat = 0; repeat < analyn_contact__COVER_REPEATS; repeat += 1)
     {
         nodes__prepare_regions(tables, work, pair, count, enlarge);
+        if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
+        {
+            analyn_contact__keep_trial(work, count);
+        }
         analyn__solve_penetrations(&penetration, &satisfied, work, tables, count, force, start, by_penetration);
         if (!satisfied)
         {
@@ -2244,9 +2269,9 @@ static inline double patch_places__abscissa_at(array_double_1d tables, array_dou
 {
     double abscissa;
     abscissa = AT(work, region + layout__REGION_RAIL) + away * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && away != 0.0)
     {
-        abscissa = curves__rail_abscissa(tables, pair, AT(work, region + layout__REGION_RAIL), away);
+        abscissa = curves__abscissa_after(tables, pair, curves__rail_way(tables, pair, AT(work, region + layout__REGION_RAIL)) + away);
     }
     return abscissa;
 }
@@ -4249,7 +4274,7 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, arra
         {
             mean = (before + after - 2.0 * z) / square;
         }
-        AT(work, at + layout__TRACED_STATION_A) = 0.5 * curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
+        AT(work, at + layout__TRACED_STATION_A) = 0.5 * curvature__longitudinal_curvature(work, tables, place, AT(work, at + layout__TRACED_STATION_WHEEL), z, slope, mean);
         odd = 0.5 * (after - before) - slope * across;
         AT(work, at + layout__TRACED_STATION_SKEW) = odd / (sqrt(1.0 + slope * slope) * away * away * away);
         AT(work, at + layout__TRACED_STATION_ODD) = fabs(AT(work, at + layout__TRACED_STATION_SKEW)) * away;

@@ -1200,6 +1200,9 @@ static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, in
             length = prepare_scan__FINE_STEP * (1.01 + (1.0 + bounds__WIDEST) * 1.01 * cells);
             prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - 0.01 * prepare_scan__FINE_STEP, edge + length);
             AT(tables, cell + layout__RAIL_CELL_LEAST_BENDS + exponent) = least;
+            prepare_scan__bend_range(&least, &most, &steepest, tables, rail, work, scratch, edge - prepare_scan__FOOT_REACH, edge + length + prepare_scan__FOOT_REACH);
+            /* s / (1 + s^2) is below s, and nowhere above a half */
+            AT(tables, cell + layout__RAIL_CELL_TURNS + exponent) = double_max(fabs(least), fabs(most)) * double_min(steepest, 0.5);
             cells += cells;
         }
     }
@@ -1402,8 +1405,8 @@ static inline int64_t prepare_scan_bends__write_waves(array_double_1d tables, in
     {
         cell = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * i;
         edge = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + prepare_scan__FINE_STEP * (double)i;
-        low = double_max(edge - prepare_scan_bends__FOOT_REACH, AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START));
-        high = double_min(edge + prepare_scan__FINE_STEP + prepare_scan_bends__CELL_REACH + prepare_scan_bends__FOOT_REACH, AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP));
+        low = double_max(edge - prepare_scan__FOOT_REACH, AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START));
+        high = double_min(edge + prepare_scan__FINE_STEP + prepare_scan_bends__CELL_REACH + prepare_scan__FOOT_REACH, AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP));
         while (AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_JOINTS) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE) < low)
         {
             joint += 1;

@@ -17,6 +17,8 @@ static inline bool section_pose__search_at(array_double_1d work, array_double_1d
 
 /* sections/section_search.py */
 static inline bool section_search__search_sections(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
+static inline int64_t section_search__probe_sections(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
+static inline bool section_search__follow_sections(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double angle);
 static inline int64_t section_search__write_box(array_double_1d work, int64_t box, double low, double high, double back, double ahead);
 static inline bool section_search__above_surface(array_double_1d tables, int64_t pair, double y);
 static inline int64_t section_search__try_first(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y);
@@ -30,6 +32,7 @@ static inline int64_t section_search__find_below(array_double_1d tables, array_d
 static inline int64_t section_search__read_bounds(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline void section_search__wheel_place(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double angle);
 static inline int64_t section_search__judge_box(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t box, int64_t other);
+static inline void section_search__largest_fall(double* fall_out, double* by_angle_out, double* by_place_out, array_double_1d work, double half, double turn);
 static inline bool section_search__slopes_away(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box);
 static inline bool section_search__within_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box);
 static inline bool section_search__no_minimum(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box, double angle, double half, double turn);
@@ -60,6 +63,7 @@ static inline void section_surface__section_edges(double* out_0, double* out_1, 
 static inline void section_surface__section_jet(double* z_out, double* z_u_out, double* z_y_out, double* z_uu_out, double* z_uy_out, double* z_yy_out, array_double_1d tables, int64_t sections, double u, double y);
 static inline void section_surface__straight_jet(double* out_0, double* out_1, double* s_out, double* out_3, double* s_u_out, double* out_5, array_double_1d tables, int64_t knot, double t, double y);
 static inline void section_surface__quintic_jet(double* out_0, double* out_1, double* out_2, double* out_3, double* out_4, double* out_5, array_double_1d tables, int64_t before, int64_t behind, double t, double y);
+static inline double section_surface__section_ruling(array_double_1d tables, int64_t sections, double u, double y);
 
 
 /* ---- From sections/section_bounds.py; change that one.
@@ -288,20 +292,7 @@ static inline bool section_search__search_sections(array_double_1d tables, array
     int64_t scan, first, last;
     bool certain;
     scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOX_COUNT) = 0.0;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_GAP_COUNT) = 0.0;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_EDGE) = section_search__LARGE_GAP;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST) = section_search__LARGE_GAP;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST_Y) = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y);
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST_ANGLE) = 0.0;
-    first = 0;
-    while (first + 1 < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
-    {
-        last = int64_min(first + section_search__FIRST_CELLS, (int64_t)AT(tables, scan + layout__SCAN_COUNT) - 1);
-        section_search__try_first(tables, work, pair, place, 0.5 * (AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first + layout__SCAN_NODE_Y) + AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * last + layout__SCAN_NODE_Y)));
-        first = last;
-    }
-    section_search__refine_best(tables, work, pair, place);
+    section_search__probe_sections(tables, work, pair, place);
     first = 0;
     certain = true;
     while (first + 1 < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
@@ -316,6 +307,48 @@ static inline bool section_search__search_sections(array_double_1d tables, array
     }
     section_search__refine_best(tables, work, pair, place);
     return certain && AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_EDGE) >= AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST) - section_search__SETTLED;
+}
+
+/* Write the best of the minima that a few places lead to, which need not be the smallest gap, to ``search``. */
+static inline int64_t section_search__probe_sections(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
+{
+    int64_t scan, first, last;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOX_COUNT) = 0.0;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_GAP_COUNT) = 0.0;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_EDGE) = section_search__LARGE_GAP;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST) = section_search__LARGE_GAP;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST_Y) = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST_ANGLE) = 0.0;
+    first = 0;
+    while (first + 1 < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
+    {
+        last = int64_min(first + section_search__FIRST_CELLS, (int64_t)AT(tables, scan + layout__SCAN_COUNT) - 1);
+        section_search__try_first(tables, work, pair, place, 0.5 * (AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first + layout__SCAN_NODE_Y) + AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * last + layout__SCAN_NODE_Y)));
+        first = last;
+    }
+    section_search__refine_best(tables, work, pair, place);
+    return 0;
+}
+
+/* Write the minimum that Newton's method finds from the place ``y`` [m], ``angle`` [rad] on to ``search``; whether it
+ * finds one.
+ */
+static inline bool section_search__follow_sections(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double angle)
+{
+    int64_t scan;
+    scan = pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST) = section_search__LARGE_GAP;
+    section_search__write_box(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOXES, AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_Y), AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * ((int64_t)AT(tables, scan + layout__SCAN_COUNT) - 1) + layout__SCAN_NODE_Y), -section_search__STEEPEST_ANGLE, section_search__STEEPEST_ANGLE);
+    if (!section_search__newton_in(tables, work, pair, place, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOXES, y, angle))
+    {
+        return false;
+    }
+    section_gap__compute_gap(tables, work, pair, place, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SETTLED_Y), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SETTLED_ANGLE));
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST) = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_GAP);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST_Y) = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SETTLED_Y);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST_ANGLE) = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SETTLED_ANGLE);
+    return section_search__above_surface(tables, pair, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_Y));
 }
 
 static inline int64_t section_search__write_box(array_double_1d work, int64_t box, double low, double high, double back, double ahead)
@@ -538,7 +571,7 @@ static inline void section_search__wheel_place(double* out_0, double* out_1, arr
  */
 static inline int64_t section_search__judge_box(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t box, int64_t other)
 {
-    double y, half, angle, turn, m, c, bend, by_angle, reach, by_place, steepest, fall, middle;
+    double y, half, angle, turn, m, c, bend, fall, by_angle, by_place, middle;
     bool sloping;
     y = 0.5 * (AT(work, box + layout__SECTION_BOX_LOW) + AT(work, box + layout__SECTION_BOX_HIGH));
     half = 0.5 * (AT(work, box + layout__SECTION_BOX_HIGH) - AT(work, box + layout__SECTION_BOX_LOW));
@@ -554,20 +587,7 @@ static inline int64_t section_search__judge_box(array_double_1d tables, array_do
     m = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_AROUND);
     c = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST);
     bend = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_ACROSS);
-    by_angle = fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)) * turn + c * half * turn - 0.5 * m * turn * turn;
-    if (m > 0.0)
-    {
-        reach = fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)) + c * half;
-        by_angle = double_min(reach * reach / (2.0 * m), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)) * turn + c * half * turn);
-    }
-    by_place = fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS)) * half - 0.5 * double_min(bend, 0.0) * half * half;
-    steepest = double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RISE)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RISE))) * half;
-    steepest += double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_TURN)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_TURN))) * turn;
-    fall = double_min(by_angle + by_place, steepest);
-    if (m > 0.0 && bend * m > c * c)
-    {
-        fall = double_min(fall, section_search__convex_fall(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)), bend, c, m, half));
-    }
+    section_search__largest_fall(&fall, &by_angle, &by_place, work, half, turn);
     if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_GAP) - fall >= AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST) - section_search__SETTLED)
     {
         return 0;
@@ -606,6 +626,34 @@ static inline int64_t section_search__judge_box(array_double_1d tables, array_do
         AT(work, box + layout__SECTION_BOX_HIGH) = y;
     }
     return 2;
+}
+
+/* How far the gap can fall [m] over ``half`` [m] and ``turn`` [rad] to either side of the place in ``search.at``, by the
+ * bounds in ``search.spread``; and the parts of it by the angle and by the abscissa.
+ */
+static inline void section_search__largest_fall(double* fall_out, double* by_angle_out, double* by_place_out, array_double_1d work, double half, double turn)
+{
+    double m, c, bend, by_angle, reach, by_place, steepest, fall;
+    m = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_AROUND);
+    c = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST);
+    bend = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_ACROSS);
+    by_angle = fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)) * turn + c * half * turn - 0.5 * m * turn * turn;
+    if (m > 0.0)
+    {
+        reach = fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)) + c * half;
+        by_angle = double_min(reach * reach / (2.0 * m), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)) * turn + c * half * turn);
+    }
+    by_place = fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS)) * half - 0.5 * double_min(bend, 0.0) * half * half;
+    steepest = double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RISE)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RISE))) * half;
+    steepest += double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_TURN)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_TURN))) * turn;
+    fall = double_min(by_angle + by_place, steepest);
+    if (m > 0.0 && bend * m > c * c)
+    {
+        fall = double_min(fall, section_search__convex_fall(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND)), bend, c, m, half));
+    }
+    *fall_out = fall;
+    *by_angle_out = by_angle;
+    *by_place_out = by_place;
 }
 
 /* Whether the gap certainly has a slope all over a box: by the angle, or by the abscissa but at the ends of the
@@ -1106,4 +1154,20 @@ static inline void section_surface__quintic_jet(double* out_0, double* out_1, do
     *out_3 = z0_uu + w * (s0_uu + 0.5 * w * b0_uu) - 2.0 * slope_u * place_u + b0 * place_u * place_u - slope * place_uu + square * v * rest_uu + 2.0 * by_v_u * v_u + by_vv * v_u * v_u + by_v * v_uu;
     *out_4 = slope_u - b0 * place_u + (by_v_u + by_vv * v_u) * v_y + by_v * v_uy;
     *out_5 = b0 + by_vv * v_y * v_y;
+}
+
+/* The lateral rate [-], along the track, of the line of equal share through ``u``, ``y`` [m]. */
+static inline double section_surface__section_ruling(array_double_1d tables, int64_t sections, double u, double y)
+{
+    double at, t, place, rate, bend, other, other_rate, share;
+    int64_t interval, first, low;
+    at = section_surface__clamped_position(tables, sections, u);
+    interval = section_surface__break_below(tables, sections + (int64_t)AT(tables, sections + layout__SECTIONS_BREAKS), (int64_t)AT(tables, sections + layout__SECTIONS_INTERVAL_COUNT), at);
+    first = interval * (int64_t)AT(tables, sections + layout__SECTIONS_KNOT_COUNT);
+    t = at - AT(tables, sections + (int64_t)AT(tables, sections + layout__SECTIONS_BREAKS) + interval);
+    low = first + section_surface__line_below(tables, sections, first, t, y);
+    section_surface__cubic_jet(&place, &rate, &bend, tables, sections + (int64_t)AT(tables, sections + layout__SECTIONS_KNOTS) + layout__SECTION_KNOT_SIZE * low + layout__SECTION_KNOT_PLACE, t);
+    section_surface__cubic_jet(&other, &other_rate, &bend, tables, sections + (int64_t)AT(tables, sections + layout__SECTIONS_KNOTS) + layout__SECTION_KNOT_SIZE * (low + 1) + layout__SECTION_KNOT_PLACE, t);
+    share = double_min(double_max((y - place) / (other - place), 0.0), 1.0);
+    return rate + share * (other_rate - rate);
 }

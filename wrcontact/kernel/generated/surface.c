@@ -4,7 +4,10 @@
 /* surface/curvature.py */
 static inline double curvature__profile_curvature(array_double_1d tables, int64_t table, double y);
 static inline double curvature__relative_curvature(array_double_1d tables, int64_t pair, double y, double abscissa);
-static inline double curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend);
+static inline double curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double y, double z, double slope, double bend);
+static ALWAYS_INLINE double curvature__effective_curvature(array_double_1d work, int64_t place, double z, double slope, double bend);
+static OUT_OF_LINE double curvature__other_curvature(array_double_1d work, array_double_1d tables, int64_t place, double y, double z, double slope, double bend);
+static OUT_OF_LINE double curvature__rail_bend(array_double_1d tables, double y);
 
 /* surface/gap.py */
 static inline bool gap__above_rail(array_double_1d tables, int64_t pair, double abscissa);
@@ -72,22 +75,28 @@ static inline double curvature__relative_curvature(array_double_1d tables, int64
     return 0.5 * (wheel + rail);
 }
 
-/* Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile height ``z`` [m],
- * ``slope`` [-] and second derivative ``bend`` [1/m].
+/* Curvature 1/R_x of the wheel along the track [1/m] at the locus point with profile abscissa ``y`` and height
+ * ``z`` [m], ``slope`` [-] and second derivative ``bend`` [1/m].
  *
  * effective: of the surface cut by the plane of the track's x and the contact normal.  With e the track's x
  * in the wheelset frame, [(e1 cos(phi) - e3 sin(phi))^2 / r - r'' e2^2] / sqrt(1 + r'^2); without yaw
- * cos(delta) / r, the source's eq. (6.1). basic: 1/r.
+ * cos(delta) / r, the source's eq. (6.1). basic: 1/r.  On a rail whose section changes, the relative one.
  */
-static inline double curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double z, double slope, double bend)
+static inline double curvature__longitudinal_curvature(array_double_1d work, array_double_1d tables, int64_t place, double y, double z, double slope, double bend)
+{
+    if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) != layout__LONGITUDINAL_EFFECTIVE)
+    {
+        return curvature__other_curvature(work, tables, place, y, z, slope, bend);
+    }
+    return curvature__effective_curvature(work, place, z, slope, bend);
+}
+
+/* The effective curvature [1/m]. */
+static ALWAYS_INLINE double curvature__effective_curvature(array_double_1d work, int64_t place, double z, double slope, double bend)
 {
     double r, curvature, sin_phi, cos_phi, e1, e2, e3, around, steep;
     r = AT(work, place + layout__PLACE_RADIUS) + z;
-    curvature = 1.0 / r;
-    if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) == layout__LONGITUDINAL_BASIC)
-    {
-        return curvature;
-    }
+    curvature = 0.0;
     if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
         curvature = 1.0 / (r * sqrt(1.0 + slope * slope));
@@ -103,6 +112,47 @@ static inline double curvature__longitudinal_curvature(array_double_1d work, arr
         curvature = double_max((around * around / r - bend * e2 * e2) / steep, curvature__CURVATURE_FLOOR / (r * steep));
     }
     return curvature;
+}
+
+/* The basic curvature [1/m], or where the section of the rail changes, the effective one and that of the rail. */
+static OUT_OF_LINE double curvature__other_curvature(array_double_1d work, array_double_1d tables, int64_t place, double y, double z, double slope, double bend)
+{
+    if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) == layout__LONGITUDINAL_BASIC)
+    {
+        return 1.0 / (AT(work, place + layout__PLACE_RADIUS) + z);
+    }
+    return curvature__effective_curvature(work, place, z, slope, bend) + curvature__rail_bend(tables, y);
+}
+
+/* Curvature [1/m] along the frame of the changing rail at work, where the wheel's abscissa is ``y`` [m]; linear between
+ * two lines (changing/valley.py).
+ */
+static OUT_OF_LINE double curvature__rail_bend(array_double_1d tables, double y)
+{
+    int64_t low, high, middle, before, behind;
+    double share;
+    low = (int64_t)AT(tables, layout__TABLES_VALLEY_FIRST);
+    high = (int64_t)AT(tables, layout__TABLES_VALLEY_LAST);
+    while (high - low > 1)
+    {
+        middle = floor_div(low + high, 2);
+        if (AT(tables, (int64_t)AT(tables, layout__TABLES_VALLEY) + layout__VALLEY_NODE_SIZE * middle + layout__VALLEY_NODE_WHEEL) <= y)
+        {
+            low = middle;
+        }
+        else
+        {
+            high = middle;
+        }
+    }
+    before = (int64_t)AT(tables, layout__TABLES_VALLEY) + layout__VALLEY_NODE_SIZE * low;
+    behind = (int64_t)AT(tables, layout__TABLES_VALLEY) + layout__VALLEY_NODE_SIZE * high;
+    share = 0.0;
+    if (AT(tables, behind + layout__VALLEY_NODE_WHEEL) > AT(tables, before + layout__VALLEY_NODE_WHEEL))
+    {
+        share = double_min(double_max((y - AT(tables, before + layout__VALLEY_NODE_WHEEL)) / (AT(tables, behind + layout__VALLEY_NODE_WHEEL) - AT(tables, before + layout__VALLEY_NODE_WHEEL)), 0.0), 1.0);
+    }
+    return AT(tables, before + layout__VALLEY_NODE_BEND) + share * (AT(tables, behind + layout__VALLEY_NODE_BEND) - AT(tables, before + layout__VALLEY_NODE_BEND));
 }
 
 

@@ -4296,6 +4296,7 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
     AT(work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = 0.0;
     AT(work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = 0.0;
     AT(work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_SLOPE) = 0.0;
     return 0;
 }
 
@@ -5329,6 +5330,7 @@ static inline int64_t side__lower_wheel(array_double_1d tables, array_double_1d 
     penetrated_regions__touching_shift(&aside, &shift, tables, work, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
     side__describe_contact(tables, work, index, AT(work, deepest + layout__DEEP_POINT_WHEEL), aside, shift);
     penetrated_regions__lower_frame(work, height, AT(work, deepest + layout__DEEP_POINT_DEPTH), 0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) = curves__rail_way(tables, pair, AT(work, deepest + layout__DEEP_POINT_RAIL));
     return layout__VALID;
 }
 
@@ -5340,6 +5342,7 @@ static inline int64_t side__find_points(array_double_1d work, array_double_1d ta
     int64_t pair, kept, count;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_TRIAL) = (double)(kept - layout__WORK_CONTACT);
     count = 0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0 && (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) > 0)
     {
