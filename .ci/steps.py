@@ -272,9 +272,6 @@ def all_steps(run, work, turn, changed):
     )
     extras = [*EXTRAS, *(extra for extra, tests in SELDOM.items() if due(tests, turn, changed))]
     single = {"what wrcontact can use is installed": [*EXTRA, f"wrcontact[{','.join(extras)}]"]}
-    if due("benchmarks", turn, changed):  # errors are measured by tests/docs/test_tables.py
-        for kind in ("times", "studies"):
-            single[f"benchmarks of {kind} run"] = [PYTHON, "-m", "benchmarks", "--quick", kind]
     single["the tests see a share of the planted errors"] = [
         *(PYTHON, "-m", "tests.helpers.plant_errors"),
         *("--share", 4, "--turn", turn, "--workers", 1),
@@ -283,6 +280,11 @@ def all_steps(run, work, turn, changed):
         *(PYTHON, "tools/transpile_kernel.py", "--check"),
     ]
     run.together(single)  # each of them has one process
+    if due("benchmarks", turn, changed):  # errors are measured by tests/docs/test_tables.py
+        kinds = ("times", "studies")  # with what is installed now
+        run.together(
+            {f"benchmarks of {kind} run": [PYTHON, "-m", "benchmarks", "--quick", kind] for kind in kinds}
+        )
 
     today = {"WRCONTACT_TURN": turn} | ({CHANGED: work / "changed"} if changed is not None else {})
     features = said(run.folder / PYTHON, "-c", FEATURES, folder=run.folder).strip()

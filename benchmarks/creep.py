@@ -450,7 +450,7 @@ def seconds_of(model, case, rounds):
 
     def calls():
         for _ in range(CALLS):
-            library.wrcontact_cut_patch(workspace)
+            library.wrcontact_divide_into_strips(workspace)
             library.wrcontact_solve_creep_force(tables, workspace)
 
     return cost(calls, CALLS, rounds).seconds

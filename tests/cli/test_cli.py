@@ -211,6 +211,7 @@ def test_every_input_and_parameter_has_an_option(run):
         "--left-axle-torque-knm",
         "--right-axle-torque-knm",
         "--rail-time-step",
+        "--track-position-mm",
         *(
             f"--{side}-rail-deflection-{direction}-before-mm"
             for side in ("left", "right")

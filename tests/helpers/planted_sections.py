@@ -46,8 +46,8 @@ SECTIONED = [
     ),
     (
         "section_position_ignored",
-        "search.position = work.inputs.track_position",
-        "search.position = 0.0 * work.inputs.track_position",
+        "pair.sections.lateral\n    search.position = work.inputs.track_position",
+        "pair.sections.lateral\n    search.position = 0.0 * work.inputs.track_position",
         "the wheelset is always at position 0",
         SYSTEM,
         "",

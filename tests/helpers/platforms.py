@@ -23,10 +23,14 @@ KERNEL_EXPORTS = {
         "prepare",
         "prepare_room",
         "search_sections",
+        "step_changing",
+        "step_changing_many",
     )
 }
 #: Those of the kernel in a Python FMU, which has no derivatives along many directions, and no rails that change.
-FMU_KERNEL_EXPORTS = {name for name in KERNEL_EXPORTS if "jacobian" not in name and "sections" not in name}
+FMU_KERNEL_EXPORTS = {
+    name for name in KERNEL_EXPORTS if not any(part in name for part in ("jacobian", "sections", "changing"))
+}
 
 
 def needs(condition, reason):

@@ -300,13 +300,13 @@ def _write_sweep(file, system, shifts, chosen, remark):
 @takes(pose=POSE, system=SYSTEM)
 @draws
 def plot(pose, system, picture, smoothing: Smoothing = None):
-    """Draw a picture. KIND says of what: one pose, both wheels on their rails with their patches, without it.
+    """Draw a picture of KIND; without it wheels, rails and patches of one pose.
 
     lines: where wheel and rail touch over the lateral shift; radii, angles, roll: rolling radius difference,
     contact angles and roll over the lateral shift; wheel: a wheel on its rail in three dimensions; patch:
     patches with pressure, shear stress, stick and slip; creep: creep force over creepage by model, of the
-    patch with the largest load; along: heights, contacts and loads along rails whose section changes; history: columns of a CSV file over time; animation: its wheelset on the
-    track.
+    patch with the largest load; along: contacts and loads along rails that change; history: columns of a CSV
+    file over time; animation: its wheelset on the track.
 
     Example: wrcontact plot patch --lateral-shift-mm 5 --tangential-model strips --speed 20
     """

@@ -19,6 +19,7 @@ POSE = {
     "roll": "roll_input",
     "yaw": "yaw",
     "roll_guess": "roll_guess",
+    "track_position": "track_position",
 }
 RAILS = {row.name: row.name for row in (*RAIL_INPUTS, TIME_STEP, *DEFLECTIONS)}
 MOTION = {row.name: row.name for row in (*MOTION_INPUTS, *RATES, *TORQUES)}

@@ -322,4 +322,5 @@ INPUT_UNITS = tuple(row.unit for row in INPUTS)
 INPUT_NOMINALS = tuple(row.nominal for row in INPUTS)
 #: What an output may depend on.  An FMU declares its dependencies once for all methods: in elastic contact
 #: all of these move everything, velocities and friction too where friction carries a part of a vertical load.
-ANSWERED = tuple(row.name for row in INPUTS if not row.hint)
+#: Rails of FMUs do not change along the track.
+ANSWERED = tuple(row.name for row in INPUTS if not row.hint and row is not TRACK_POSITION)

@@ -142,7 +142,7 @@ class Kernel:
     def divide_into_strips(self, workspace):
         """Cut the patch by itself in the workspace (n,) into strips along the rolling direction."""
         if self.compiled:
-            self.library.wrcontact_cut_patch(span(workspace))
+            self.library.wrcontact_divide_into_strips(span(workspace))
             return
         work = Work.at(workspace)
         source = import_module("..creep.rolling_strips", __package__)
@@ -363,7 +363,7 @@ def declare(library):
     library.wrcontact_step_many.argtypes = [address, ctypes.c_int64, address, address, address]
     library.wrcontact_step_many.restype = ctypes.c_int
     library.wrcontact_prepare.argtypes, library.wrcontact_prepare.restype = [address], ctypes.c_int
-    library.wrcontact_cut_patch.argtypes = [Span]
+    library.wrcontact_divide_into_strips.argtypes = [Span]
     if hasattr(library, "wrcontact_search_sections"):  # not in that of an FMU
         library.wrcontact_search_sections.argtypes = [Span, Span, ctypes.c_int64, Span]
         library.wrcontact_search_sections.restype = ctypes.c_int
@@ -375,7 +375,7 @@ def declare(library):
         library.wrcontact_step_changing_many.argtypes = [address, ctypes.c_int64, address, address, address]
         library.wrcontact_step_changing_many.restype = ctypes.c_int
     library.wrcontact_solve_creep_force.argtypes = [Span] * 2
-    library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
+    library.wrcontact_divide_into_strips.restype = library.wrcontact_solve_creep_force.restype = None
     if hasattr(library, "wrcontact_derivative"):  # not in that of STEP_UNITS
         library.wrcontact_derivative.argtypes = [address] * 4
         library.wrcontact_derivative.restype = ctypes.c_int

@@ -20,7 +20,7 @@ int wrcontact_step_many(const wrcontact_handle *handle, int64_t count, double *i
                                 span_of(statuses, count));
 }
 
-void wrcontact_cut_patch(array_double_1d workspace)
+void wrcontact_divide_into_strips(array_double_1d workspace)
 {
     rolling_strips__divide_into_strips(workspace, layout__WORK_PATCH);
 }

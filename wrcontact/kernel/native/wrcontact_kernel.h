@@ -34,7 +34,7 @@ WRCONTACT_EXPORT int wrcontact_step_many(const wrcontact_handle *handle, int64_t
                                          double *statuses);
 
 /* Cut the patch by itself in the workspace into strips along the rolling direction. */
-WRCONTACT_EXPORT void wrcontact_cut_patch(array_double_1d workspace);
+WRCONTACT_EXPORT void wrcontact_divide_into_strips(array_double_1d workspace);
 
 /* The creep force of the patch by itself in the workspace. */
 WRCONTACT_EXPORT void wrcontact_solve_creep_force(array_double_1d tables, array_double_1d workspace);

@@ -39,7 +39,7 @@ JUMP_SHARP: Final[float] = 1e-12
 #: A trial shows on which side of the root it is where the steady wheel misses its height by no more than this
 #: share of D [-], or this [m]: 8 micrometres from it D = 0.3 micrometres had the wrong sign.
 NEAR_SHARE: Final[float] = 0.25
-NEAR_HEIGHT: Final[float] = 1e-7
+NEAR_HEIGHT: Final[float] = 1e-10
 #: Wider than any bracket [m].
 FARTHEST: Final[float] = 1.0
 #: Where D falls by more than so many times what the levers say, it jumps [-].
