@@ -131,6 +131,8 @@ class SystemKeywords(TypedDict, total=False):
     """Lateral distance of the origin of changing sections from the track's centre, to the field side; 0: by the gauge of the section at position 0, whose highest place then has the height 0; -2 ... 2 m; by default 0."""
     rail_origin_z: float | tuple[float, float]
     """How far the origin of changing sections lies below the running surface; beside rail_origin_y only; -1 ... 1 m; by default 0."""
+    roller_radius: float | tuple[float, float]
+    """Radius of the roller in the place of a rail, at the highest place of its section; 0: a rail; 0 ... 1000 m; by default 0."""
     left_wheel: OneProfile | None
     """On the left side, wheel; by default that of the right."""
     left_rail: OneRail | None
@@ -155,6 +157,8 @@ class SystemKeywords(TypedDict, total=False):
     """On the left side, rail_origin_y; by default that of the right."""
     left_rail_origin_z: float | None
     """On the left side, rail_origin_z; by default that of the right."""
+    left_roller_radius: float | None
+    """On the left side, roller_radius; by default that of the right."""
 
 
 class WheelKeywords(TypedDict, total=False):

@@ -54,7 +54,7 @@ from .methods.own import functions_in
 from .motion.reaction import rail_reaction
 from .motion.standing import stand_at
 from .profiles.catalogue import find_profiles
-from .profiles.changing import check_unplaced, has_changing, is_sections, refuse_changing
+from .profiles.changing import check_unplaced, has_changing, refuse_changing
 from .profiles.corners import remark_corners
 from .profiles.plausible import remark_profiles
 from .results.columns import selected
@@ -153,7 +153,7 @@ class ContactSystem:
         self.resolution = methods["normal_model"].resolution
         self.wheel, self.rail, self.left_wheel, self.left_rail = profiles
         self._placed = None  # the left and the right rail, if one of them changes along the track
-        if is_sections(self.rail) or is_sections(self.left_rail):
+        if has_changing(parameters):
             from .sections.placing import prepare_changing  # not part of an FMU
 
             self._tables, self._placed = prepare_changing(profiles, parameters, methods)

@@ -3,7 +3,7 @@
 import os
 
 from ..interface.parameters import LEFT, PARAMETERS
-from ..interface.section_places import SECTION_PLACES
+from ..interface.section_places import ROLLER, SECTION_PLACES
 from ..methods.numbers import unit_behind
 from .options import ProfileFile
 
@@ -29,19 +29,20 @@ def named(source):
 
 
 def has_changing(parameters):
-    """Whether a rail of a system with these ``parameters`` changes along the track."""
-    return is_sections(parameters["rail"]) or is_sections(parameters[LEFT + "rail"])
+    """Whether a rail of a system with these ``parameters`` changes along the track, or is a roller."""
+    return any(is_sections(parameters[side + "rail"]) or parameters[side + ROLLER] for side in ("", LEFT))
 
 
 def check_unplaced(profiles, parameters):
     """ValueError, in one sentence, where ``parameters`` of a system have the place of sections for a rail, among ``profiles``, that
-    is the same all along the track."""
+    is the same all along the track, or make a roller of one that is not."""
     for side, rail in (("", profiles[1]), (LEFT, profiles[3])):
-        for name in () if is_sections(rail) else SECTION_PLACES:
-            if parameters[side + name]:
+        changing = is_sections(rail)
+        for name in SECTION_PLACES:
+            if parameters[side + name] and changing == (name == ROLLER):
                 raise ValueError(
-                    f"{side}{name} is {shown(side + name, parameters)}; permitted with a rail that is the same all along the "
-                    f"track is {PARAMETERS[name].default!r}"
+                    f"{side}{name} is {shown(side + name, parameters)}; permitted with a rail that "
+                    f"{'changes' if changing else 'is the same all'} along the track is {PARAMETERS[name].default!r}"
                 )
 
 
@@ -51,9 +52,15 @@ def shown(name, parameters):
 
 
 def refuse_changing(system, what):
-    """ValueError, in one sentence, if a rail of ``system`` changes along the track, which ``what`` cannot have."""
+    """ValueError, in one sentence, if a rail of ``system`` changes along the track or is a roller, which ``what`` cannot have."""
     if system.changing:
-        name = next(one.name for one in (system.rail, system.left_rail) if is_sections(one))
+        names = [one.name for one in (system.rail, system.left_rail) if is_sections(one)]
+        if not names:
+            side = "" if system.parameters[ROLLER] else LEFT
+            raise ValueError(
+                f"{side}{ROLLER} is {shown(side + ROLLER, system.parameters)}; permitted for {what} is 0, a rail"
+            )
+        name = names[0]
         raise ValueError(
             f"rail {name!r} changes along the track; permitted for {what} are rails that are the same all along it"
         )

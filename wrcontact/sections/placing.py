@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..interface.parameters import LEFT, PARAMETERS, RAIL_SPRINGS, on_the_left
-from ..interface.section_places import SECTION_PLACES
+from ..interface.section_places import ROLLER, SECTION_PLACES
 from ..kernel.binding.setup import prepare_sides
 from ..methods.own import functions_in
 from ..profiles.catalogue import find_profiles, standard_profile
@@ -15,6 +15,7 @@ from ..profiles.options import ProfileFile
 from ..profiles.placement import place_rail
 from .kernel_table import with_changing_rails
 from .rail import RailSections
+from .roller import roller_surface
 from .surface import Surface
 
 #: What may be chosen beside a rail that changes.
@@ -36,7 +37,7 @@ WITHOUT = (
 #: The constant rail in whose place the kernel puts one that changes, and how it lies; neither changes a result.
 CARRIER, CARRIED = "UIC60", {"rail_inclination": 0.0, "left_rail_inclination": None, "gauge_depth": 0.014}
 #: What places a rail on its side.
-ALIKE = ("rail_inclination", *SECTION_PLACES)
+ALIKE = ("rail_inclination", "nominal_radius", *SECTION_PLACES)
 #: Points of a section among which its highest place is sought, and steps of Newton's method and of halving.
 POINTS, STEPS, HALVINGS = 4001, 8, 60
 
@@ -153,6 +154,9 @@ def place_sections(rail, parameters):
     given = {name: parameters[name] for name in ("gauge", "gauge_depth")}
     if not isinstance(rail, RailSections):
         placed = place_rail(rail, inclination=parameters["rail_inclination"], **given)
+        if parameters[ROLLER]:
+            surface = roller_surface(placed.profile, parameters[ROLLER], parameters["nominal_radius"])
+            return PlacedSections(surface, placed.y_track)
         return PlacedSections(
             RailSections([0.0, 1.0], [placed.profile] * 2, name=rail.name).surface, placed.y_track
         )
