@@ -131,7 +131,7 @@ def test_one_side_may_be_a_roller():
         ({"roller_radius": 0.02}, "roller_radius is 0.02 m, but the section of UIC60"),
         (
             {"roller_radius": ROLLER, "contact_mode": "elastic"},
-            "contact_mode is 'elastic'; permitted with a rail",
+            "contact_mode is 'elastic'; permitted with a roller are",
         ),
     ],
 )

@@ -7,30 +7,48 @@ from ..interface.section_places import ROLLER, SECTION_PLACES
 from ..methods.numbers import unit_behind
 from .options import ProfileFile
 
-KIND, ENDINGS = "rail sections", (".slcs", ".toml")
+KINDS, ENDINGS = ("rail sections", "wheel sections"), (".slcs", ".slcw", ".toml")
 
 
 def is_sections(source):
-    """Whether what is given as a rail is :class:`~wrcontact.RailSections`, or the path of a file of sections."""
+    """Whether what is given as a profile is :class:`~wrcontact.RailSections`, :class:`~wrcontact.WheelSections`, or the path of a
+    file of sections."""
     if isinstance(source, ProfileFile):
         source = source.path
     if isinstance(source, (str, os.PathLike)):
         return os.path.splitext(os.fspath(source))[1].lower() in ENDINGS
-    return getattr(source, "kind", None) == KIND
+    return getattr(source, "kind", None) in KINDS
 
 
 def named(source):
     """How messages call sections: as they are given."""
     return (
-        f"RailSections {source.name!r}"
+        f"{type(source).__name__} {source.name!r}"
         if hasattr(source, "kind")
         else repr(str(getattr(source, "path", source)))
     )
 
 
+def where_it_changes(source):
+    """How messages say along what sections change."""
+    path = os.fspath(getattr(source, "path", "" if hasattr(source, "kind") else source))
+    round_it = getattr(source, "kind", None) == KINDS[1] or path.lower().endswith(".slcw")
+    return "around the wheel" if round_it else "along the track"
+
+
+def round_wheel(wheel):
+    """The round wheel of :class:`~wrcontact.WheelSections`; a Profile is one."""
+    return wheel.profile if is_sections(wheel) else wheel
+
+
 def has_changing(parameters):
-    """Whether a rail of a system with these ``parameters`` changes along the track, or is a roller."""
-    return any(is_sections(parameters[side + "rail"]) or parameters[side + ROLLER] for side in ("", LEFT))
+    """Whether a rail of a system with these ``parameters`` changes along the track or is a roller, or a wheel is not round."""
+    return any(
+        is_sections(parameters[side + "rail"])
+        or is_sections(parameters[side + "wheel"])
+        or parameters[side + ROLLER]
+        for side in ("", LEFT)
+    )
 
 
 def check_unplaced(profiles, parameters):
@@ -52,8 +70,12 @@ def shown(name, parameters):
 
 
 def refuse_changing(system, what):
-    """ValueError, in one sentence, if a rail of ``system`` changes along the track or is a roller, which ``what`` cannot have."""
+    """ValueError, in one sentence, if a rail of ``system`` changes along the track or is a roller, or a wheel is not round, which
+    ``what`` cannot have."""
     if system.changing:
+        for wheel in (system.wheel, system.left_wheel):
+            if is_sections(wheel):
+                raise ValueError(f"wheel {wheel.name!r} is not round; permitted for {what} are round wheels")
         names = [one.name for one in (system.rail, system.left_rail) if is_sections(one)]
         if not names:
             side = "" if system.parameters[ROLLER] else LEFT

@@ -23,6 +23,7 @@ from ..layout import (
 from ..search.roll import follow_side
 from ..search.smallest_gap import search_side
 from ..sections.section_surface import section_jet
+from ..sections.wheel_radius import within_turn
 from ..surface.locus import outline_point, outline_x
 from ..surface.tables import height_slope
 from ..wheelset.prescribed_height import GRAZING
@@ -30,7 +31,7 @@ from ..wheelset.side import load_side, lower_wheel, solve_side, touch_side
 from ..wheelset.residuals import DEEPEST
 from .one_valley import has_one_valley
 from .rail_at_pose import write_rail_at_pose
-from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track
+from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track, wheel_turn
 from .valley import follow_valley
 
 #: The wheel is lowered by this much more than it overlaps its rail where a second contact along it is looked for [m].
@@ -47,7 +48,11 @@ def lay_rail(tables: Tables, work: Work, index: int, height: float, far: float) 
     touch = work.touches[index]
     side = work.sides[index]
     open_section_frame(pair, touch, work.inputs.track_position, height)
-    place_in_frame(pair.sections.frame, touch.place, side.place)
+    frame = pair.sections.frame
+    place_in_frame(frame, touch.place, side.place)
+    frame.turn = 0.0
+    if pair.out_of_round:
+        frame.turn = within_turn(work.inputs.wheel_rotation) + wheel_turn(frame, touch.place, side.place)
     if not follow_valley(pair, side.place, touch, work.inputs.track_position, far):
         return False
     return write_rail_at_pose(tables, pair)

@@ -247,6 +247,10 @@ class Pair:
         Sections
     )  # of a rail whose section changes along the track, beside which ``rail`` does not count
     changing: bool  # whether it does
+    deviation: To(
+        Sections
+    )  # of a wheel that is not round: how much larger its radius is, over angles and abscissae
+    out_of_round: bool  # whether it is one
 
 
 @record
