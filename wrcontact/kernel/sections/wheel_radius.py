@@ -57,7 +57,6 @@ def wheel_bends(
     across = r_yy
     twist = r_fy - r_y * lead
     around = r_ff - r - 2.0 * r_f * lead
-    ahead = sine - lead * cosine
     down = cosine + lead * sine
     level_y = place.cos_roll - place.sin_roll * r_y * cosine
     level_f = -place.sin_roll * (r_f * cosine - r * sine)
