@@ -2,6 +2,7 @@
 
 SEARCH, SURFACE = "sections/test_search.py", "sections/test_surface.py"
 SYSTEM, STEP = "sections/test_system.py", "sections/test_changing_step.py"
+ROLLING = "sections/test_rolling.py"
 
 SECTIONED = [
     (
@@ -122,6 +123,86 @@ SECTIONED = [
         "along = rise * patch.normal_z",
         "where the nearest places leave the outline, forces lean the wrong way",
         STEP,
+        "section_side",
+    ),
+    (
+        "section_rate_along",
+        "motion.rail.vertical += touch.along * motion.speed",
+        "motion.rail.vertical -= touch.along * motion.speed",
+        "a wheelset on a rising rail goes down",
+        ROLLING,
+        "section_motion",
+    ),
+    (
+        "section_rate_across",
+        "constraint.y = touch.slope\n",
+        "constraint.y = -touch.slope\n",
+        "a wheelset that moves aside climbs the wrong way",
+        ROLLING,
+        "section_motion",
+    ),
+    (
+        "section_rate_roll",
+        "constraint.moment_x = -y - z * touch.slope",
+        "constraint.moment_x = -y + z * touch.slope",
+        "the roll rate of a rigid wheelset has the wrong lever",
+        ROLLING,
+        "section_motion",
+    ),
+    (
+        "section_rate_yaw",
+        "constraint.moment_z = x * touch.slope - y * touch.along",
+        "constraint.moment_z = x * touch.slope + y * touch.along",
+        "a wheelset that yaws on a rising rail keeps its height",
+        ROLLING,
+        "section_motion",
+    ),
+    (
+        "section_approach_along",
+        "return along(at.down, motion.speed + motion.turn_y * z - motion.turn_z * y, lateral, vertical)",
+        "return along(at.down, motion.turn_y * z - motion.turn_z * y, lateral, vertical)",
+        "contact is not damped as the rail rises",
+        ROLLING,
+        "leaning",
+    ),
+    (
+        "section_pushing_power",
+        "motion.centre_y * motion.turn_z",
+        "-motion.centre_y * motion.turn_z - motion.speed",
+        "the power of damping leaves out the force along the track",
+        ROLLING,
+        "section_damping",
+    ),
+    (
+        "section_creepage_aside",
+        "patch.creepage_y = along(at.aside, slide_x, slide_y, slide_z) / speed",
+        "patch.creepage_y = -along(at.aside, slide_x, slide_y, slide_z) / speed",
+        "the lateral creepage on a changing rail has the wrong sign",
+        ROLLING,
+        "leaning",
+    ),
+    (
+        "section_strip_plane",
+        "lean_plane(frame, at, rise * strip.cos, strip.sin, -strip.cos)",
+        "lean_plane(frame, at, -rise * strip.cos, strip.sin, -strip.cos)",
+        "strips lean the wrong way along the track",
+        ROLLING,
+        "section_side",
+    ),
+    (
+        "section_creep_moment",
+        "moment_y += part_y + leaning.strips[i].down[1] * spinning",
+        "moment_y += part_y - leaning.strips[i].down[1] * spinning",
+        "the moment of a strip on a changing rail turns the wrong way",
+        ROLLING,
+        "leaning_wheel",
+    ),
+    (
+        "section_radius_ahead",
+        "return -moved * sine / sqrt(1.0 - sine * sine)",
+        "return moved * sine / sqrt(1.0 - sine * sine)",
+        "the rolling radius changes the wrong way ahead of the outline",
+        ROLLING,
         "section_side",
     ),
 ]

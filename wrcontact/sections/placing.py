@@ -23,13 +23,12 @@ from .wheel import WheelSections
 PERMITTED = {
     "contact_mode": ("rigid", "compliant"),
     "normal_model": ("hertz", "analyn", "analyn_strip", "auto"),
-    "tangential_model": ("none",),
+    "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach"),
     "longitudinal_curvature": ("effective",),
     "lateral_curvature": ("adaptive",),
 }
 #: What has to be zero, or False.
 WITHOUT = (
-    "contact_damping",
     *(side + name for side in ("", LEFT) for name in RAIL_SPRINGS),
     "wear_outputs",
     "fatigue_outputs",

@@ -22,7 +22,7 @@ from .contact import (
     Profile,
     Regions,
 )
-from .creep import Rolling, RollingTable, Turning
+from .creep import LeaningPatches, Rolling, RollingTable, Turning
 from .interface import PATCH_LIMIT, Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
 from .patch import (
     Equations,
@@ -352,6 +352,7 @@ class Work:
     patch: Patch  # a patch by itself, apart from a step
     section_search: SectionSearch
     touches: SectionTouches
+    leaning: LeaningPatches  # places of contact on rails whose section changes
 
 
 INPUT_COUNT: Final[int] = size(Inputs)

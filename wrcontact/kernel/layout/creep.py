@@ -2,6 +2,7 @@
 
 from typing import Final
 
+from .interface import Vector
 from .patch import ROLLING_STRIP_LIMIT, SOLVED_PATCH_LIMIT
 from .record import Float, record, run
 
@@ -43,6 +44,26 @@ class RailMotion:
     roll: float  # rotation, right side down [rad/s]
     y: float  # track coordinates of its highest point [m]
     z: float
+
+
+@record
+class Leaning:
+    """A place of contact on a rail whose section changes, in the track; the left side's is mirrored."""
+
+    x: float  # place [m]
+    y: float
+    z: float
+    ahead: Vector  # along the rail in the plane of contact,
+    aside: Vector  # to the field side in it,
+    down: Vector  # and along the normal into the rail, which is ahead x aside [-]
+
+
+@record
+class LeaningPatch:
+    """Those of a patch: of its centre of load, and of its strips."""
+
+    own: Leaning
+    strips: Leaning * ROLLING_STRIP_LIMIT
 
 
 @record
@@ -118,6 +139,10 @@ RollingBlocks = RollingBlock * BLOCK_COUNT
 
 #: Patches of both wheels, which may turn about one axle.
 AXLE_PATCHES: Final[int] = 2 * SOLVED_PATCH_LIMIT
+
+
+#: Those of the left wheel, then those of the right one.
+LeaningPatches = LeaningPatch * AXLE_PATCHES
 
 
 @record
