@@ -186,6 +186,92 @@ def test_an_eccentric_wheel_is_a_round_one_about_its_centre(model):
                 assert found.contact.y_track == pytest.approx(expected.contact.y_track, abs=1e-6), pose
 
 
+def test_an_eccentric_wheel_rolls_as_a_round_one_about_its_centre():
+    """Loads with damping, creep forces and powers of the round wheelset whose centre moves as that of the circles does; creepages
+    refer to the speeds of the centre and of the axle."""
+    kind = {
+        "contact_mode": "compliant",
+        "normal_model": "analyn_strip",
+        "tangential_model": "strips",
+        "rail_inclination": 1 / 40,
+        "contact_damping": 0.5,
+    }
+    eccentric, whole = ContactSystem(wheel=SHAPES["eccentric"][0], **kind), ContactSystem(wheel=WHEEL, **kind)
+    rigid, rng = beside("hertz")[2], np.random.default_rng(4250)
+    for _ in range(4):
+        shift, yaw, chi = rng.uniform(-5e-3, 5e-3), rng.uniform(-0.02, 0.02), rng.uniform(-4.0, 4.0)
+        touching = rigid.evaluate(lateral_shift=shift, yaw=yaw)
+        roll, height = touching.roll, touching.vertical_shift + rng.uniform(4e-5, 1e-4)
+        motion = {
+            "wheel_rate": 10.0 / RADIUS * (1.0 + rng.uniform(-2e-3, 2e-3)),
+            "yaw_rate": rng.uniform(-0.01, 0.01),
+            "roll_rate": rng.uniform(-0.01, 0.01),
+        }
+        ahead = np.array([cos(yaw), sin(yaw), 0.0])
+        axle = np.array([-sin(yaw) * cos(roll), cos(yaw) * cos(roll), sin(roll)])
+        offset = -OFFSET * sin(chi) * ahead + OFFSET * cos(chi) * np.cross(ahead, axle)
+        turn = motion["roll_rate"] * ahead + [0.0, 0.0, motion["yaw_rate"]] - motion["wheel_rate"] * axle
+        velocity = np.array([10.0, rng.uniform(-0.02, 0.02), rng.uniform(-0.02, 0.02)])
+        names = ("speed", "lateral_velocity", "vertical_velocity")
+        own = eccentric.evaluate(
+            lateral_shift=shift - offset[1],
+            yaw=yaw,
+            roll_input=roll,
+            vertical_shift_input=height - offset[2],
+            wheel_rotation=chi,
+            **motion,
+            **dict(zip(names, velocity)),
+        )
+        other = whole.evaluate(
+            lateral_shift=shift,
+            yaw=yaw,
+            roll_input=roll,
+            vertical_shift_input=height,
+            **motion,
+            **dict(zip(names, velocity + np.cross(turn, offset))),
+        )
+        pose = (shift, yaw, chi, height, motion, velocity)
+        assert own.status == other.status == 0, pose
+        for side in ("left", "right"):
+            found, expected = getattr(own, side), getattr(other, side)
+            if expected.normal_force > 0.0:
+                assert found.normal_force == pytest.approx(expected.normal_force, rel=2e-4), pose
+                assert found.damping_power == pytest.approx(expected.damping_power, rel=2e-3, abs=0.01), pose
+                assert found.friction_power == pytest.approx(expected.friction_power, rel=2e-3), pose
+                limit = 0.3 * expected.normal_force
+                for name in ("x", "y"):
+                    force = getattr(expected.patches[0].tangential, name)
+                    assert getattr(found.patches[0].tangential, name) == pytest.approx(
+                        force, abs=2e-3 * limit
+                    ), pose
+
+
+def test_a_rigid_wheelset_rises_as_its_wheels_turn():
+    """Its creepages are those of a compliant wheelset with the vertical velocity and roll rate that differences of height and roll
+    over the rotation have."""
+    kind = {"rail_inclination": 0.0, "normal_model": "hertz", "tangential_model": "strips"}
+    rigid, compliant = (
+        ContactSystem(wheel=SHAPES["polygon"][0], contact_mode=mode, **kind)
+        for mode in ("rigid", "compliant")
+    )
+    step, rate, pose = 1e-5, 20.0, {"lateral_shift": 4e-3, "yaw": 2e-3, "speed": 9.2, "wheel_rate": 20.0}
+    at = [rigid.evaluate(**pose, wheel_rotation=0.33 + part * step) for part in (-1.0, 0.0, 1.0)]
+    rates = {
+        name: rate * (getattr(at[2], field) - getattr(at[0], field)) / (2.0 * step)
+        for name, field in (("vertical_velocity", "vertical_shift"), ("roll_rate", "roll"))
+    }
+    assert abs(rates["vertical_velocity"]) > 0.01
+    given = {
+        "roll_input": at[1].roll,
+        "vertical_shift_input": at[1].vertical_shift + 1e-7,
+        "wheel_rotation": 0.33,
+    }
+    moved, still = compliant.evaluate(**pose, **given, **rates), compliant.evaluate(**pose, **given)
+    for side in ("left", "right"):
+        own, other, without = (getattr(one, side).patches[0].creepage.y for one in (at[1], moved, still))
+        assert abs(other - without) > 2e-5 and own == pytest.approx(other, abs=0.02 * abs(other - without))
+
+
 def test_pressure_has_the_torque_of_the_energy_that_it_takes():
     """Turning at one height: the moment about the axle is what the load times the rise of the wheel takes, and a whole turn leaves
     nothing."""

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..interface.parameters import LEFT, PARAMETERS, RAIL_SPRINGS, on_the_left
 from ..interface.section_places import ROLLER, SECTION_PLACES
+from ..kernel import layout
 from ..kernel.binding.setup import prepare_sides
 from ..methods.own import functions_in
 from ..profiles.catalogue import find_profiles, standard_profile
@@ -233,6 +234,8 @@ def prepare_changing(profiles, parameters, methods):
         (round_right, rail), (round_left, rail), parameters=parameters | CARRIED, methods=methods
     )
     tables = with_changing_rails(tables, [(one.surface, one.lateral) for one in placed])
+    for pair, own in zip(layout.Tables.at(tables).pairs, (on_the_left(parameters), parameters)):
+        pair.roller = own[ROLLER]
     for index, (wheel, own) in enumerate(zip(wheels, (on_the_left(parameters), parameters))):
         if isinstance(wheel, WheelSections):
             tables = with_deviation(tables, index, wheel.surface(own["nominal_radius"]))

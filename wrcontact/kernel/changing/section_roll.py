@@ -16,6 +16,7 @@ from ..layout import (
     Tables,
     Work,
 )
+from ..sections.section_gap import turned_back
 from ..sections.section_search import MOST_BOXES, follow_sections, probe_sections, search_sections
 from ..sections.wheel_radius import radius_jet, within_turn
 from ..surface.locus import mirror_place, place_wheelset
@@ -90,6 +91,8 @@ def keep_touch(pair: Pair, search: SectionSearch, touch: SectionTouch):
     down = arm * place.sin_roll + r * cosine * place.cos_roll
     level = arm * place.cos_roll - r * cosine * place.sin_roll
     touch.rail_z = down - place.height + touch.best
+    ahead, aside, into = turned_back(place, at.along, at.slope)
+    touch.turn_rate = r_f * (ahead * sine + into * cosine)
     touch.rate = at.along * place.sin_yaw * down - at.slope * place.cos_yaw * down - level
 
 

@@ -23,7 +23,7 @@ from ..wheelset.input_checks import check_inputs, counted_outcome, is_needed, si
 from ..wheelset.prescribed_height import is_damped
 from ..wheelset.report import report
 from ..wheelset.rigid import penetration_status
-from ..wheelset.rolling_contact import open_given_motion, solve_creep_forces
+from ..wheelset.rolling_contact import solve_creep_forces
 from ..wheelset.rows import keep_row, open_row
 from ..wheelset.side import clear_side
 from ..wheelset.vertical_load import (
@@ -34,7 +34,7 @@ from ..wheelset.vertical_load import (
     share_load,
 )
 from .section_forces import sum_pushes
-from .section_motion import move_changing, move_changing_patches
+from .section_motion import move_changing, move_changing_patches, open_changing_motion
 from .section_report import report_slopes
 from .section_roll import find_section_roll, touch_both
 from .section_side import load_pressed, load_touching
@@ -129,7 +129,7 @@ def stand_compliant(tables: Tables, work: Work):
     work.wheelset.roll = work.inputs.roll
     work.wheelset.vertical_shift = height
     if is_damped(tables):
-        open_given_motion(tables, work)
+        open_changing_motion(tables, work)
     status = touch_both(tables, work, work.inputs.roll)
     if status != VALID:
         return status

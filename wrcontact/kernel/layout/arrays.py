@@ -251,6 +251,7 @@ class Pair:
         Sections
     )  # of a wheel that is not round: how much larger its radius is, over angles and abscissae
     out_of_round: bool  # whether it is one
+    roller: float  # radius of the roller that stands for the rail [m]; 0 for a rail
 
 
 @record

@@ -251,6 +251,7 @@ class SectionTouch:
     along: float  # slopes of the rail there [-]
     slope: float
     rate: float  # how the gap follows the roll [m]
+    turn_rate: float  # and the rotation of a wheel that is not round [m]
 
 
 #: Of the left and right side.
