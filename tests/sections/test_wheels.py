@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.helpers.changing import CYLINDER, RADIUS, mirrored, smallest_gap
-from wrcontact import ContactSystem, RailSections, WheelSections
+from wrcontact import ContactSystem, Profile, RailSections, WheelSections
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.placement import place_rail
 from wrcontact.profiles.zones import Polynomial
@@ -315,23 +315,73 @@ def test_one_wheel_of_two_and_a_changing_rail():
     assert over.vertical_shift == pytest.approx(both.vertical_shift, abs=1e-11)
 
 
-def test_sections_of_a_wheel_are_those_of_its_shape():
-    """Profiles at angles, here of a worn tread on one side, lead from one to the next."""
-    worn = standard_profile("S1002").height
-    angles = np.linspace(-pi, pi, 41)
-    wheels = [
-        WheelSections.polygon(CYLINDER, 2, 2e-4),
-        WheelSections(
-            angles,
-            [
-                type(CYLINDER)("c", "wheel", (Polynomial(-60.0, 60.0, (0.2 * cos(2.0 * angle),)),))
-                for angle in angles
-            ],
-            CYLINDER,
-        ),
+ANGLES = np.linspace(-pi, pi, 41)
+
+
+@cache
+def cylinders():
+    """A polygon of order 2 and 0.2 mm, by the sections at these angles."""
+    parts = [
+        Profile("section", "wheel", (Polynomial(-60.0, 60.0, (0.2 * cos(2.0 * angle),)),)) for angle in ANGLES
     ]
+    return WheelSections(ANGLES, parts, CYLINDER)
+
+
+def test_sections_of_a_wheel_are_those_of_its_shape():
+    """Splines over slices 9 degrees apart are within a ten-thousandth of a wave of order 2."""
+    wheels = WheelSections.polygon(CYLINDER, 2, 2e-4), cylinders()
     found = [system_of(one).evaluate(wheel_rotation=1.1).vertical_shift for one in wheels]
-    assert worn(0.0) == 0.0 and found[1] == pytest.approx(found[0], abs=1e-8)
+    assert found[1] == pytest.approx(found[0], abs=2e-8)
+
+
+def write_wheel(folder, ending):
+    """Files of the wheel of :func:`cylinders`, by angles in degrees."""
+    y = np.linspace(-60.0, 60.0, 241)
+    rows = []
+    for k, angle in enumerate(ANGLES):
+        z = np.full(len(y), 0.2 * cos(2.0 * angle))
+        np.savetxt(folder / f"w{k}.csv", np.column_stack([y, z]), fmt="%.12f")
+        rows.append(np.degrees(angle))
+    path = folder / f"wheel.{ending}"
+    if ending == "slcw":
+        lines = [f"0.0 {pi / 180.0!r} % TH_OFFSET TH_SCALE", f"{len(rows)}", "0 0 0", "1"]
+        lines += [f"{angle!r} 'w{k}.csv'" for k, angle in enumerate(map(float, rows))]
+    else:
+        lines = ['kind = "wheel sections"', 'unit = "mm"', 'angle_unit = "deg"']
+        for k, angle in enumerate(map(float, rows)):
+            lines += ["[[slice]]", f"angle = {angle!r}", f'file = "w{k}.csv"']
+    path.write_text("\n".join(lines))
+    return path
+
+
+@pytest.mark.parametrize("ending", ["slcw", "toml"])
+def test_files_are_read(tmp_path, ending):
+    """As the same sections in Python; their path is a wheel, too."""
+    if ending == "toml":
+        pytest.importorskip("tomllib", reason="Python reads TOML from version 3.11")
+    path = write_wheel(tmp_path, ending)
+    expected = system_of(cylinders()).evaluate(wheel_rotation=1.1)
+    for wheel in (path, str(path), WheelSections.from_file(path)):
+        found = ContactSystem(wheel=wheel, rail_inclination=0.0).evaluate(wheel_rotation=1.1)
+        assert found.vertical_shift == pytest.approx(expected.vertical_shift, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "text, sentence",
+    [
+        ("0 1\n1\n0 0 0\n1\n", "has 1 as NSLC, the number of slices; permitted are 2"),
+        ("0 1\n2\n2 0 0\n1\n", "has 2 features; permitted is 0 for a wheel"),
+        (
+            "0 1\n2\n0 0 0\n1\n0.0 'none.csv'\n1.0 'none.csv'\n",
+            "has slice 1 in 'none.csv', which cannot be read",
+        ),
+    ],
+)
+def test_files_that_are_none_are_refused(tmp_path, text, sentence):
+    path = tmp_path / "wheel.slcw"
+    path.write_text(text)
+    with pytest.raises(ValueError, match=sentence):
+        WheelSections.from_file(path)
 
 
 # --- what is refused ---------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -77,6 +78,19 @@ class WheelSections:
 
         found = find_profile(profile, "wheel", argument="profile")
         return cls.__new__(cls)._shape(found, shape, f"{found.name}, {words}")
+
+    @classmethod
+    def from_file(cls, path: str | PathLike[str]) -> WheelSections:
+        """The sections in a slice file of CONTACT, .slcw, or in a .toml (docs/guides/wheels.md); the first one is the round wheel.
+
+        Raises
+        ------
+        ValueError
+            in one sentence, if the file cannot be used.
+        """
+        from .files import read_wheel_sections
+
+        return cls(**read_wheel_sections(path))
 
     @classmethod
     def polygon(cls, profile: Any, order: int, amplitude: float, phase: float = 0.0) -> WheelSections:
