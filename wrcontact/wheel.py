@@ -19,7 +19,6 @@ from .interface.calls import describe_wheel_inputs
 from .interface.one_wheel import checked_wheel, unknown_wheel_input, unknown_wheel_output, wheel_inputs
 from .kernel import layout
 from .methods.numbers import check_choice
-from .profiles.changing import refuse_changing
 from .results.columns import DEPTH_SIZES
 from .results.layout import SIDE_STARTS
 from .results.names import listed
@@ -101,7 +100,6 @@ class WheelSystem(ContactSystem):
 
     def _set_up(self, *given):
         super()._set_up(*given)
-        refuse_changing(self, "a WheelContact")
         layout.Tables.at(self._tables).alone = True
 
 

@@ -42,8 +42,8 @@ def on_equal_slices(model, mode, damping):
 @pytest.mark.parametrize(
     "model", [pytest.param(name, marks=pytest.mark.full) for name in MODELS[1:]] + ["strips"]
 )
-@pytest.mark.parametrize("mode", ["rigid", "compliant"])
-@pytest.mark.parametrize("rate", [0.0, 43.0])
+@pytest.mark.parametrize("mode", ["rigid", "compliant", "elastic"])
+@pytest.mark.parametrize("rate", [0.0, pytest.param(43.0, marks=pytest.mark.full)])
 def test_a_wheelset_that_rolls_on_equal_slices_does_so_on_the_constant_rail(rate, mode, model):
     """All outputs, with the rotation given or following; a compliant one with damped contact."""
     straight, changing = on_equal_slices(model, mode, 0.3 if mode == "compliant" else 0.0)
@@ -360,3 +360,53 @@ def test_the_power_of_all_forces_goes_into_friction_and_elastic_energy(model):
     assert pressed == pytest.approx(-stored, rel=1e-5)
     assert total == pytest.approx(pressed - rubbed, rel=1e-8)
     assert vector(found, "moment") @ axle == pytest.approx(-found["driving_torque"], abs=1e-3)
+
+
+# --- elastic wheelsets -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("load", ["normal", "vertical"])
+@pytest.mark.parametrize("pose", POSES[1:4], ids=lambda pose: f"{1e3 * pose[1]:g}mm")
+def test_an_elastic_wheelset_is_a_compliant_one_at_the_height_and_roll_that_it_finds(pose, load):
+    """It carries its loads there; and with the velocities along its path in time it has the same creepages."""
+    elastic, _ = on_waves(contact_mode="elastic", tangential_model="strips", load=load)
+    compliant, _ = on_waves(contact_mode="compliant", tangential_model="strips")
+    u, shift, yaw = pose
+    inputs = dict(lateral_shift=shift, yaw=yaw, track_position=u)
+    run = dict(speed=20.0, lateral_velocity=0.03, yaw_rate=0.05)
+    forces = dict(normal_force=5e4, load_transfer=0.2)
+    status, found = stepped(elastic, **inputs, **run, **forces)
+    assert status == 0, pose
+    prescribed = "right.force.z" if load == "vertical" else "right.normal_force"
+    assert abs(found[prescribed]) == pytest.approx(6e4, rel=2e-9)
+    ways, dt = [], 1e-6
+    if load == "normal":
+        for t in (-dt, dt):
+            status, way = stepped(
+                elastic,
+                track_position=u + 20.0 * t,
+                lateral_shift=shift + 0.03 * t,
+                yaw=yaw + 0.05 * t,
+                **forces,
+            )
+            assert status == 0, pose
+            ways.append([way["vertical_shift"], way["roll"]])
+        rates = (np.array(ways[1]) - ways[0]) / (2.0 * dt)
+        run |= dict(vertical_velocity=rates[0], roll_rate=rates[1])
+    other = stepped(
+        compliant,
+        **inputs,
+        **run,
+        vertical_shift_input=found["vertical_shift"],
+        roll_input=found["roll"],
+    )
+    assert other[0] == 0, pose
+    for side in ("left", "right"):
+        for name in ("normal_force", "area", "normal.force.x", "patch[1].x_track"):
+            assert other[1][f"{side}.{name}"] == pytest.approx(found[f"{side}.{name}"], rel=1e-5), (
+                pose,
+                name,
+            )
+        for name in ("x", "y", "spin") if load == "normal" else ():
+            name = f"{side}.patch[1].creepage.{name}"
+            assert other[1][name] == pytest.approx(found[name], rel=1e-4, abs=2e-7), (pose, name)

@@ -382,10 +382,6 @@ def test_files_are_read_and_moved(tmp_path):
     "given, sentence",
     [
         (
-            {"contact_mode": "elastic"},
-            "contact_mode is 'elastic'; permitted with a rail that changes along the track are 'rigid', ",
-        ),
-        (
             {"tangential_model": "halfspace"},
             "tangential_model is 'halfspace'; permitted with a rail that changes along the track are 'none', 'strips'",
         ),

@@ -19,7 +19,7 @@ from .surface import Surface
 
 #: What may be chosen beside a rail that changes.
 PERMITTED = {
-    "contact_mode": ("rigid", "compliant"),
+    "contact_mode": ("rigid", "elastic", "compliant"),
     "normal_model": ("hertz", "analyn", "analyn_strip", "auto"),
     "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach"),
     "longitudinal_curvature": ("effective",),
