@@ -30,7 +30,7 @@ from .system import ContactSystem
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .keywords import Depth, OneProfile, Wanted, WheelInputs, WheelKeywords
+    from .keywords import Depth, OneProfile, OneRail, Wanted, WheelInputs, WheelKeywords
 
 
 class WheelState(Side[N, K], Generic[N, K, S]):
@@ -135,7 +135,7 @@ class WheelContact:
     def __init__(
         self,
         wheel: OneProfile = "S1002",
-        rail: OneProfile = "UIC60",
+        rail: OneRail = "UIC60",
         *,
         side: Literal["left", "right"] = "right",
         **parameters: Unpack[WheelKeywords],

@@ -34,7 +34,12 @@ def vector(found, name):
 @cache
 def on_equal_slices(model, mode, damping):
     made = ContactSystem(
-        rail_inclination=0.0, tangential_model=model, contact_mode=mode, contact_damping=damping
+        rail_inclination=0.0,
+        tangential_model=model,
+        contact_mode=mode,
+        contact_damping=damping,
+        fatigue_outputs=True,
+        independent_wheels=model == "polach",
     )
     return made.stepper(), stepper_on(made, moved([0.0, 0.5]))
 
@@ -49,6 +54,7 @@ def test_a_wheelset_that_rolls_on_equal_slices_does_so_on_the_constant_rail(rate
     straight, changing = on_equal_slices(model, mode, 0.3 if mode == "compliant" else 0.0)
     for shift, yaw in ((2e-3, 0.01), (-5.5e-3, -0.006)):
         inputs = dict(lateral_shift=shift, yaw=yaw, wheel_rate=rate, left_friction=0.2, **RUN, **CURVE)
+        inputs |= {"left.wheel_rate": rate, "right.axle_torque": 200.0}
         if mode == "compliant":
             touching = system().evaluate(lateral_shift=shift, yaw=yaw)
             inputs |= BOUNCE | dict(

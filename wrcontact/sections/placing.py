@@ -29,8 +29,6 @@ PERMITTED = {
 WITHOUT = (
     *(side + name for side in ("", LEFT) for name in RAIL_SPRINGS),
     "wear_outputs",
-    "fatigue_outputs",
-    "independent_wheels",
 )
 #: The constant rail in whose place the kernel puts one that changes, and how it lies; neither changes a result.
 CARRIER, CARRIED = "UIC60", {"rail_inclination": 0.0, "left_rail_inclination": None, "gauge_depth": 0.014}
