@@ -7,8 +7,8 @@ from math import atan, cos, sin
 import numpy as np
 import pytest
 
+from tests.helpers.changing import head
 from tests.helpers.sections import moved, stepped, stepper_on, waves
-from tests.sections.test_changing_step import head, system
 from wrcontact import ContactSystem, RailSections
 
 MODELS = "strips", "fastsim", "fastrip", "polach"
@@ -26,6 +26,11 @@ def turned_by(yaw, roll):
 
 def vector(found, name):
     return np.array([found[f"{name}.{axis}"] for axis in "xyz"])
+
+
+@cache
+def system():
+    return ContactSystem(rail_inclination=0.0)
 
 
 # --- rails that do not change ------------------------------------------------------------------------------------
