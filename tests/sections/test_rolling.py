@@ -9,7 +9,8 @@ import pytest
 
 from tests.helpers.changing import head
 from tests.helpers.sections import moved, stepped, stepper_on, waves
-from wrcontact import ContactSystem, RailSections
+from wrcontact import ContactSystem, RailSections, WheelSections
+from wrcontact.profiles import standard_profile
 
 MODELS = "strips", "fastsim", "fastrip", "polach"
 #: Velocities of a wheelset; of a compliant one both, of rails the last ones.
@@ -421,3 +422,37 @@ def test_an_elastic_wheelset_is_a_compliant_one_at_the_height_and_roll_that_it_f
         for name in ("x", "y", "spin") if load == "normal" else ():
             name = f"{side}.patch[1].creepage.{name}"
             assert other[1][name] == pytest.approx(found[name], rel=1e-4, abs=2e-7), (pose, name)
+
+
+@pytest.mark.parametrize("kind", ["roller", "polygon"])
+def test_an_elastic_wheelset_on_rollers_or_with_wheels_that_are_not_round_is_a_compliant_one(kind):
+    """At its height and roll, with the velocities along its path in time: the same loads and creepages."""
+    given = {"roller_radius": 0.5}
+    if kind == "polygon":
+        given = {"wheel": WheelSections.polygon(standard_profile("S1002"), 3, 3e-4)}
+    elastic, compliant = (
+        ContactSystem(tangential_model="strips", contact_mode=mode, **given)
+        for mode in ("elastic", "compliant")
+    )
+    start = dict(lateral_shift=5e-3, yaw=4e-3, wheel_rotation=0.4)
+    rates = dict(lateral_shift=0.05, yaw=0.02, wheel_rotation=43.0)
+    run = dict(speed=20.0, lateral_velocity=0.05, yaw_rate=0.02, wheel_rate=43.0)
+    times = np.array([-1e-6, 1e-6])
+    ways = elastic.evaluate_many(**{name: value + rates[name] * times for name, value in start.items()})
+    found = elastic.evaluate(**start, **run)
+    assert found.status == 0 and (ways.status == 0).all()
+    other = compliant.evaluate(
+        **start,
+        **run,
+        vertical_shift_input=found.vertical_shift,
+        roll_input=found.roll,
+        vertical_velocity=np.diff(ways.vertical_shift)[0] / 2e-6,
+        roll_rate=np.diff(ways.roll)[0] / 2e-6,
+    )
+    for side in ("left", "right"):
+        assert found[f"{side}.normal_force"] == pytest.approx(78.5e3, rel=1e-9)
+        for name in ("normal_force", "area", "patch[1].tangential.y"):
+            assert other[f"{side}.{name}"] == pytest.approx(found[f"{side}.{name}"], rel=1e-5), name
+        for name in ("x", "y", "spin"):
+            name = f"{side}.patch[1].creepage.{name}"
+            assert other[name] == pytest.approx(found[name], rel=1e-5, abs=2e-7), name

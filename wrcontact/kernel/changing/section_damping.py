@@ -13,17 +13,19 @@ def damp_leaning_patches(tables: Tables, work: Work, index: int):
     side = work.sides[index]
     for number in range(side.patch_count):
         patch = side.patches[number]
-        rate = leaning_approach_rate(side.motion, work.leaning[leaning_place(index, number)].own)
-        factor = damping_factor(tables, rate)
-        patch.damping_power = (factor - 1.0) * (
-            pressing_power(side.motion, patch) + pushing_power(side.motion, patch)
-        )
+        at = work.leaning[leaning_place(index, number)].own
+        factor = damping_factor(tables, leaning_approach_rate(side.motion, at))
+        power = pressing_power(side.motion, patch) + pushing_power(side.motion, patch)
+        power += patch.totals.load * side.motion.wheel_rate * at.swelling
+        patch.damping_power = (factor - 1.0) * power
         damp_patch(patch, factor)
     total_patches(side)
 
 
 def pushing_power(motion: Motion, patch: Patch):
-    """What the force of a patch along the track adds to the power of its pressures [W]."""
-    return -patch.normal_x * (
-        motion.speed - motion.centre_z * motion.turn_y + motion.centre_y * motion.turn_z
-    )
+    """What the force of a patch along the track adds to the power of its pressures [W]; below a wheelset on rollers there is
+    no track that runs."""
+    running = motion.speed
+    if motion.rail.turn != 0.0:
+        running = 0.0
+    return -patch.normal_x * (running - motion.centre_z * motion.turn_y + motion.centre_y * motion.turn_z)

@@ -11,6 +11,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..contact.penetrated import limited
+from ..creep.motion import rolling_rate
 from ..layout import (
     INPUT_COUNT,
     LOAD_VERTICAL,
@@ -205,9 +206,12 @@ def find_section_rates(tables: Tables, work: Work):
 
 
 def stand_displaced(tables: Tables, work: Work, time: float):
-    """The equilibrium of a wheelset that has moved on by ``time`` [s]; the outcome."""
+    """The equilibrium of a wheelset that has moved on by ``time`` [s], and its wheels with it, at the rate that is given or that of
+    the nominal radius; the outcome.  Over rollers it stays where it is."""
     displace_inputs(work, time)
-    work.displaced.track_position += time * work.inputs.speed
+    work.displaced.wheel_rotation += time * rolling_rate(work.inputs, work.inputs.wheel_rate, tables.height)
+    if not (tables.pairs[0].roller > 0.0 or tables.pairs[1].roller > 0.0):
+        work.displaced.track_position += time * work.inputs.speed
     exchange_inputs(work)
     status = stand_elastic(tables, work)
     exchange_inputs(work)

@@ -18,6 +18,7 @@ from ..layout import (
     LeaningPatch,
     Pair,
     Patch,
+    Place,
     SectionFrame,
     Sections,
     SectionTouch,
@@ -28,6 +29,7 @@ from ..layout import (
 from ..search.roll import follow_side
 from ..search.smallest_gap import search_side
 from ..sections.section_surface import section_jet
+from ..sections.wheel_radius import within_turn
 from ..surface.locus import outline_point, outline_x
 from ..surface.tables import height_slope
 from ..wheelset.input_checks import has_wear
@@ -38,7 +40,7 @@ from ..wheelset.residuals import DEEPEST
 from .section_damping import damp_leaning_patches
 from .one_valley import has_one_valley
 from .rail_at_pose import write_rail_at_pose
-from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track
+from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track, wheel_turn
 from .valley import follow_valley
 
 #: The wheel is lowered by this much more than it overlaps its rail where a second contact along it is looked for [m].
@@ -55,7 +57,11 @@ def lay_rail(tables: Tables, work: Work, index: int, height: float, far: float) 
     touch = work.touches[index]
     side = work.sides[index]
     open_section_frame(pair, touch, work.inputs.track_position, height)
-    place_in_frame(pair.sections.frame, touch.place, side.place)
+    frame = pair.sections.frame
+    place_in_frame(frame, touch.place, side.place)
+    frame.turn = 0.0
+    if pair.out_of_round:
+        frame.turn = within_turn(work.inputs.wheel_rotation) + wheel_turn(frame, touch.place, side.place)
     if not follow_valley(pair, side.place, touch, work.inputs.track_position, far):
         return False
     return write_rail_at_pose(tables, pair)
@@ -212,6 +218,11 @@ def turn_point(pair: Pair, work: Work, index: int, height: float):
         y_frame,
         z_frame,
     )
+    if pair.out_of_round:
+        d, rate = deviation_at(pair, side.place, point.x_track + move, point.y_track, point.z_track)
+        point.rolling_radius += d
+        wheel_x += sections.frame.along[0] * move
+        wheel_y += sections.frame.along[1] * move
     point.x_wheel = wheel_x * place.cos_yaw + (wheel_y - place.shift) * place.sin_yaw
     r = point.rolling_radius
     point.z_wheel = sqrt(max(r * r - point.x_wheel * point.x_wheel, 0.0)) - place.radius
@@ -256,6 +267,32 @@ def radius_change(touch: SectionTouch, frame: SectionFrame, at: Leaning, move: f
     return -moved * sine / sqrt(1.0 - sine * sine)
 
 
+def deviation_at(pair: Pair, place: Place, x: float, y: float, z: float):
+    """How much larger than that of the round wheel the radius is [m] at a place of the frame, x from the wheelset's centre, and
+    how fast it grows around the wheel there [m]."""
+    frame = pair.sections.frame
+    y -= frame.centre[1]
+    z -= frame.centre[2]
+    ahead = place.cos_yaw * x + place.sin_yaw * y
+    level = place.cos_yaw * y - place.sin_yaw * x
+    d, d_f, d_y, d_ff, d_fy, d_yy = section_jet(
+        pair.deviation,
+        frame.turn + atan2(ahead, place.cos_roll * z - place.sin_roll * level),
+        place.cos_roll * level + place.sin_roll * z - place.arm,
+    )
+    return d, d_f
+
+
+def into_rail(place: Place, at: Leaning):
+    """The part along a contact's normal of the direction from the axle to it: nearly 1, less what the axle has of the normal."""
+    axle = (
+        -place.sin_yaw * place.cos_roll * at.down[0]
+        + place.cos_yaw * place.cos_roll * at.down[1]
+        + place.sin_roll * at.down[2]
+    )
+    return sqrt(max(1.0 - axle * axle, 0.0))
+
+
 def lean_strips(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, leaning: LeaningPatch):
     """Places, planes and rolling radii of the strips of a patch that is not turned yet."""
     patch = side.patches[number]
@@ -266,6 +303,11 @@ def lean_strips(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, 
         move, rise = lean(pair, touch, at, patch.x_track + strip.x, strip.y_track, strip.z_track)
         lean_plane(frame, at, rise * strip.cos, strip.sin, -strip.cos)
         strip.rolling_radius += radius_change(touch, frame, at, move)
+        if pair.out_of_round:
+            d, rate = deviation_at(
+                pair, side.place, patch.x_track + strip.x + move, strip.y_track, strip.z_track
+            )
+            strip.rolling_radius += d
 
 
 def turn_patch(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, leaning: LeaningPatch):
@@ -282,6 +324,11 @@ def turn_patch(pair: Pair, touch: SectionTouch, side: SideSearch, number: int, l
         share = 1.0 / sqrt(1.0 + along * along / square)
         lean_plane(frame, at, along, patch.normal_y, patch.normal_z)
         patch.rolling_radius += radius_change(touch, frame, at, move)
+        at.swelling = 0.0
+        if pair.out_of_round:
+            d, rate = deviation_at(pair, side.place, patch.x_track + move, patch.y_track, patch.z_track)
+            patch.rolling_radius += d
+            at.swelling = rate * into_rail(touch.place, at)
     x, y, z = into_track(frame, share * along, share * patch.normal_y, share * patch.normal_z)
     moment_x, moment_y, moment_z = into_track(
         frame,

@@ -1,7 +1,8 @@
 """One step of a wheelset on rails whose section changes along the track.
 
 The recipe: check the inputs; search the smallest gaps of both wheels, and for a rigid wheelset the roll at which they are
-equal, for an elastic one height and roll at which both carry their loads; lay the constant rail that each of them is at this pose, and solve the contact with it; if the wheelset rolls, creepages and creep forces follow as on constant rails; add up all
+equal, for an elastic one height and roll at which both carry their loads; lay the constant rail that each of them is at this
+pose, and solve the contact with it; if the wheelset rolls, creepages and creep forces follow as on constant rails; add up all
 forces.  The report writes the outputs.
 """
 
@@ -24,7 +25,7 @@ from ..wheelset.input_checks import check_inputs, counted_outcome, is_needed, si
 from ..wheelset.prescribed_height import is_damped
 from ..wheelset.report import report
 from ..wheelset.rigid import penetration_status
-from ..wheelset.rolling_contact import open_given_motion, solve_creep_forces
+from ..wheelset.rolling_contact import solve_creep_forces
 from ..wheelset.rows import keep_row, open_row
 from ..wheelset.side import clear_side
 from ..wheelset.vertical_load import (
@@ -36,7 +37,7 @@ from ..wheelset.vertical_load import (
 )
 from .section_elastic import find_section_rates, stand_elastic
 from .section_forces import sum_pushes
-from .section_motion import move_changing, move_changing_patches
+from .section_motion import move_changing, move_changing_patches, open_changing_motion
 from .section_report import report_slopes
 from .section_roll import find_section_roll, place_touches, touch_rail
 from .section_side import load_pressed, load_touching
@@ -135,7 +136,7 @@ def stand_compliant(tables: Tables, work: Work):
     work.wheelset.roll = work.inputs.roll
     work.wheelset.vertical_shift = height
     if is_damped(tables):
-        open_given_motion(tables, work)
+        open_changing_motion(tables, work)
     place_touches(tables, work.inputs, work, work.inputs.roll)
     status = VALID
     for index in range(2):

@@ -7,8 +7,8 @@ against the rail, the rotation w about the axle a, and the velocity v_c of the w
     V_ref = sqrt((|v_c . e1| + |w (a x (P - C)) . e1|)^2 / 4 + V_0^2)
     xi = v . e1 / V_ref,   eta = v . e2 / V_ref,   phi = (W - w a) . e3 / V_ref
 
-Wheel and rail approach each other at the speed v . e3, in which the rotation about the axle has no part: the wheel is round,
-and its normals meet the axle.  With the normal's part along the track this is
+Wheel and rail approach each other at the speed v . e3, in which the rotation about the axle has no part as long as the wheel is
+round and its normals meet the axle; at an angle at which its radius grows by r_theta, a wheel grows by w r_theta.  With the normal's part along the track this is
 
     -n . v = -(n_x V + n_y y' + n_z z' + ((P - C) x n) . W)                                     (A4)
 
@@ -44,11 +44,28 @@ def slide_at(motion: Motion, at: Leaning, rolling_x: float, rolling_y: float, ro
     """Velocity of the wheel's surface against the rail [m/s] at a place, where the rotation about the axle has this
     part."""
     lateral, vertical = velocity_across(motion, at.x, at.y, at.z, rolling_y, rolling_z)
+    roller_x, roller_z = roller_slide(motion, at)
     return (
-        velocity_along(motion, at.y - motion.centre_y, at.z - motion.centre_z, rolling_x),
+        velocity_along(motion, at.y - motion.centre_y, at.z - motion.centre_z, rolling_x) + roller_x,
         lateral,
-        vertical,
+        vertical + roller_z,
     )
+
+
+def roller_slide(motion: Motion, at: Leaning):
+    """What the velocity of the wheel's surface against a roller has beyond that against a rail along which the wheelset runs
+    [m/s], along and down.
+
+    The roller's surface has the velocity t (z - z_a, 0, x_a - x) with its rotation t = V / R about (x_a, z_a), and the wheelset
+    does not run along it.
+    """
+    rail = motion.rail
+    roller_x = 0.0
+    roller_z = 0.0
+    if rail.turn != 0.0:
+        roller_x = rail.turn * (rail.axle_z - at.z) - motion.speed
+        roller_z = rail.turn * (at.x - rail.axle_x)
+    return roller_x, roller_z
 
 
 def turn_at(motion: Motion, at: Leaning):
@@ -57,7 +74,7 @@ def turn_at(motion: Motion, at: Leaning):
     return along(
         at.down,
         motion.turn_x - motion.rail.roll - rate * motion.axle_x,
-        motion.turn_y - rate * motion.axle_y,
+        motion.turn_y - motion.rail.turn - rate * motion.axle_y,
         motion.turn_z + motion.track_rate - rate * motion.axle_z,
     )
 
@@ -101,7 +118,8 @@ def enclose_leaning_rates(turning: Turning, motion: Motion, leaning: LeaningPatc
         if strip.line_load > 0.0:
             at = leaning.strips[index]
             heading, ahead = heading_velocity(motion, at.x, at.y, at.z)
-            enclose_rate(turning, heading / strip.rolling_radius)
+            roller_x, roller_z = roller_slide(motion, at)
+            enclose_rate(turning, (heading + roller_x * ahead) / strip.rolling_radius)
 
 
 def leaning_approach_rate(motion: Motion, at: Leaning):
@@ -111,4 +129,11 @@ def leaning_approach_rate(motion: Motion, at: Leaning):
     y = at.y - motion.centre_y
     z = at.z - motion.centre_z
     lateral, vertical = velocity_across(motion, x, at.y, at.z, motion.track_rate * x, 0.0)
-    return along(at.down, motion.speed + motion.turn_y * z - motion.turn_z * y, lateral, vertical)
+    roller_x, roller_z = roller_slide(motion, at)
+    rate = along(
+        at.down,
+        motion.speed + motion.turn_y * z - motion.turn_z * y + roller_x,
+        lateral,
+        vertical + roller_z,
+    )
+    return rate + motion.wheel_rate * at.swelling

@@ -247,6 +247,11 @@ class Pair:
         Sections
     )  # of a rail whose section changes along the track, beside which ``rail`` does not count
     changing: bool  # whether it does
+    deviation: To(
+        Sections
+    )  # of a wheel that is not round: how much larger its radius is, over angles and abscissae
+    out_of_round: bool  # whether it is one
+    roller: float  # radius of the roller that stands for the rail [m]; 0 for a rail
 
 
 @record

@@ -37,13 +37,16 @@ POINT_LIMIT: Final[int] = 16  # points of a strip, from its leading edge
 
 @record
 class RailMotion:
-    """How a rail moves, and the place about which it rolls."""
+    """How a rail moves, and the place about which it rolls; and how a roller turns about its axle."""
 
     lateral: float  # velocity to the right [m/s]
     vertical: float  # and down
     roll: float  # rotation, right side down [rad/s]
     y: float  # track coordinates of its highest point [m]
     z: float
+    turn: float  # of a roller, whose surface runs back below the wheel [rad/s]; 0 for a rail
+    axle_x: float  # place of its axle ahead of the wheelset's middle, and below the track [m]
+    axle_z: float
 
 
 @record
@@ -56,6 +59,7 @@ class Leaning:
     ahead: Vector  # along the rail in the plane of contact,
     aside: Vector  # to the field side in it,
     down: Vector  # and along the normal into the rail, which is ahead x aside [-]
+    swelling: float  # how fast a wheel that is not round grows there towards the rail as it turns [m]
 
 
 @record
