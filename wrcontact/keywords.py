@@ -251,6 +251,14 @@ class WheelKeywords(TypedDict, total=False):
     """Stations of a patch's outline; 3 ... 201; by default 31."""
     smoothing: float | None
     """Permitted RMS distance between the curve and the points of a profile file; 0 ... 0.0005 m."""
+    rail_position: float
+    """Place along the track of the position 0 of a rail whose section changes; -1e+06 ... 1e+06 m; by default 0."""
+    rail_reversed: bool
+    """Whether the positions of a rail whose section changes count against the track; its sides stay; by default False."""
+    rail_origin_y: float
+    """Lateral distance of the origin of changing sections from the track's centre, to the field side; 0: by the gauge of the section at position 0, whose highest place then has the height 0; -2 ... 2 m; by default 0."""
+    rail_origin_z: float
+    """How far the origin of changing sections lies below the running surface; beside rail_origin_y only; -1 ... 1 m; by default 0."""
 
 
 class PoseInputs(TypedDict, total=False):

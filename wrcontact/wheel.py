@@ -19,7 +19,6 @@ from .interface.calls import describe_wheel_inputs
 from .interface.one_wheel import checked_wheel, unknown_wheel_input, unknown_wheel_output, wheel_inputs
 from .kernel import layout
 from .methods.numbers import check_choice
-from .profiles.changing import refuse_changing
 from .results.columns import DEPTH_SIZES
 from .results.layout import SIDE_STARTS
 from .results.names import listed
@@ -31,7 +30,7 @@ from .system import ContactSystem
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .keywords import Depth, OneProfile, Wanted, WheelInputs, WheelKeywords
+    from .keywords import Depth, OneProfile, OneRail, Wanted, WheelInputs, WheelKeywords
 
 
 class WheelState(Side[N, K], Generic[N, K, S]):
@@ -101,7 +100,6 @@ class WheelSystem(ContactSystem):
 
     def _set_up(self, *given):
         super()._set_up(*given)
-        refuse_changing(self, "a WheelContact")
         layout.Tables.at(self._tables).alone = True
 
 
@@ -137,7 +135,7 @@ class WheelContact:
     def __init__(
         self,
         wheel: OneProfile = "S1002",
-        rail: OneProfile = "UIC60",
+        rail: OneRail = "UIC60",
         *,
         side: Literal["left", "right"] = "right",
         **parameters: Unpack[WheelKeywords],

@@ -20,6 +20,12 @@ def moving_rail(u, across, down, name="own"):
     return RailSections(u, [RAIL] * len(u), places=places, name=name)
 
 
+def head(across=1.0, down=1.0):
+    """A head that is a polynomial, scaled across and down [mm]."""
+    heights = 0.0, 0.0, 4e-3 * down / across**2, 0.0, 2e-5 * down / across**4
+    return Profile("own", "rail", (Polynomial(-36.0 * across, 36.0 * across, heights),))
+
+
 @cache
 def swaying(sway=5e-3, dip=5e-4):
     """A rail that moves to the field side by ``sway`` within 0.4 m, and dips by ``dip`` over 0.3 m [m]."""

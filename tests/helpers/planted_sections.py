@@ -195,7 +195,7 @@ SECTIONED = [
         "moment_y += part_y - leaning.strips[i].down[1] * spinning",
         "the moment of a strip on a changing rail turns the wrong way",
         ROLLING,
-        "leaning_wheel",
+        "forces",
     ),
     (
         "section_radius_ahead",

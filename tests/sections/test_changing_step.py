@@ -6,6 +6,7 @@ from math import atan, cos, hypot, sin, tan
 import numpy as np
 import pytest
 
+from tests.helpers.changing import head
 from tests.helpers.sections import moved, stepped, stepper_on, waves
 from wrcontact import ContactSystem, Profile, RailSections
 from wrcontact.kernel.binding.library import ChangingKernel, changing_kernel
@@ -23,12 +24,6 @@ SIZES = "normal_force", "area", "max_pressure", "patch_length", "penetration"
 @cache
 def system(model="analyn", mode="rigid"):
     return ContactSystem(rail_inclination=0.0, normal_model=model, contact_mode=mode)
-
-
-def head(across=1.0, down=1.0):
-    """A head that is a polynomial, scaled across and down [mm]."""
-    heights = 0.0, 0.0, 4e-3 * down / across**2, 0.0, 2e-5 * down / across**4
-    return Profile("own", "rail", (Polynomial(-36.0 * across, 36.0 * across, heights),))
 
 
 def rolling(**more):

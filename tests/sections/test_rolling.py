@@ -7,9 +7,10 @@ from math import atan, cos, sin
 import numpy as np
 import pytest
 
+from tests.helpers.changing import head
 from tests.helpers.sections import moved, stepped, stepper_on, waves
-from tests.sections.test_changing_step import head, system
-from wrcontact import ContactSystem, RailSections
+from wrcontact import ContactSystem, RailSections, WheelSections
+from wrcontact.profiles import standard_profile
 
 MODELS = "strips", "fastsim", "fastrip", "polach"
 #: Velocities of a wheelset; of a compliant one both, of rails the last ones.
@@ -28,13 +29,23 @@ def vector(found, name):
     return np.array([found[f"{name}.{axis}"] for axis in "xyz"])
 
 
+@cache
+def system():
+    return ContactSystem(rail_inclination=0.0)
+
+
 # --- rails that do not change ------------------------------------------------------------------------------------
 
 
 @cache
 def on_equal_slices(model, mode, damping):
     made = ContactSystem(
-        rail_inclination=0.0, tangential_model=model, contact_mode=mode, contact_damping=damping
+        rail_inclination=0.0,
+        tangential_model=model,
+        contact_mode=mode,
+        contact_damping=damping,
+        fatigue_outputs=True,
+        independent_wheels=model == "polach",
     )
     return made.stepper(), stepper_on(made, moved([0.0, 0.5]))
 
@@ -42,13 +53,14 @@ def on_equal_slices(model, mode, damping):
 @pytest.mark.parametrize(
     "model", [pytest.param(name, marks=pytest.mark.full) for name in MODELS[1:]] + ["strips"]
 )
-@pytest.mark.parametrize("mode", ["rigid", "compliant"])
-@pytest.mark.parametrize("rate", [0.0, 43.0])
+@pytest.mark.parametrize("mode", ["rigid", "compliant", "elastic"])
+@pytest.mark.parametrize("rate", [0.0, pytest.param(43.0, marks=pytest.mark.full)])
 def test_a_wheelset_that_rolls_on_equal_slices_does_so_on_the_constant_rail(rate, mode, model):
     """All outputs, with the rotation given or following; a compliant one with damped contact."""
     straight, changing = on_equal_slices(model, mode, 0.3 if mode == "compliant" else 0.0)
     for shift, yaw in ((2e-3, 0.01), (-5.5e-3, -0.006)):
         inputs = dict(lateral_shift=shift, yaw=yaw, wheel_rate=rate, left_friction=0.2, **RUN, **CURVE)
+        inputs |= {"left.wheel_rate": rate, "right.axle_torque": 200.0}
         if mode == "compliant":
             touching = system().evaluate(lateral_shift=shift, yaw=yaw)
             inputs |= BOUNCE | dict(
@@ -360,3 +372,87 @@ def test_the_power_of_all_forces_goes_into_friction_and_elastic_energy(model):
     assert pressed == pytest.approx(-stored, rel=1e-5)
     assert total == pytest.approx(pressed - rubbed, rel=1e-8)
     assert vector(found, "moment") @ axle == pytest.approx(-found["driving_torque"], abs=1e-3)
+
+
+# --- elastic wheelsets -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("load", ["normal", "vertical"])
+@pytest.mark.parametrize("pose", POSES[1:4], ids=lambda pose: f"{1e3 * pose[1]:g}mm")
+def test_an_elastic_wheelset_is_a_compliant_one_at_the_height_and_roll_that_it_finds(pose, load):
+    """It carries its loads there; and with the velocities along its path in time it has the same creepages."""
+    elastic, _ = on_waves(contact_mode="elastic", tangential_model="strips", load=load)
+    compliant, _ = on_waves(contact_mode="compliant", tangential_model="strips")
+    u, shift, yaw = pose
+    inputs = dict(lateral_shift=shift, yaw=yaw, track_position=u)
+    run = dict(speed=20.0, lateral_velocity=0.03, yaw_rate=0.05)
+    forces = dict(normal_force=5e4, load_transfer=0.2)
+    status, found = stepped(elastic, **inputs, **run, **forces)
+    assert status == 0, pose
+    prescribed = "right.force.z" if load == "vertical" else "right.normal_force"
+    assert abs(found[prescribed]) == pytest.approx(6e4, rel=2e-9)
+    ways, dt = [], 1e-6
+    if load == "normal":
+        for t in (-dt, dt):
+            status, way = stepped(
+                elastic,
+                track_position=u + 20.0 * t,
+                lateral_shift=shift + 0.03 * t,
+                yaw=yaw + 0.05 * t,
+                **forces,
+            )
+            assert status == 0, pose
+            ways.append([way["vertical_shift"], way["roll"]])
+        rates = (np.array(ways[1]) - ways[0]) / (2.0 * dt)
+        run |= dict(vertical_velocity=rates[0], roll_rate=rates[1])
+    other = stepped(
+        compliant,
+        **inputs,
+        **run,
+        vertical_shift_input=found["vertical_shift"],
+        roll_input=found["roll"],
+    )
+    assert other[0] == 0, pose
+    for side in ("left", "right"):
+        for name in ("normal_force", "area", "normal.force.x", "patch[1].x_track"):
+            assert other[1][f"{side}.{name}"] == pytest.approx(found[f"{side}.{name}"], rel=1e-5), (
+                pose,
+                name,
+            )
+        for name in ("x", "y", "spin") if load == "normal" else ():
+            name = f"{side}.patch[1].creepage.{name}"
+            assert other[1][name] == pytest.approx(found[name], rel=1e-4, abs=2e-7), (pose, name)
+
+
+@pytest.mark.parametrize("kind", ["roller", "polygon"])
+def test_an_elastic_wheelset_on_rollers_or_with_wheels_that_are_not_round_is_a_compliant_one(kind):
+    """At its height and roll, with the velocities along its path in time: the same loads and creepages."""
+    given = {"roller_radius": 0.5}
+    if kind == "polygon":
+        given = {"wheel": WheelSections.polygon(standard_profile("S1002"), 3, 3e-4)}
+    elastic, compliant = (
+        ContactSystem(tangential_model="strips", contact_mode=mode, **given)
+        for mode in ("elastic", "compliant")
+    )
+    start = dict(lateral_shift=5e-3, yaw=4e-3, wheel_rotation=0.4)
+    rates = dict(lateral_shift=0.05, yaw=0.02, wheel_rotation=43.0)
+    run = dict(speed=20.0, lateral_velocity=0.05, yaw_rate=0.02, wheel_rate=43.0)
+    times = np.array([-1e-6, 1e-6])
+    ways = elastic.evaluate_many(**{name: value + rates[name] * times for name, value in start.items()})
+    found = elastic.evaluate(**start, **run)
+    assert found.status == 0 and (ways.status == 0).all()
+    other = compliant.evaluate(
+        **start,
+        **run,
+        vertical_shift_input=found.vertical_shift,
+        roll_input=found.roll,
+        vertical_velocity=np.diff(ways.vertical_shift)[0] / 2e-6,
+        roll_rate=np.diff(ways.roll)[0] / 2e-6,
+    )
+    for side in ("left", "right"):
+        assert found[f"{side}.normal_force"] == pytest.approx(78.5e3, rel=1e-9)
+        for name in ("normal_force", "area", "patch[1].tangential.y"):
+            assert other[f"{side}.{name}"] == pytest.approx(found[f"{side}.{name}"], rel=1e-5), name
+        for name in ("x", "y", "spin"):
+            name = f"{side}.patch[1].creepage.{name}"
+            assert other[name] == pytest.approx(found[name], rel=1e-5, abs=2e-7), name

@@ -426,8 +426,8 @@ def test_files_that_are_none_are_refused(tmp_path, text, sentence):
             "rail is WheelSections '.*', which changes around the wheel; permitted",
         ),
         (
-            lambda: ContactSystem(wheel=ECCENTRIC, contact_mode="elastic"),
-            "contact_mode is 'elastic'; permitted with a wheel that is not round are",
+            lambda: ContactSystem(wheel=ECCENTRIC, tangential_model="halfspace"),
+            "tangential_model is 'halfspace'; permitted with a wheel that is not round are",
         ),
     ],
 )

@@ -6,7 +6,6 @@ from ..conventions import SIDES
 from ..methods.words import did_you_mean
 from .inputs import INPUTS
 from .parameters import LEFT, PARAMETERS
-from .section_places import SECTION_PLACES
 
 #: Inputs and parameters of a wheelset that have no meaning for one wheel, and why.
 LOADED = "its load follows from its height"
@@ -16,7 +15,6 @@ WITHOUT = {
     "load": LOADED,
     "roll_guess": "its roll is given",
     "independent_wheels": "it turns by its own wheel_rate",
-    **dict.fromkeys(SECTION_PLACES, "its rail is the same all along the track"),
 }
 #: Inputs that one wheel has under the name of a wheelset's.
 SHARED = ("wheel_rate", "axle_torque")

@@ -22,7 +22,7 @@ from .wheel import WheelSections
 
 #: What may be chosen beside a rail that changes.
 PERMITTED = {
-    "contact_mode": ("rigid", "compliant"),
+    "contact_mode": ("rigid", "elastic", "compliant"),
     "normal_model": ("hertz", "analyn", "analyn_strip", "auto"),
     "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach"),
     "longitudinal_curvature": ("effective",),
@@ -32,8 +32,6 @@ PERMITTED = {
 WITHOUT = (
     *(side + name for side in ("", LEFT) for name in RAIL_SPRINGS),
     "wear_outputs",
-    "fatigue_outputs",
-    "independent_wheels",
 )
 #: The constant rail in whose place the kernel puts one that changes, and how it lies; neither changes a result. The wheel stands
 #: for one that is not round while profiles are found.
@@ -113,6 +111,10 @@ def check_rails(profiles, parameters):
                 f"{name} is {parameters[name]!r}; permitted with {beside} {verb} "
                 f"{', '.join(map(repr, permitted))}"
             )
+    if parameters["contact_mode"] == "elastic" and any(changing) and _has_roller(parameters):
+        raise ValueError(
+            "contact_mode is 'elastic' on a roller beside a rail that changes along the track; permitted are 'rigid', 'compliant'"
+        )
     for name in WITHOUT:
         if parameters[name]:
             raise ValueError(
@@ -122,6 +124,11 @@ def check_rails(profiles, parameters):
     for side, one in zip(("", LEFT), changing):
         if one:
             _check_placed(side, parameters)
+
+
+def _has_roller(parameters):
+    """Whether a side runs on a roller."""
+    return bool(parameters[ROLLER] or parameters[LEFT + ROLLER])
 
 
 def _check_placed(side, parameters):

@@ -9,22 +9,24 @@ A roller turns below a wheelset that stays where it is: with the radius R its su
 inputs, at the highest place, and with (V / R) (R - z) elsewhere.  It comes neither up nor down.
 """
 
-from ..creep.motion import open_left_rail, open_right_rail, set_contact_rates
-from ..layout import MODE_COMPLIANT, Motion, Pair, SectionTouch, Tables, Work
+from ..creep.motion import open_left_rail, open_right_rail, set_contact_rates, set_rates
+from ..layout import MODE_ELASTIC, MODE_RIGID, Motion, Pair, SectionTouch, Tables, Work
 from ..wheelset.input_checks import is_moving
 from ..wheelset.leaning_wheel import move_wheel
 from ..wheelset.rolling_contact import open_given_motion
 
 
 def move_changing(tables: Tables, work: Work):
-    """The velocities of the wheelset, if it rolls: those of the inputs, or in rigid contact those with which both wheels stay on
-    their rails."""
+    """The velocities of the wheelset, if it rolls: those of the inputs, in rigid contact those with which both wheels stay on
+    their rails, and in elastic contact those that section_elastic.py has found."""
     if not is_moving(tables, work.inputs):
         return
     open_changing_motion(tables, work)
-    if tables.mode != MODE_COMPLIANT:
-        left = work.sides[0].motion
-        right = work.sides[1].motion
+    left = work.sides[0].motion
+    right = work.sides[1].motion
+    if tables.mode == MODE_ELASTIC:
+        set_rates(left, right, work.wheelset.vertical_velocity, work.wheelset.roll_rate)
+    if tables.mode == MODE_RIGID:
         constrain_touch(tables.pairs[0], left, work.touches[0])
         constrain_touch(tables.pairs[1], right, work.touches[1])
         set_contact_rates(left, right)

@@ -1,7 +1,8 @@
 """One step of a wheelset on rails whose section changes along the track.
 
 The recipe: check the inputs; search the smallest gaps of both wheels, and for a rigid wheelset the roll at which they are
-equal; lay the constant rail that each of them is at this pose, and solve the contact with it; if the wheelset rolls, creepages and creep forces follow as on constant rails; add up all
+equal, for an elastic one height and roll at which both carry their loads; lay the constant rail that each of them is at this
+pose, and solve the contact with it; if the wheelset rolls, creepages and creep forces follow as on constant rails; add up all
 forces.  The report writes the outputs.
 """
 
@@ -9,6 +10,7 @@ from ..layout import (
     INVALID_INPUT,
     LOAD_VERTICAL,
     MODE_COMPLIANT,
+    MODE_ELASTIC,
     MODE_RIGID,
     NOT_CONVERGED,
     UNLOADED,
@@ -33,10 +35,11 @@ from ..wheelset.vertical_load import (
     release_friction,
     share_load,
 )
+from .section_elastic import find_section_rates, stand_elastic
 from .section_forces import sum_pushes
 from .section_motion import move_changing, move_changing_patches, open_changing_motion
 from .section_report import report_slopes
-from .section_roll import find_section_roll, touch_both
+from .section_roll import find_section_roll, place_touches, touch_rail
 from .section_side import load_pressed, load_touching
 
 
@@ -93,6 +96,10 @@ def solve_changing(tables: Tables, work: Work):
     clear_side(work.sides[1])
     if tables.mode == MODE_COMPLIANT:
         status = stand_compliant(tables, work)
+    elif tables.mode == MODE_ELASTIC:
+        status = find_section_rates(tables, work)
+        if status <= UNLOADED:
+            status = stand_elastic(tables, work)
     else:
         status = stand_rigid(tables, work)
     if status <= UNLOADED:
@@ -130,7 +137,11 @@ def stand_compliant(tables: Tables, work: Work):
     work.wheelset.vertical_shift = height
     if is_damped(tables):
         open_changing_motion(tables, work)
-    status = touch_both(tables, work, work.inputs.roll)
+    place_touches(tables, work.inputs, work, work.inputs.roll)
+    status = VALID
+    for index in range(2):
+        if is_needed(tables, work.inputs, index):
+            status = max(status, touch_rail(tables, work, index))
     if status != VALID:
         return status
     for index in range(2):

@@ -13,7 +13,20 @@ outputs: with the velocity v of the centre and the rotation W of the wheelset, t
 
 from math import fabs
 
-from ..layout import ROLLING_STRIP_LIMIT, Forces, Motion, Patch, SideSearch, Tables, Vector, Work, clear, copy
+from ..layout import (
+    ROLLING_STRIP_LIMIT,
+    Forces,
+    Leaning,
+    LeaningPatch,
+    Motion,
+    Patch,
+    SideSearch,
+    Tables,
+    Vector,
+    Work,
+    clear,
+    copy,
+)
 from ..creep.friction import creep_gain
 from .input_checks import has_creep_forces
 
@@ -124,6 +137,56 @@ def turn_creep_force(
     forces.driving_torque = -(about_axle(motion, moment_x, moment_y, moment_z) + missing)
     forces.friction_power = -patch.speed * creep_gain(patch)
     forces.wear_number = fabs(patch.creep_x * patch.creepage_x) + fabs(patch.creep_y * patch.creepage_y)
+
+
+def add_leaning_force(motion: Motion, leaning: LeaningPatch, patch: Patch):
+    """Add the creep force of a patch on a rail that changes to its forces: as add_creep_force, with planes that lean
+    along the track, too."""
+    forces = patch.forces
+    rest_x = patch.creep_x
+    rest_y = patch.creep_y
+    turning = patch.creep_moment
+    moment_x = 0.0
+    moment_y = 0.0
+    moment_z = 0.0
+    missing = 0.0
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        ahead = strip.force_x * strip.width
+        across = strip.force_y * strip.width
+        spinning = strip.moment * strip.width
+        rest_x -= ahead
+        rest_y -= across
+        turning += strip.y * ahead - spinning
+        part_x, part_y, part_z, about = add_traction(motion, leaning.strips[i], forces, ahead, across)
+        spinning -= strip.x * across
+        moment_x += part_x + leaning.strips[i].down[0] * spinning
+        moment_y += part_y + leaning.strips[i].down[1] * spinning
+        moment_z += part_z + leaning.strips[i].down[2] * spinning
+        missing += (strip.radius_share - 1.0) * about
+    part_x, part_y, part_z, about = add_traction(motion, leaning.own, forces, rest_x, rest_y)
+    moment_x += part_x + leaning.own.down[0] * turning
+    moment_y += part_y + leaning.own.down[1] * turning
+    moment_z += part_z + leaning.own.down[2] * turning
+    missing += (patch.radius_share - 1.0) * about
+    turn_creep_force(motion, patch, moment_x, moment_y, moment_z, missing)
+
+
+def add_traction(motion: Motion, at: Leaning, forces: Forces, ahead: float, across: float):
+    """Add a force in the plane of a place [N] to the ``forces`` of its patch; its moment about the wheelset's centre, and the
+    part of that about the axle [N m]."""
+    x = at.ahead[0] * ahead + at.aside[0] * across
+    y = at.ahead[1] * ahead + at.aside[1] * across
+    z = at.ahead[2] * ahead + at.aside[2] * across
+    forces.force[0] += x
+    forces.force[1] += y
+    forces.force[2] += z
+    away_y = at.y - motion.centre_y
+    away_z = at.z - motion.centre_z
+    moment_x = away_y * z - away_z * y
+    moment_y = away_z * x - at.x * z
+    moment_z = at.x * y - away_y * x
+    return moment_x, moment_y, moment_z, about_axle(motion, moment_x, moment_y, moment_z)
 
 
 def about_axle(motion: Motion, moment_x: float, moment_y: float, moment_z: float):
