@@ -466,7 +466,7 @@ class ContactSystem:
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``, or "status" for
-        the outcome of the whole contact alone.  A row has 8 B for each output that is wanted, for each input
+        the status of the whole contact alone.  A row has 8 B for each output that is wanted, for each input
         that is given as an array, and for the status.
 
         ``threads`` share the rows of a long table, with the same bits; None are as many as this process has
@@ -490,8 +490,8 @@ class ContactSystem:
         values = np.empty((len(rows), size))
         status = np.empty(len(rows), dtype=int)
         with working("evaluating poses", len(rows)) as advance:
-            for part, found, outcome in self._parts(stepper, rows, wanted.places, processes, threads):
-                values[part], status[part] = found, outcome
+            for part, found, found_status in self._parts(stepper, rows, wanted.places, processes, threads):
+                values[part], status[part] = found, found_status
                 advance(len(found))
         return WheelsetState(values, status, rows, stepper.layout, wanted.places, self._balancing())
 
@@ -511,9 +511,9 @@ class ContactSystem:
         parts = self._parts(stepper, rows, wanted.places, processes)
         return (
             WheelsetState(
-                found.copy(), outcome, rows.part(part), stepper.layout, wanted.places, self._balancing()
+                found.copy(), status, rows.part(part), stepper.layout, wanted.places, self._balancing()
             )
-            for part, found, outcome in parts
+            for part, found, status in parts
         )
 
     def _balancing(self):

@@ -21,7 +21,7 @@ from ..layout import (
 from ..elementary.runs import copy_run
 from ..patch.outline import row_size
 from ..wheelset.report import report
-from ..wheelset.input_checks import check_inputs, counted_outcome, is_moving, is_needed, side_force
+from ..wheelset.input_checks import check_inputs, counted_status, is_moving, is_needed, side_force
 from ..wheelset.rigid import penetration_status
 from ..wheelset.side import clear_side
 from ..wheelset.vertical_load import release_friction
@@ -32,7 +32,7 @@ from .section_side import load_pressed, load_touching
 
 
 def check_section_inputs(tables: Tables, inputs: Inputs):
-    """The outcome of the inputs: besides what a constant rail forbids, rails that change are not rolled and nothing has a
+    """The status of the inputs: besides what a constant rail forbids, rails that change are not rolled and nothing has a
     velocity."""
     status = check_inputs(tables, inputs)
     if status == VALID:
@@ -68,7 +68,7 @@ def evaluate_changing(tables: Tables, work: Work):
 
 
 def stand_rigid(tables: Tables, work: Work):
-    """Both wheels touch, and each carries its load there; the outcome."""
+    """Both wheels touch, and each carries its load there; the status."""
     roll, status = find_section_roll(tables, work)
     if status != VALID:
         return status
@@ -77,13 +77,15 @@ def stand_rigid(tables: Tables, work: Work):
     work.wheelset.vertical_shift = height
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            outcome = load_touching(tables, work, index, work.touches[index].best, side_force(work, index))
-            status = counted_outcome(tables, index, status, outcome)
+            side_status = load_touching(
+                tables, work, index, work.touches[index].best, side_force(work, index)
+            )
+            status = counted_status(tables, index, status, side_status)
     return status
 
 
 def stand_compliant(tables: Tables, work: Work):
-    """The wheelset at the height and roll of the inputs; the outcome."""
+    """The wheelset at the height and roll of the inputs; the status."""
     height = work.inputs.vertical_shift
     work.wheelset.roll = work.inputs.roll
     work.wheelset.vertical_shift = height
@@ -92,8 +94,8 @@ def stand_compliant(tables: Tables, work: Work):
         return status
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            outcome = load_pressed(tables, work, index, height)
-            status = counted_outcome(tables, index, status, outcome)
+            side_status = load_pressed(tables, work, index, height)
+            status = counted_status(tables, index, status, side_status)
     return status
 
 

@@ -33,7 +33,7 @@ AGAIN_SHARP: Final[float] = 1e-15
 @seldom
 def equilibrate_rail(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose
-    smallest gap is known; the outcome."""
+    smallest gap is known; the status."""
     open_equilibrium(tables, work, index)
     side = work.sides[index]
     work.settled[index].lifted = not height - side.best > GRAZING
@@ -69,7 +69,7 @@ def keep_slopes(work: Work, index: int):
 @seldom
 def equilibrate_again(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
-    rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
+    rate; the status, NOT_CONVERGED where it has to settle from rest on.
 
     A rail that stands at a jump of the forces stays there (``leave_jumps``).
     """
@@ -157,7 +157,7 @@ def one_contact(tables: Tables, work: Work, index: int, approach: float, sideway
 def iterate_deflection(
     tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float, trials: int
 ):
-    """Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the outcome,
+    """Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the status,
     NOT_CONVERGED where so many ``trials`` find nothing.  Fewer begin with the derivatives that are known."""
     equilibrium = work.equilibrium
     side = work.sides[index]

@@ -74,7 +74,7 @@ def stand_on(tables: Tables, work: Work, index: int, lateral: float, vertical: f
 
 @seldom
 def press_rail(tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float):
-    """The side with its rail deflected: its load, and the residuals; the outcome."""
+    """The side with its rail deflected: its load, and the residuals; the status."""
     if not stand_on(tables, work, index, lateral, vertical):
         return OFF_PROFILE
     if is_damped(tables) or is_moving(tables, work.inputs):
@@ -127,7 +127,7 @@ def bracket_vertical(
     tables: Tables, work: Work, index: int, height: float, lateral: float, exact: bool, reach: float
 ):
     """Let the rail of a side with this ``lateral`` deflection [m] settle vertically, by Newton's method from
-    where it stands, within a bracket that is halved where a step has not halved the residual; the outcome.
+    where it stands, within a bracket that is halved where a step has not halved the residual; the status.
 
     exact : else the vertical residual that is left, or what the width of a jump leaves open, is small against
         the lateral residual.
@@ -194,7 +194,7 @@ def is_within(bracket: Bracket, place: float) -> bool:
 @seldom
 def open_vertical(tables: Tables, work: Work, index: int, height: float, lateral: float):
     """Bracket the vertical deflection of a rail with this ``lateral`` one [m]: from where its wheel just
-    touches it down to where it is deepest; VALID, or the outcome if no vertical one is sought."""
+    touches it down to where it is deepest; VALID, or the status if no vertical one is sought."""
     equilibrium = work.equilibrium
     bracket = work.height_bracket
     rest = equilibrium.vertical_rest
@@ -249,7 +249,7 @@ def ends_at_jump(bracket: Bracket) -> bool:
 
 @seldom
 def narrow_beside(tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float):
-    """Let a vertical deflection be an end of the bracket if it lies within; the outcome."""
+    """Let a vertical deflection be an end of the bracket if it lies within; the status."""
     bracket = work.height_bracket
     status = UNLOADED
     if vertical > bracket.low and vertical < bracket.high:
@@ -261,7 +261,7 @@ def narrow_beside(tables: Tables, work: Work, index: int, height: float, lateral
 
 @seldom
 def bracket_rail(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail of a side settle; the outcome."""
+    """Let the rail of a side settle; the status."""
     equilibrium = work.equilibrium
     bracket = work.roll_bracket
     lateral = equilibrium.lateral_rest
@@ -292,7 +292,7 @@ def bracket_rail(tables: Tables, work: Work, index: int, height: float):
 
 @seldom
 def narrow_lateral(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail of a side settle within the bracket of its lateral deflection; the outcome."""
+    """Let the rail of a side settle within the bracket of its lateral deflection; the status."""
     equilibrium = work.equilibrium
     bracket = work.roll_bracket
     deflection = work.sides[index].deflection

@@ -28,7 +28,7 @@ GOOD: Final[float] = 0.05
 
 @seldom
 def approach_balance(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where no part of a move
+    """Let the rail of a side settle from where it stands; the status, NOT_CONVERGED where no part of a move
     reduces what is left."""
     equilibrium = work.equilibrium
     side = work.sides[index]
@@ -65,7 +65,7 @@ def approach_balance(tables: Tables, work: Work, index: int, height: float):
 @seldom
 def move_part(tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float):
     """Move the rail from ``lateral`` and ``vertical`` [m], and less far until this reduces the residuals; the
-    outcome."""
+    status."""
     equilibrium = work.equilibrium
     size = residual_size(equilibrium)
     for i in range(PARTS):
