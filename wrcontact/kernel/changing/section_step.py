@@ -23,7 +23,7 @@ from ..patch.outline import row_size
 from ..wheelset.report import report
 from ..wheelset.input_checks import check_inputs, counted_status, is_moving, is_needed, side_force
 from ..wheelset.rigid import penetration_status
-from ..wheelset.side import clear_side
+from ..wheelset.side import begin_trial, clear_side
 from ..wheelset.vertical_load import release_friction
 from .section_forces import sum_pushes
 from .section_report import report_slopes
@@ -47,9 +47,7 @@ def evaluate_changing(tables: Tables, work: Work):
     if status != VALID:
         return status
     release_friction(work)
-    work.contact.filling = True
-    work.contact.coarse = False
-    work.contact.following = False
+    begin_trial(work.contact, True, False, False)
     clear_side(work.sides[0])
     clear_side(work.sides[1])
     if tables.mode == MODE_COMPLIANT:

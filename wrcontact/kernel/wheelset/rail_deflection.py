@@ -7,7 +7,7 @@ from typing import Final
 
 from ..elementary.circle import sine_cosine
 from ..elementary.powers import cube_root
-from ..layout import NOT_CONVERGED, UNLOADED, Tables, Work, seldom
+from ..layout import NOT_CONVERGED, UNLOADED, Tables, Work, copy, seldom
 from ..normal.estimate import first_penetration
 from .prescribed_height import GRAZING
 from .rail_deflection_brackets import bracket_rail, press_rail, stand_on
@@ -60,10 +60,7 @@ def keep_slopes(work: Work, index: int):
     equilibrium = work.equilibrium
     settled = work.settled[index]
     settled.standing = not is_balanced(equilibrium, work.sides[index], UNSETTLED)
-    settled.lateral_lateral = equilibrium.lateral_lateral
-    settled.lateral_vertical = equilibrium.lateral_vertical
-    settled.vertical_lateral = equilibrium.vertical_lateral
-    settled.vertical_vertical = equilibrium.vertical_vertical
+    copy(equilibrium.slopes, settled.slopes)
 
 
 @seldom
@@ -81,10 +78,7 @@ def equilibrate_again(tables: Tables, work: Work, index: int, height: float):
         return UNLOADED
     if settled.standing:
         return press_rail(tables, work, index, height, deflection.lateral, deflection.vertical)
-    equilibrium.lateral_lateral = settled.lateral_lateral
-    equilibrium.lateral_vertical = settled.lateral_vertical
-    equilibrium.vertical_lateral = settled.vertical_lateral
-    equilibrium.vertical_vertical = settled.vertical_vertical
+    copy(settled.slopes, equilibrium.slopes)
     status = iterate_deflection(
         tables, work, index, height, deflection.lateral, deflection.vertical, AGAIN_TRIALS
     )

@@ -109,6 +109,14 @@ def clear_side(side: SideSearch):
     clear_patches(side)
 
 
+def begin_trial(contact: Contact, filling: bool, coarse: bool, following: bool):
+    """Say what the next contacts are for: whether their patches are filled in, whether an approximate penetration
+    is enough, and whether deepest points may be followed from the contact before."""
+    contact.filling = filling
+    contact.coarse = coarse
+    contact.following = following
+
+
 def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: float):
     """Normal contact of the side whose frame is open, and its patches if they are filled in; number of its
     regions and status."""

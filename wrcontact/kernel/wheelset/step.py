@@ -44,6 +44,7 @@ from .rolling_contact import move_patches, move_wheelset, solve_creep_forces
 from .report import report
 from .rigid import find_roll, keep_roll, penetration_status, solve_rigid
 from .residuals import turn_to
+from .side import begin_trial
 from .vertical_load import (
     LOAD_PASSES,
     carries_friction,
@@ -103,9 +104,7 @@ def solve_wheelset(tables: Tables, work: Work, state: State):
 
 def stand(tables: Tables, work: Work, state: State):
     """Where the wheelset stands, and the patches of both wheels: rigid, elastic or compliant; the status."""
-    work.contact.filling = True
-    work.contact.coarse = False
-    work.contact.following = False
+    begin_trial(work.contact, True, False, False)
     if tables.mode == MODE_COMPLIANT:
         return solve_compliant(tables, work)
     roll, status = find_roll(tables, work, state)
