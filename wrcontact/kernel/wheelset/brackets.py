@@ -50,6 +50,21 @@ def next_in_bracket(bracket: Bracket, i: int):
 
 
 @seldom
+def open_bracket(bracket: Bracket, place: float, value: float):
+    """Let both ends of the bracket be at ``place``, with this ``value``."""
+    bracket.low = place
+    bracket.high = place
+    bracket.at_low = value
+    bracket.at_high = value
+
+
+@seldom
+def is_within(bracket: Bracket, place: float) -> bool:
+    """Whether a place lies between both ends of a bracket."""
+    return place > bracket.low and place < bracket.high
+
+
+@seldom
 def narrow_bracket(bracket: Bracket, place: float, value: float):
     """Let ``place`` be an end of the bracket: the low one if its ``value`` is positive, else the high one."""
     if value > 0.0:
@@ -203,10 +218,7 @@ def enclose_roll(tables: Tables, work: Work, roll: float, left: float, right: fl
     residual, satisfied, status = roll_residual(tables, work, roll, left, right, flat)
     if status > UNLOADED:
         return status
-    bracket.low = roll
-    bracket.high = roll
-    bracket.at_low = residual
-    bracket.at_high = residual
+    open_bracket(bracket, roll, residual)
     reach = FIRST_REACH
     while bracket.at_low * bracket.at_high > 0.0:
         if reach > ROLL_LIMIT:
