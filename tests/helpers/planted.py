@@ -274,8 +274,8 @@ ERRORS = [
     ),
     Error(
         "elastic_loads",
-        "outcome = balance_side(tables, work, 1, right, height)",
-        "outcome = balance_side(tables, work, 1, left, height)",
+        "side_status = balance_side(tables, work, 1, right, height)",
+        "side_status = balance_side(tables, work, 1, left, height)",
         "the right elastic wheel carries the left one's load",
         "wheelset/test_bounded_work.py",
     ),

@@ -37,7 +37,7 @@ from ..normal.normal_contact import has_coarse_form, residual_rate
 from .brackets import bracket_roll
 from .enclosing import enclose_equilibrium, gaps_hold, ELASTIC_SHARP, NOT_LAST, LONGEST_MOVE, LEAST_LEVER
 from .side import begin_trial, side_lever
-from .residuals import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
+from .residuals import balance_both, depth_status, estimate_approach, turn_near, turn_to
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 18
@@ -62,7 +62,7 @@ SINGULAR: Final[float] = 0.02
 
 @seldom
 def solve_elastic(tables: Tables, work: Work, roll: float, left: float, right: float):
-    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
+    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status; outputs
     are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known."""
     status = estimate_approach(tables, work, 0, left)
     if status == VALID:
@@ -107,7 +107,7 @@ def first_estimate(tables: Tables, work: Work):
 
 @seldom
 def iterate(tables: Tables, work: Work, roll: float, height: float, left: float, right: float):
-    """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
+    """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the status;
     NOT_CONVERGED where it finds nothing."""
     method = work.broyden
     arm = tables.arm
@@ -155,7 +155,7 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
             if work.contact.filling and gaps_hold(tables, work, roll):
                 for index in range(2):
                     work.supports[index].height = height + method.move_height
-                return roll + method.move_roll / arm, depth_outcome(work, status)
+                return roll + method.move_roll / arm, depth_status(work, status)
             # the same place again, with patches, or with the smaller gap that was found
             method.move_height = 0.0
             method.move_roll = 0.0
