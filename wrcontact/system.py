@@ -490,8 +490,8 @@ class ContactSystem:
         values = np.empty((len(rows), size))
         status = np.empty(len(rows), dtype=int)
         with working("evaluating poses", len(rows)) as advance:
-            for part, found, found_status in self._parts(stepper, rows, wanted.places, processes, threads):
-                values[part], status[part] = found, found_status
+            for part, found, outcome in self._parts(stepper, rows, wanted.places, processes, threads):
+                values[part], status[part] = found, outcome
                 advance(len(found))
         return WheelsetState(values, status, rows, stepper.layout, wanted.places, self._balancing())
 
@@ -511,9 +511,9 @@ class ContactSystem:
         parts = self._parts(stepper, rows, wanted.places, processes)
         return (
             WheelsetState(
-                found.copy(), status, rows.part(part), stepper.layout, wanted.places, self._balancing()
+                found.copy(), outcome, rows.part(part), stepper.layout, wanted.places, self._balancing()
             )
-            for part, found, status in parts
+            for part, found, outcome in parts
         )
 
     def _balancing(self):

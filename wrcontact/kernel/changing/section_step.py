@@ -21,9 +21,9 @@ from ..layout import (
 from ..elementary.runs import copy_run
 from ..patch.outline import row_size
 from ..wheelset.report import report
-from ..wheelset.input_checks import check_inputs, counted_status, is_moving, is_needed, side_force
+from ..wheelset.input_checks import check_inputs, counted_outcome, is_moving, is_needed, side_force
 from ..wheelset.rigid import penetration_status
-from ..wheelset.side import begin_trial, clear_side
+from ..wheelset.side import clear_side
 from ..wheelset.vertical_load import release_friction
 from .section_forces import sum_pushes
 from .section_report import report_slopes
@@ -32,7 +32,7 @@ from .section_side import load_pressed, load_touching
 
 
 def check_section_inputs(tables: Tables, inputs: Inputs):
-    """The status of the inputs: besides what a constant rail forbids, rails that change are not rolled and nothing has a
+    """The outcome of the inputs: besides what a constant rail forbids, rails that change are not rolled and nothing has a
     velocity."""
     status = check_inputs(tables, inputs)
     if status == VALID:
@@ -47,7 +47,9 @@ def evaluate_changing(tables: Tables, work: Work):
     if status != VALID:
         return status
     release_friction(work)
-    begin_trial(work.contact, True, False, False)
+    work.contact.filling = True
+    work.contact.coarse = False
+    work.contact.following = False
     clear_side(work.sides[0])
     clear_side(work.sides[1])
     if tables.mode == MODE_COMPLIANT:
@@ -66,7 +68,7 @@ def evaluate_changing(tables: Tables, work: Work):
 
 
 def stand_rigid(tables: Tables, work: Work):
-    """Both wheels touch, and each carries its load there; the status."""
+    """Both wheels touch, and each carries its load there; the outcome."""
     roll, status = find_section_roll(tables, work)
     if status != VALID:
         return status
@@ -75,15 +77,13 @@ def stand_rigid(tables: Tables, work: Work):
     work.wheelset.vertical_shift = height
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            side_status = load_touching(
-                tables, work, index, work.touches[index].best, side_force(work, index)
-            )
-            status = counted_status(tables, index, status, side_status)
+            outcome = load_touching(tables, work, index, work.touches[index].best, side_force(work, index))
+            status = counted_outcome(tables, index, status, outcome)
     return status
 
 
 def stand_compliant(tables: Tables, work: Work):
-    """The wheelset at the height and roll of the inputs; the status."""
+    """The wheelset at the height and roll of the inputs; the outcome."""
     height = work.inputs.vertical_shift
     work.wheelset.roll = work.inputs.roll
     work.wheelset.vertical_shift = height
@@ -92,8 +92,8 @@ def stand_compliant(tables: Tables, work: Work):
         return status
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            side_status = load_pressed(tables, work, index, height)
-            status = counted_status(tables, index, status, side_status)
+            outcome = load_pressed(tables, work, index, height)
+            status = counted_outcome(tables, index, status, outcome)
     return status
 
 
