@@ -94,18 +94,14 @@ class Kernel:
 
     def bind(self, tables, state, workspace, inputs, outputs):
         """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
-        tables = checked("tables", tables, SETTING_COUNT)
-        arrays = (
-            tables,
-            checked("state", state, STATE_SIZE, written=True),
-            checked("workspace", workspace, WORK_SIZE, written=True),
-            checked("inputs", inputs, INPUT_COUNT),
-            checked("outputs", outputs, row_size(Tables.at(tables)), written=True),
-        )
-        return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
+        arrays = checked_arrays(tables, state, workspace, inputs, outputs)
+        if self.compiled:
+            return CompiledKernel(self.library, arrays)
+        source = import_module("..wheelset.step", __package__)  # not before it is needed
+        return PythonKernel(arrays, source.step, source.step_many)
 
     def prepare(self, setup, wheel, rail, left_wheel, left_rail, fixed):
-        """Outcome and tables of prepare/tables.py for these arrays: a setup, the definitions of both sides'
+        """How many numbers of the tables are used, or a negative reason (prepare/tables.py), and the tables, for these arrays: a setup, the definitions of both sides'
         profiles, the fixed tables."""
         given = [
             checked(name, array)
@@ -119,25 +115,25 @@ class Kernel:
             )
         ]
         longest = max(map(len, given[1:5]))
-        outcome, room = FULL, TABLE_ROOM
-        while outcome == FULL and room <= MOST_ROOM:
+        used, room = FULL, TABLE_ROOM
+        while used == FULL and room <= MOST_ROOM:
             tables = np.zeros(room)
             work = np.zeros(max(STATE_SIZE + WORK_SIZE + INPUT_COUNT + OUTPUT_COUNT, longest + room + 1000))
-            outcome = self._prepare([*given, tables, work])
+            used = self._prepare([*given, tables, work])
             room *= 4
-        return outcome, tables[: max(outcome, 0)].copy()
+        return used, tables[: max(used, 0)].copy()
 
     def _prepare(self, arrays):
-        """One attempt with arrays of this size; the outcome."""
+        """One attempt with arrays of this size; how many numbers of the tables are used, or a negative reason."""
         if self.compiled:
             return self.library.wrcontact_prepare(ctypes.byref(Preparation(*map(span, arrays))))
         source = import_module("..prepare.tables", __package__)
         setup, tables = Setup.at(arrays[0]), Tables.at(arrays[6])
-        outcome = source.prepare(setup, *map(view, arrays[1:6]), tables, view(arrays[7]))
-        if outcome >= 0:
+        used = source.prepare(setup, *map(view, arrays[1:6]), tables, view(arrays[7]))
+        if used >= 0:
             fill_starts(source, tables)
             source.write_methods(setup, tables)
-        return outcome
+        return used
 
     def divide_into_strips(self, workspace):
         """Cut the patch by itself in the workspace (n,) into strips along the rolling direction."""
@@ -200,77 +196,56 @@ class ChangingKernel:
 
     def bind(self, tables, state, workspace, inputs, outputs):
         """As :meth:`Kernel.bind`; what it returns has steps alone."""
-        tables = checked("tables", tables, SETTING_COUNT, written=True)
-        arrays = (
-            tables,
-            checked("state", state, STATE_SIZE, written=True),
-            checked("workspace", workspace, WORK_SIZE, written=True),
-            checked("inputs", inputs, INPUT_COUNT),
-            checked("outputs", outputs, row_size(Tables.at(tables)), written=True),
-        )
-        return CompiledChanging(self.library, arrays) if self.library else PythonChanging(arrays)
+        arrays = checked_arrays(tables, state, workspace, inputs, outputs, changing=True)
+        if self.library:
+            steps = self.library.wrcontact_step_changing, self.library.wrcontact_step_changing_many
+            return CompiledSteps(arrays, *steps)
+        source = import_module("..changing.section_step", __package__)
+        return PythonKernel(arrays, source.step_changing, source.step_changing_many)
 
 
-class CompiledChanging:
-    """The library with the arrays of a wheelset on changing rails."""
-
-    compiled = True
-
-    def __init__(self, library, arrays):
-        self._library, self._size = library, row_size(Tables.at(arrays[0]))
-        handle = Handle(*map(span, arrays))
-        handle.arrays = arrays
-        self._handle = ctypes.byref(handle)
-        self.step = partial(library.wrcontact_step_changing, self._handle)
-
-    def step_many(self, count, inputs, outputs, statuses):
-        """As CompiledKernel.step_many."""
-        blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
-        return self._library.wrcontact_step_changing_many(
-            self._handle, count, *(block.ctypes.data for block in blocks)
-        )
+def checked_arrays(tables, state, workspace, inputs, outputs, changing=False):
+    """The arrays of a wheelset; ``changing`` tables are written to."""
+    tables = checked("tables", tables, SETTING_COUNT, written=changing)
+    return (
+        tables,
+        checked("state", state, STATE_SIZE, written=True),
+        checked("workspace", workspace, WORK_SIZE, written=True),
+        checked("inputs", inputs, INPUT_COUNT),
+        checked("outputs", outputs, row_size(Tables.at(tables)), written=True),
+    )
 
 
-class PythonChanging:
-    """The Python source with the same arrays and calls."""
-
-    compiled = False
-
-    def __init__(self, arrays):
-        self._source = import_module("..changing.section_step", __package__)
-        tables, state, workspace, inputs, outputs = arrays
-        self._size = row_size(Tables.at(tables))
-        self._records = Tables.at(tables), State.at(state), Work.at(workspace)
-        self.step = partial(self._source.step_changing, *self._records, view(inputs), view(outputs))
-
-    def step_many(self, count, inputs, outputs, statuses):
-        """As CompiledKernel.step_many."""
-        blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
-        return self._source.step_changing_many(count, *self._records, *map(view, blocks))
-
-
-class CompiledKernel:
-    """The library with its arrays.  ``step()`` makes one step and returns the status."""
+class CompiledSteps:
+    """The library's functions ``step`` and ``step_many`` with the arrays of a wheelset.  ``step()`` makes one step
+    and returns the status."""
 
     compiled = True
 
-    def __init__(self, library, arrays):
-        self._library, self._size = library, row_size(Tables.at(arrays[0]))
+    def __init__(self, arrays, step, step_many):
+        self._size = row_size(Tables.at(arrays[0]))
         handle = Handle(*map(span, arrays))
         # it holds bare addresses: they live as long as it, or a bare ``step``, does
         handle.arrays = arrays
         self._handle = ctypes.byref(handle)
-        self._room = self._wide_room = None
+        self._step_many = step_many
         # no method: a third of the cost is the look-up
-        self.step = partial(library.wrcontact_step, self._handle)
+        self.step = partial(step, self._handle)
 
     def step_many(self, count, inputs, outputs, statuses):
         """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float
         in ``statuses`` each."""
         blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
-        return self._library.wrcontact_step_many(
-            self._handle, count, *(block.ctypes.data for block in blocks)
-        )
+        return self._step_many(self._handle, count, *(block.ctypes.data for block in blocks))
+
+
+class CompiledKernel(CompiledSteps):
+    """The same with derivatives."""
+
+    def __init__(self, library, arrays):
+        super().__init__(arrays, library.wrcontact_step, library.wrcontact_step_many)
+        self._library = library
+        self._room = self._wide_room = None
 
     def derivative(self, seed):
         """Status of the step at the inputs, and how its outputs move where the inputs move at
@@ -297,21 +272,20 @@ class CompiledKernel:
 
 
 class PythonKernel:
-    """The Python source with the same arrays and calls."""
+    """The Python functions ``step`` and ``step_many`` with the same arrays and calls."""
 
     compiled = False
 
-    def __init__(self, arrays):
-        self._source = import_module("..wheelset.step", __package__)  # not before it is needed
+    def __init__(self, arrays, step, step_many):
         tables, state, workspace, inputs, outputs = arrays
-        self._size = row_size(Tables.at(tables))
+        self._size, self._step_many = row_size(Tables.at(tables)), step_many
         self._records = Tables.at(tables), State.at(state), Work.at(workspace)
-        self.step = partial(self._source.step, *self._records, view(inputs), view(outputs))
+        self.step = partial(step, *self._records, view(inputs), view(outputs))
 
     def step_many(self, count, inputs, outputs, statuses):
-        """As CompiledKernel.step_many."""
+        """As CompiledSteps.step_many."""
         blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
-        return self._source.step_many(count, *self._records, *map(view, blocks))
+        return self._step_many(count, *self._records, *map(view, blocks))
 
 
 class Span(ctypes.Structure):
