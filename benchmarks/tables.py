@@ -1,5 +1,6 @@
 """Tables in Markdown: each function writes one from the parts that were measured."""
 
+import re
 from typing import NamedTuple
 
 import numpy as np
@@ -37,6 +38,16 @@ MODELS = [
     "hunting run: mean",
     "worst",
 ]
+
+
+def write_part(page, script, name, lines):
+    """Put generated ``lines`` into a page, between the marks of the part ``name``, which ``script`` writes."""
+    begin, end = f"<!-- python {script}: {name} -->", f"<!-- end: {name} -->"
+    text = page.read_text(encoding="utf-8")
+    pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
+    if not pattern.search(text):
+        raise ValueError(f"{page.name} has no part {name}")
+    page.write_text(pattern.sub(lambda _: "\n".join([begin, *lines, end]), text), encoding="utf-8")
 
 
 def grid(header, rows, words=1):

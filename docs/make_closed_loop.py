@@ -7,7 +7,6 @@ docs/img.
 Without names it does all of them, which takes a quarter of an hour.  It needs libcosimpy for "master".
 """
 
-import re
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -18,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 
 import wrcontact  # noqa: E402
-from benchmarks.tables import grid  # noqa: E402
+from benchmarks.tables import grid, write_part  # noqa: E402
 from data import hunting_theory as theory  # noqa: E402
 from data import manchester  # noqa: E402
 from examples.hunting_wheelset import (  # noqa: E402
@@ -219,19 +218,9 @@ PARTS = {
 }
 
 
-def write(name, lines):
-    """Put ``lines`` between the marks of this part in the page."""
-    begin, end = f"<!-- python docs/make_closed_loop.py {name} -->", f"<!-- end: {name} -->"
-    text = PAGE.read_text(encoding="utf-8")
-    pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
-    if not pattern.search(text):
-        raise ValueError(f"{PAGE.name} has no part {name}")
-    PAGE.write_text(pattern.sub(lambda _: "\n".join([begin, *lines, end]), text), encoding="utf-8")
-
-
 if __name__ == "__main__":
     with TemporaryDirectory() as folder:
         archives = coupling.build(folder)
         for name in sys.argv[1:] or PARTS:
-            write(name, PARTS[name](archives))
+            write_part(PAGE, "docs/make_closed_loop.py", name, PARTS[name](archives))
             print(f"{PAGE.name}: {name}", flush=True)

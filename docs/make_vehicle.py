@@ -7,7 +7,6 @@ docs/img.
 It takes three minutes.
 """
 
-import re
 import sys
 from pathlib import Path
 
@@ -16,7 +15,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 
-from benchmarks.tables import grid  # noqa: E402
+from benchmarks.tables import grid, write_part  # noqa: E402
 from examples.vehicle import hunting, runs, theory  # noqa: E402
 from examples.vehicle import manchester as vehicle  # noqa: E402
 from wrcontact.plots.style import save  # noqa: E402
@@ -122,21 +121,11 @@ def checks(curved, shaken):
     ]
 
 
-def write(name, lines):
-    """Put ``lines`` between the marks of this part in the page."""
-    begin, end = f"<!-- python docs/make_vehicle.py: {name} -->", f"<!-- end: {name} -->"
-    text = PAGE.read_text(encoding="utf-8")
-    pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
-    if not pattern.search(text):
-        raise ValueError(f"{PAGE.name} has no part {name}")
-    PAGE.write_text(pattern.sub(lambda _: "\n".join([begin, *lines, end]), text), encoding="utf-8")
-
-
 if __name__ == "__main__":
     table, growths = hunts()
-    write("hunting", table)
+    write_part(PAGE, "docs/make_vehicle.py", "hunting", table)
     table, bulged = solvers()
-    write("solvers", table)
+    write_part(PAGE, "docs/make_vehicle.py", "solvers", table)
     curved, shaken = runs.through_curve(), runs.on_irregular_track()
-    write("checks", checks(curved, shaken))
+    write_part(PAGE, "docs/make_vehicle.py", "checks", checks(curved, shaken))
     save(runs.draw(growths, bulged, curved, shaken), IMAGES / "vehicle.png")

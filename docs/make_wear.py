@@ -5,7 +5,6 @@
 A run that OUT has already is not run again; without one it takes about nine minutes on two cores.
 """
 
-import re
 import sys
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import fields
@@ -17,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
 
 import wrcontact  # noqa: E402
-from benchmarks.tables import grid  # noqa: E402
+from benchmarks.tables import grid, write_part  # noqa: E402
 from examples import wear_of_a_wheel as route  # noqa: E402
 from examples.hunting_wheelset.coupling import CONTACT, build_wheelset, unpacked  # noqa: E402
 from wrcontact.plots import (  # noqa: E402
@@ -107,33 +106,23 @@ def new_wheels(out):
     return tables, wears, whole
 
 
-def put(name, lines):
-    """Write generated lines into the page."""
-    text = PAGE.read_text(encoding="utf-8")
-    begin, end = f"<!-- python docs/make_wear.py: {name} -->\n", f"<!-- end: {name} -->"
-    pattern = re.compile(f"{re.escape(begin)}.*?{re.escape(end)}", re.DOTALL)
-    if not pattern.search(text):
-        raise ValueError(f"{PAGE.name} has no part {name}")
-    PAGE.write_text(pattern.sub(lambda _: f"{begin}{lines}\n{end}", text), encoding="utf-8")
-
-
 if __name__ == "__main__":
     out = Path((sys.argv[1:] or ["out"])[0])
     run = route.wear_out(out)
     save(wear_figure(run), IMAGES / "wear_route.png")
-    put("mileage", mileage_table(run))
+    write_part(PAGE, "docs/make_wear.py", "mileage", mileage_table(run).splitlines())
     tables, wears, whole = new_wheels(out)
-    put("sections", section_table(wears))
+    write_part(PAGE, "docs/make_wear.py", "sections", section_table(wears).splitlines())
     deepest = whole.smooth_depth("wheel", 1e-3).max()
     shares = ", ".join(f"{100 * share:.1f} % {name}" for name, share in whole.shares("wheel").items())
     worst = max(step.left_out for step in run.steps)
-    put(
-        "laboratory",
+    laboratory = (
         "With new wheels the law without calibration takes 1 mm in "
         f"{1e-3 / deepest / 1e3:.0f} km at the deepest place; by mass {shares}. The run over "
         f"{run.distance[-1] / 1e6:.0f} 000 km with {route.CALIBRATION:g} of it has {len(run.steps) - 1} "
-        f"steps; of the rows of a step at most {worst} are left out.",
+        f"steps; of the rows of a step at most {worst} are left out."
     )
+    write_part(PAGE, "docs/make_wear.py", "laboratory", [laboratory])
     save(wear_depth_figure(whole, DISTANCE), IMAGES / "wear_depth.png")
     found = [wrcontact.fatigue(table, yield_shear=YIELD) for table, _ in tables]
     everything = joined(found)

@@ -466,7 +466,7 @@ class ContactSystem:
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``, or "status" for
-        the outcome of the whole contact alone.  A row has 8 B for each output that is wanted, for each input
+        the status of the whole contact alone.  A row has 8 B for each output that is wanted, for each input
         that is given as an array, and for the status.
 
         ``threads`` share the rows of a long table, with the same bits; None are as many as this process has

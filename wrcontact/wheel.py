@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 class WheelState(Side[N, K], Generic[N, K, S]):
-    """Result of one wheel: what a wheelset's state has of this side, ``state.right``, and the outcome.
+    """Result of one wheel: what a wheelset's state has of this side, ``state.right``, and the status.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class WheelState(Side[N, K], Generic[N, K, S]):
 
     @property
     def status(self) -> S:
-        """The outcome."""
+        """Status of the evaluation."""
         return self._state.status
 
     @property

@@ -1,4 +1,4 @@
-/* What the kernel makes of a wheelset: one evaluation, its outcome in a sentence, and the equilibrium. */
+/* What the kernel makes of a wheelset: one evaluation, its status in a sentence, and the equilibrium. */
 #include "wheelset_parts.h"
 
 #include <math.h>
@@ -120,7 +120,7 @@ void wheelset_accept(wheelset *self)
     core->accepts = 1;
 }
 
-/* One step of the kernel, and its outcome. */
+/* One step of the kernel, and its status. */
 void wheelset_evaluate(wheelset *self)
 {
     wheelset_core *core = &self->core;

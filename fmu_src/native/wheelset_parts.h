@@ -20,7 +20,7 @@ int wheelset_build(wheelset *self);             /* the tables for the present pa
 bool wheelset_is_compliant(const wheelset *self);
 wrcontact_handle wheelset_handle(wheelset *self);           /* the kernel's arrays */
 void wheelset_set_mode(wheelset *self, double mode);        /* let the tables be those of a contact mode */
-void wheelset_evaluate(wheelset *self);                     /* one step of the kernel, and its outcome */
+void wheelset_evaluate(wheelset *self);                     /* one step of the kernel, and its status */
 void wheelset_accept(wheelset *self);           /* let the present inputs be those to hold to, if their outputs are valid */
 void wheelset_log_status(wheelset *self);
 

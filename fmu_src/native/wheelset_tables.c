@@ -14,7 +14,7 @@
 #include "kernel/generated/constants.h"
 
 enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
-enum { NO_MEMORY = -100 };      /* beside the outcomes of the kernel's preparation */
+enum { NO_MEMORY = -100 };      /* beside the reasons of the kernel's preparation */
 enum { DIFFERING = 6 };         /* numbers that may differ on the left side */
 
 /* The kernel's setup from the parameters. */
@@ -185,43 +185,43 @@ static int find_profile(wheelset *self, const char *parameter, const char *kind,
 }
 
 /* Why the kernel could not prepare the tables; `slots` are where the names of a side's wheel and rail are. */
-static int refuse_preparation(wheelset *self, const int *slots, int outcome, const double *setup)
+static int refuse_preparation(wheelset *self, const int *slots, int reason, const double *setup)
 {
     const char *wheel = self->core.text[slots[0]], *rail = self->core.text[slots[1]];
-    if (outcome == prepare_tables__GAUGE_TOO_DEEP)
+    if (reason == prepare_tables__GAUGE_TOO_DEEP)
         return wheelset_refuse(self, "gauge_depth reaches %s m, but the inner side of the rail profile %s ends at %s m; "
                                "permitted are smaller depths", SIX_DIGITS(setup[layout__SETUP_DEPTH]), rail,
                                SIX_DIGITS(setup[layout__SETUP_REACHED]));
-    if (outcome == prepare_scan__TOO_WIDE)
+    if (reason == prepare_scan__TOO_WIDE)
         return wheelset_refuse(self, "the wheel profile is %s m wide; permitted are at most %s m",
                                FOUR_DIGITS(setup[layout__SETUP_WIDTH]), FOUR_DIGITS(MODEL_WIDEST));
-    if (outcome == prepare_tables__WITHOUT_HEAD)
+    if (reason == prepare_tables__WITHOUT_HEAD)
         return wheelset_refuse(self, "the profiles %s and %s are too steep at y = 0 m, the running circle and the rail's highest "
                                "point; permitted are profiles with less slope there", wheel, rail);
-    if (outcome == prepare_pieces__FULL)
+    if (reason == prepare_pieces__FULL)
         return wheelset_refuse(self, "the profiles %s and %s have too many points for the kernel's tables; permitted are profiles "
                                "with fewer points", wheel, rail);
     return wheelset_refuse(self, "there is no memory for the kernel's tables");
 }
 
-/* One attempt with room for `room` numbers; the outcome. */
+/* One attempt with room for `room` numbers; how many are used, or a negative reason. */
 static int prepare_in(wrcontact_preparation *preparation, int64_t room)
 {
-    int outcome = NO_MEMORY;
+    int used = NO_MEMORY;
     preparation->tables = span_of(calloc((size_t)room, sizeof(double)), room);
     const int64_t needed = wrcontact_prepare_room(preparation);
     preparation->work = span_of(calloc((size_t)needed, sizeof(double)), needed);
     if (preparation->tables.data && preparation->work.data)
-        outcome = wrcontact_prepare(preparation);
+        used = wrcontact_prepare(preparation);
     free(preparation->work.data);
-    if (outcome >= 0)
+    if (used >= 0)
     {
-        double *fitting = realloc(preparation->tables.data, (size_t)outcome * sizeof(double));
-        preparation->tables = span_of(fitting ? fitting : preparation->tables.data, outcome);
+        double *fitting = realloc(preparation->tables.data, (size_t)used * sizeof(double));
+        preparation->tables = span_of(fitting ? fitting : preparation->tables.data, used);
     }
     else
         free(preparation->tables.data);
-    return outcome;
+    return used;
 }
 
 /* Whether the tables are those of the present parameters. */
@@ -269,11 +269,11 @@ static int prepare(wheelset *self)
     if (fill_setup(self, setup) || fill_resolution(self, setup) || fill_left(self, setup) || check_springs(self, setup)
         || find_profiles(self, &preparation, slots))
         return 1;
-    int outcome = prepare_pieces__FULL;
-    for (int64_t room = TABLE_ROOM; outcome == prepare_pieces__FULL && room <= MOST_ROOM; room *= 4)
-        outcome = prepare_in(&preparation, room);
-    if (outcome < 0)
-        return refuse_preparation(self, setup[layout__SETUP_SIDE] == 1.0 ? slots : slots + 2, outcome, setup);
+    int used = prepare_pieces__FULL;
+    for (int64_t room = TABLE_ROOM; used == prepare_pieces__FULL && room <= MOST_ROOM; room *= 4)
+        used = prepare_in(&preparation, room);
+    if (used < 0)
+        return refuse_preparation(self, setup[layout__SETUP_SIDE] == 1.0 ? slots : slots + 2, used, setup);
     wheelset_free_tables(self);
     self->tables = preparation.tables;
     memcpy(self->built_values, self->core.values, sizeof self->built_values);

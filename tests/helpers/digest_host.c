@@ -4,7 +4,7 @@
  *
  * Both are files of float64 in the machine's order.  The plan is, for each case, the lengths of the arrays of
  * wrcontact_preparation but for the workspace, the count of poses, the numbers of a row of outputs and the count of
- * derivatives; then the arrays but for the tables, and the rows of inputs.  The answer is, for each case, the outcome of the
+ * derivatives; then the arrays but for the tables, and the rows of inputs.  The answer is, for each case, the length of the
  * preparation, the tables, the rows of outputs, the statuses, and the rates of the first poses.
  */
 #include <stdio.h>
@@ -50,9 +50,9 @@ static void run_case(const double *sizes)
     p.work = zeros(0);
     p.work = zeros(wrcontact_prepare_room(&p));
     array_double_1d inputs = given(count * layout__INPUT_COUNT), outputs = zeros(count * row), statuses = zeros(count);
-    array_double_1d outcome = zeros(1), rates = zeros(derivatives * row), seed = zeros(layout__INPUT_COUNT);
+    array_double_1d length = zeros(1), rates = zeros(derivatives * row), seed = zeros(layout__INPUT_COUNT);
     const int64_t used = wrcontact_prepare(&p);
-    outcome.data[0] = (double)used;
+    length.data[0] = (double)used;
     const wrcontact_handle handle = {p.tables, zeros(layout__STATE_SIZE), zeros(layout__WORK_SIZE),
                                      zeros(layout__INPUT_COUNT), zeros(row)};
     wrcontact_step_many(&handle, count, inputs.data, outputs.data, statuses.data);
@@ -65,7 +65,7 @@ static void run_case(const double *sizes)
             handle.inputs.data[i] = inputs.data[k * layout__INPUT_COUNT + i];
         wrcontact_derivative(&handle, seed.data, rates.data + k * row, room);
     }
-    write(outcome, 1);
+    write(length, 1);
     write(p.tables, used > 0 ? used : 0);
     write(outputs, count * row);
     write(statuses, count);

@@ -257,9 +257,9 @@ def read_answers(file, sizes, count):
     """The digests of each case in the answer."""
     with file.open("rb") as read:
         for length, row in sizes:
-            (outcome,) = np.fromfile(read, count=1)
-            if outcome != length:
-                raise ValueError(f"the preparation gives {outcome:.0f}, here {length}")
+            (used,) = np.fromfile(read, count=1)
+            if used != length:
+                raise ValueError(f"the preparation gives {used:.0f}, here {length}")
             tables, outputs = np.fromfile(read, count=length), np.fromfile(read, count=count * row)
             statuses = np.fromfile(read, count=count)
             rates = np.fromfile(read, count=min(DERIVATIVES, count) * row)

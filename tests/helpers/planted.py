@@ -84,8 +84,8 @@ ERRORS = [
     ),
     Error(
         "difference_of_another_force",
-        "equilibrium.vertical_vertical = (equilibrium.vertical - left_vertical) / DIFFERENCE",
-        "equilibrium.vertical_vertical = (equilibrium.vertical - left_lateral) / DIFFERENCE",
+        "slopes.vertical_vertical = (equilibrium.vertical - left_vertical) / DIFFERENCE",
+        "slopes.vertical_vertical = (equilibrium.vertical - left_lateral) / DIFFERENCE",
         "a rail settles by Newton's method with a wrong derivative",
         "wheelset/test_bounded_work.py",
     ),
@@ -274,8 +274,8 @@ ERRORS = [
     ),
     Error(
         "elastic_loads",
-        "outcome = balance_side(tables, work, 1, right, height)",
-        "outcome = balance_side(tables, work, 1, left, height)",
+        "side_status = balance_side(tables, work, 1, right, height)",
+        "side_status = balance_side(tables, work, 1, left, height)",
         "the right elastic wheel carries the left one's load",
         "wheelset/test_bounded_work.py",
     ),

@@ -37,7 +37,7 @@ RATE_FUNCTIONS = {"root_rate", "size_rate", "nonzero", "common_rate"}
 #: Rates of functions of one argument, where {v} is the argument, {f} the value and {d} the argument's rate.
 RATES = {"sqrt": "root_rate({f}, {d})", "fabs": "size_rate({v}, {d})"}
 #: What else is asked of rates.  The compiled kernel has these functions, for rates along several directions,
-#: in native/lanes.h.
+#: in native/directions.h.
 HELPERS = '''"""How roots and sizes change, and what else is asked of rates."""
 
 

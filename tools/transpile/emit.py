@@ -5,8 +5,8 @@ the same order: the names are those of the Python, comments stand where they sto
 refused with its line, and so is what would be another kind of number in C: a name that changes its kind, an
 ``and`` of numbers, a call of anything that neither the kernel nor C has.
 
-In the differentiated kernel a rate beside a value has the type ``lanes`` (native/lanes.h), as many rates as there
-are directions in one pass.  A statement that assigns a rate computes all of them, ``EACH_LANE each(x_t) = ...``.
+In the differentiated kernel a rate beside a value has the type ``directional_rate`` (native/directions.h), as many rates as there
+are directions in one pass.  A statement that assigns a rate computes all of them, ``EACH_DIRECTION each(x_t) = ...``.
 """
 
 import ast
@@ -22,9 +22,9 @@ TYPES = {
     "float": "double",
     "int": "int64_t",
     "bool": "bool",
-    "rate": "lanes",
+    "rate": "directional_rate",
     "array": "array_double_1d",
-    "rates": "array_lanes_1d",
+    "rates": "array_directional_rate_1d",
 }
 
 
@@ -261,11 +261,11 @@ class Function(Expressions):
         if kind != "rate":
             self.put(f"{place} = {self.value(value)};")
         elif self.kind(value) != "rate":
-            self.put(f"{place} = all_lanes({self.value(value)});")
+            self.put(f"{place} = along_all({self.value(value)});")
         else:
-            with self.each_lane():
+            with self.each_direction():
                 text = self.value(value)
-            self.put(f"EACH_LANE each({place}) = {text};")
+            self.put(f"EACH_DIRECTION each({place}) = {text};")
 
     def check(self, node, kind, value):
         """Refuse a value of another kind than its place; a number may stand for a rate."""

@@ -23,7 +23,7 @@ MATH = {"copysign": "float", "fabs": "float", "isfinite": "bool", "sqrt": "float
 #: Constants of the module math.
 NUMBERS = {"pi": "M_PI", "inf": "INFINITY", "nan": "NAN"}
 C_WORDS = set("auto char default do double float int long register short signed static switch union".split())
-#: What is asked of all rates at once, and what is a rate of each direction (native/lanes.h).
+#: What is asked of all rates at once, and what is a rate of each direction (native/directions.h).
 OF_ALL, OF_EACH = {"nonzero", "common_rate"}, {"root_rate", "size_rate"}
 
 
@@ -37,17 +37,17 @@ class Expressions(Scope):
 
     def __init__(self, kernel, source, node):
         super().__init__(kernel, source.name, node)
-        self.source, self.lane, self.in_test = source, False, False
+        self.source, self.in_each, self.in_test = source, False, False
 
     def refuse(self, node, why):
         raise Refused(f"{self.source.path.name}, line {node.lineno}: {why}")
 
     @contextmanager
-    def each_lane(self, on=True):
+    def each_direction(self, on=True):
         """Within it rates stand for those of one direction, or ``on`` being false for all of them."""
-        before, self.lane = self.lane, on
+        before, self.in_each = self.in_each, on
         yield
-        self.lane = before
+        self.in_each = before
 
     def value(self, node):
         """The text of an expression."""
@@ -72,7 +72,7 @@ class Expressions(Scope):
 
     def place(self, target):
         """Where a target is stored."""
-        with self.each_lane(False):
+        with self.each_direction(False):
             return self.value(target)
 
     def constant(self, node):
@@ -86,7 +86,7 @@ class Expressions(Scope):
 
     def name(self, node):
         if node.id in self.kinds:
-            return self.lanes_of(named(node.id), self.kinds[node.id]), CALL
+            return self.along_each(named(node.id), self.kinds[node.id]), CALL
         imports = self.source.imports
         home = next((home for home, names in imports.items() if node.id in names), None)
         if home is None and node.id not in self.source.constants:
@@ -95,18 +95,18 @@ class Expressions(Scope):
             return NUMBERS[node.id], CALL
         return f"{home or self.module}__{node.id}", CALL
 
-    def lanes_of(self, text, kind):
-        return f"each({text})" if self.lane and kind == "rate" else text
+    def along_each(self, text, kind):
+        return f"each({text})" if self.in_each and kind == "rate" else text
 
     def subscript(self, node):
         if isinstance(node.value, ast.Name) and self.kinds.get(node.value.id) in ("array", "rates"):
             if self.kind(node.slice) != "int":
                 self.refuse(node, f"the index {ast.unparse(node.slice)} is a {self.kind(node.slice)}")
-            with self.each_lane(False):
+            with self.each_direction(False):
                 index = self.value(node.slice)
             rates = self.kinds[node.value.id] == "rates"
             text = f"{'RATE_AT' if rates else 'AT'}({named(node.value.id)}, {index})"
-            return self.lanes_of(text, "rate" if rates else "float"), CALL
+            return self.along_each(text, "rate" if rates else "float"), CALL
         if ast.unparse(node).endswith(".shape[0]"):
             return f"{named(node.value.value.id)}.shape[0]", CALL
         self.refuse(node, f"{ast.unparse(node.value)} is no array")
@@ -211,11 +211,11 @@ class Expressions(Scope):
 
     def all_rates(self, node):
         """The text of a rate along all directions: a name for a sum or a product of rates."""
-        with self.each_lane(False):
+        with self.each_direction(False):
             if isinstance(node, (ast.Name, ast.Subscript)) and self.kind(node) == "rate":
                 return self.value(node)
             if self.kind(node) != "rate":
-                return f"all_lanes({self.value(node)})"
+                return f"along_all({self.value(node)})"
             if self.in_test:
                 self.refuse(node, "the condition of a loop hands on a rate that has no name")
             name = self.own("rates", "rate")

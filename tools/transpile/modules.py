@@ -89,7 +89,7 @@ class Module:
         }
         if "native" in self.marks.values():
             self.text = native_text(written)
-        if self.name == "derivative_rates":  # native/lanes.h has them
+        if self.name == "derivative_rates":  # native/directions.h has them
             self.marks = {node.name: "native" for node in written.body if isinstance(node, ast.FunctionDef)}
         self.tree = ast.parse(self.text, str(path))
         self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}

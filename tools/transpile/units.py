@@ -45,7 +45,7 @@ def assemble(kernel, modules, derivatives=True):
             "The differentiated kernel's functions",
             "constants.h",
             (prototypes(module, functions[module.name]) for module in rated if functions[module.name]),
-            "../native/lanes.h",
+            "../native/directions.h",
         )
         files["derivative_unit.c"] = part_unit(
             "The kernel with a rate beside every value.", modules, {module.name for module in rated}

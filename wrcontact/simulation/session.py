@@ -17,7 +17,7 @@ import math
 
 import numpy as np
 
-from .. import status as outcomes
+from .. import status as statuses
 from ..interface.index import PROFILES
 from ..interface.inputs import USUAL_LOAD
 from ..interface.parameters import LEFT, RIGID_RAILS, SIDED
@@ -277,19 +277,19 @@ class Session:
             self._evaluate()
 
     def _evaluate(self):
-        """One step of the kernel, and its outcome."""
+        """One step of the kernel, and its status."""
         stepper, values = self._stepper, self._values
         stepper.inputs[:] = values[: layout.INPUT_COUNT]
-        outcome = stepper.step()
+        status = stepper.step()
         count = min(len(stepper.outputs), STATUS - FIRST_OUTPUT)  # strips are no variables
         values[FIRST_OUTPUT : FIRST_OUTPUT + count] = stepper.outputs[:count]
-        values[STATUS] = outcome
+        values[STATUS] = status
         self._stale = self._balanced = False
         self.evaluations += 1
         self._remark_load()
         if self.parameters["contact_mode"] != "compliant":
             self._find_equilibrium()  # which costs nothing
-        if outcome:
+        if status:
             self._log_status()
 
     def _remark_load(self):
@@ -305,22 +305,22 @@ class Session:
         """Height and roll at which the load is carried; where there are none the last ones stay."""
         if self._stepper is None:
             return
-        values, found, outcome = self._values, self._stepper.outputs, 0
+        values, found, status = self._values, self._stepper.outputs, 0
         if self.parameters["contact_mode"] == "compliant":
             if self._balance is None:
                 self._balance = self._build({**self.parameters, **RIGID_RAILS, "contact_mode": "elastic"})
             self._balance.state[:] = 0.0
             self._balance.inputs[:] = values[: layout.INPUT_COUNT]
-            outcome, found = self._balance.step(), self._balance.outputs
-        if outcome <= outcomes.Status.UNLOADED:
+            status, found = self._balance.step(), self._balance.outputs
+        if status <= statuses.Status.UNLOADED:
             values[EQUILIBRIUM:FIRST_OUTPUT] = found[layout.OUT_VERTICAL_SHIFT], found[layout.OUT_ROLL]
-        elif self.status <= outcomes.Status.UNLOADED:  # otherwise the step has logged why
-            self.log("equilibrium: " + outcomes.explain(outcome, values[: layout.INPUT_COUNT], held=True))
+        elif self.status <= statuses.Status.UNLOADED:  # otherwise the step has logged why
+            self.log("equilibrium: " + statuses.explain(status, values[: layout.INPUT_COUNT], held=True))
         self._balanced = True
 
     def _log_status(self):
         self.log(
-            outcomes.explain(
+            statuses.explain(
                 self.status,
                 self._values[: layout.INPUT_COUNT],
                 self.parameters["contact_mode"] == "compliant",

@@ -105,7 +105,7 @@ class Kernel:
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
     def prepare(self, setup, wheel, rail, left_wheel, left_rail, fixed):
-        """Outcome and tables of prepare/tables.py for these arrays: a setup, the definitions of both sides'
+        """How many numbers of the tables are used, or a negative reason (prepare/tables.py), and the tables, for these arrays: a setup, the definitions of both sides'
         profiles, the fixed tables."""
         given = [
             checked(name, array)
@@ -119,25 +119,25 @@ class Kernel:
             )
         ]
         longest = max(map(len, given[1:5]))
-        outcome, room = FULL, TABLE_ROOM
-        while outcome == FULL and room <= MOST_ROOM:
+        used, room = FULL, TABLE_ROOM
+        while used == FULL and room <= MOST_ROOM:
             tables = np.zeros(room)
             work = np.zeros(max(STATE_SIZE + WORK_SIZE + INPUT_COUNT + OUTPUT_COUNT, longest + room + 1000))
-            outcome = self._prepare([*given, tables, work])
+            used = self._prepare([*given, tables, work])
             room *= 4
-        return outcome, tables[: max(outcome, 0)].copy()
+        return used, tables[: max(used, 0)].copy()
 
     def _prepare(self, arrays):
-        """One attempt with arrays of this size; the outcome."""
+        """One attempt with arrays of this size; how many numbers of the tables are used, or a negative reason."""
         if self.compiled:
             return self.library.wrcontact_prepare(ctypes.byref(Preparation(*map(span, arrays))))
         source = import_module("..prepare.tables", __package__)
         setup, tables = Setup.at(arrays[0]), Tables.at(arrays[6])
-        outcome = source.prepare(setup, *map(view, arrays[1:6]), tables, view(arrays[7]))
-        if outcome >= 0:
+        used = source.prepare(setup, *map(view, arrays[1:6]), tables, view(arrays[7]))
+        if used >= 0:
             fill_starts(source, tables)
             source.write_methods(setup, tables)
-        return outcome
+        return used
 
     def divide_into_strips(self, workspace):
         """Cut the patch by itself in the workspace (n,) into strips along the rolling direction."""

@@ -47,11 +47,11 @@ def prepare_sides(right, left, *, parameters, methods):
     array = setup_of(parameters, methods)
     rolling = array[PLACES["tangential_model"]] != layout.TANGENTIAL_NONE
     definitions = [profile.definition() for profile in (*right, *left)]
-    outcome, tables = default_kernel().prepare(array, *definitions, fixed_tables(bool(rolling)))
-    if outcome >= 0:
+    used, tables = default_kernel().prepare(array, *definitions, fixed_tables(bool(rolling)))
+    if used >= 0:
         return tables
     setup = layout.Setup.at(array)
-    raise ValueError(refusal(outcome, setup, *(profile.name for profile in (right if setup.side else left))))
+    raise ValueError(refusal(used, setup, *(profile.name for profile in (right if setup.side else left))))
 
 
 def profile_tables(tables, index):
@@ -66,20 +66,20 @@ def profile_tables(tables, index):
     return tables[wheel:wheel_end], tables[rail:rail_end], pair.rail_y
 
 
-def refusal(outcome, setup, wheel, rail):
+def refusal(reason, setup, wheel, rail):
     """Why the tables could not be prepared, in a sentence."""
-    if outcome == prepare_tables.GAUGE_TOO_DEEP:
+    if reason == prepare_tables.GAUGE_TOO_DEEP:
         return (
             f"gauge_depth reaches {setup.depth:.6g} m, but the inner side of the "
             f"rail profile {rail} ends at {setup.reached:.6g} m; permitted are "
             "smaller depths"
         )
-    if outcome == TOO_WIDE:
+    if reason == TOO_WIDE:
         return (
             f"the wheel profile is {setup.width:.4g} m wide; permitted are at "
             f"most {layout.SCAN_LIMIT * FINE_STEP:.4g} m"
         )
-    if outcome == prepare_tables.WITHOUT_HEAD:
+    if reason == prepare_tables.WITHOUT_HEAD:
         return (
             f"the profiles {wheel} and {rail} are too steep at y = 0 m, the running circle and the "
             "rail's highest point; permitted are profiles with less slope there"

@@ -55,7 +55,7 @@ def place_touches(tables: Tables, inputs: Inputs, work: Work, roll: float):
 
 
 def touch_rail(tables: Tables, work: Work, index: int):
-    """Search the smallest gap of the wheel that is placed on side ``index``; the outcome."""
+    """Search the smallest gap of the wheel that is placed on side ``index``; the status."""
     pair = tables.pairs[index]
     search = work.section_search
     touch = work.touches[index]
@@ -94,11 +94,11 @@ def keep_touch(pair: Pair, search: SectionSearch, touch: SectionTouch):
 
 
 def touch_both(tables: Tables, work: Work, roll: float):
-    """Place both wheels at ``roll`` [rad] and search their smallest gaps; the worse outcome."""
+    """Place both wheels at ``roll`` [rad] and search their smallest gaps; the worse status."""
     place_touches(tables, work.inputs, work, roll)
     status = touch_rail(tables, work, 0)
-    outcome = touch_rail(tables, work, 1)
-    return max(status, outcome)
+    side_status = touch_rail(tables, work, 1)
+    return max(status, side_status)
 
 
 def probe_both(tables: Tables, work: Work, roll: float):
@@ -151,7 +151,7 @@ def equalize_touches(tables: Tables, work: Work, roll: float, low: float, high: 
 
 
 def find_section_roll(tables: Tables, work: Work):
-    """The roll [rad] at which both wheels touch, and the outcome; the gaps are known at it.
+    """The roll [rad] at which both wheels touch, and the status; the gaps are known at it.
 
     Their difference D falls with the roll; Newton's method with the derivative at fixed places of the wheels, which by the
     envelope theorem is that of the smallest gaps, follows two minima to the roll at which they are equal.  There both

@@ -63,7 +63,7 @@ def find_in_frame(pair: Pair, side: SideSearch, y: float) -> bool:
 
 def load_touching(tables: Tables, work: Work, index: int, height: float, force: float):
     """Side ``index`` of a rigid wheelset that touches at the vertical shift ``height`` [m], under a ``force`` [N]; the
-    outcome.  Only where it may overlap its rail farther away, all of that is laid."""
+    status.  Only where it may overlap its rail farther away, all of that is laid."""
     status, covered = load_touching_within(tables, work, index, height, force, NEAR)
     if not covered:
         status, covered = load_touching_within(tables, work, index, height, force, ALL)
@@ -73,7 +73,7 @@ def load_touching(tables: Tables, work: Work, index: int, height: float, force: 
 
 
 def load_touching_within(tables: Tables, work: Work, index: int, height: float, force: float, far: float):
-    """The outcome of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
+    """The status of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
     pair = tables.pairs[index]
     side = work.sides[index]
     if not lay_rail(tables, work, index, height, far):
@@ -90,7 +90,7 @@ def load_touching_within(tables: Tables, work: Work, index: int, height: float, 
 
 
 def load_pressed(tables: Tables, work: Work, index: int, height: float):
-    """Side ``index`` of a wheelset whose vertical shift ``height`` [m] is given; the outcome, UNLOADED if lifted."""
+    """Side ``index`` of a wheelset whose vertical shift ``height`` [m] is given; the status, UNLOADED if lifted."""
     if height - work.touches[index].best > DEEPEST:
         return OFF_PROFILE
     status, covered = load_pressed_within(tables, work, index, height, NEAR)
@@ -102,7 +102,7 @@ def load_pressed(tables: Tables, work: Work, index: int, height: float):
 
 
 def load_pressed_within(tables: Tables, work: Work, index: int, height: float, far: float):
-    """The outcome of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
+    """The status of that with a rail up to gaps of ``far`` [m], and whether the wheel overlaps it nowhere else."""
     pair = tables.pairs[index]
     side = work.sides[index]
     touch = work.touches[index]
@@ -126,7 +126,7 @@ def load_pressed_within(tables: Tables, work: Work, index: int, height: float, f
 
 def finish_side(tables: Tables, work: Work, index: int, status: int, height: float, depth: float):
     """Turn a side that is solved back into the track, and see whether its rail was one along it, and enough of it: the
-    outcome, and whether the wheel, ``depth`` [m] below where it touches, overlaps no other part of it."""
+    status, and whether the wheel, ``depth`` [m] below where it touches, overlaps no other part of it."""
     pair = tables.pairs[index]
     side = work.sides[index]
     if status > UNLOADED:

@@ -18,6 +18,7 @@ Each wheel has its equation in its own frame, in which the left side is mirrored
 from math import fabs
 
 from ..elementary.circle import sine_cosine
+from ..elementary.pair import solve_pair
 from ..layout import (
     CURVATURE_LIMIT,
     RATE_LIMIT,
@@ -231,10 +232,7 @@ def set_contact_rates(left: Motion, right: Motion):
     right_roll = x * right.constraint.moment_x + y * right.constraint.moment_y
     known_left = known_part(left)
     known_right = known_part(right)
-    determinant = left.constraint.z * right_roll - right.constraint.z * left_roll
-    vertical = 0.0
-    roll_rate = 0.0
-    if determinant != 0.0:
-        vertical = (known_right * left_roll - known_left * right_roll) / determinant
-        roll_rate = (known_left * right.constraint.z - known_right * left.constraint.z) / determinant
+    determinant, vertical, roll_rate = solve_pair(
+        known_left, known_right, left.constraint.z, left_roll, right.constraint.z, right_roll
+    )
     set_rates(left, right, vertical, roll_rate)

@@ -69,7 +69,7 @@ def follow_balanced(tables: Tables, work: Work, index: int) -> bool:
 def follow_compliant(tables: Tables, work: Work) -> bool:
     """Both sides of a wheelset at the height and roll of the inputs; whether their rates are not defined
     (``follow_balanced``)."""
-    outcome = False
+    undefined = False
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
@@ -81,9 +81,9 @@ def follow_compliant(tables: Tables, work: Work) -> bool:
     for index in range(2):
         if is_needed(tables, work.inputs, index):
             if is_sprung(tables, index):
-                undefined = follow_balanced(tables, work, index)
-                outcome = outcome or undefined
+                side_undefined = follow_balanced(tables, work, index)
+                undefined = undefined or side_undefined
             else:
                 follow_minimum(tables, work, index)
                 load_at_height(tables, work, index, height)
-    return outcome
+    return undefined

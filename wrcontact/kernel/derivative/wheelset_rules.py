@@ -125,11 +125,11 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
 def differentiate(tables: Tables, work: Work) -> bool:
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
     left it; whether the rates are not defined (``follow_elastic``, ``follow_balanced``)."""
-    outcome = follow_wheelset(tables, work)
+    undefined = follow_wheelset(tables, work)
     if carries_friction(tables, work):
-        outcome = follow_load(tables, work)
+        undefined = follow_load(tables, work)
     report(tables, work)
-    return outcome
+    return undefined
 
 
 def follow_load(tables: Tables, work: Work) -> bool:
@@ -167,7 +167,7 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
     """Contact of both wheels, resultant, creepages and creep forces with their rates; whether the rates are
     not defined."""
     mode = tables.mode
-    outcome = False
+    undefined = False
     if mode == MODE_RIGID:
         roll = follow_roll(tables, work)
         if work.sides[1].place.leaning:
@@ -177,18 +177,18 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
         follow_minimum(tables, work, 1)
         solve_rigid(tables, work, roll)
     if mode == MODE_ELASTIC:
-        outcome = follow_elastic(tables, work)
+        undefined = follow_elastic(tables, work)
     if mode == MODE_COMPLIANT:
-        outcome = follow_compliant(tables, work)
+        undefined = follow_compliant(tables, work)
     move_wheelset(tables, work)
     if mode == MODE_ELASTIC and is_moving(tables, work.inputs):
-        if work.wheelset.settled and not outcome:
+        if work.wheelset.settled and not undefined:
             follow_rates(tables, work)
     if turns_freely(tables, work):
-        undefined = follow_turning(tables, work)
-        outcome = outcome or undefined
+        turning_undefined = follow_turning(tables, work)
+        undefined = undefined or turning_undefined
     else:
         move_patches(tables, work)
         solve_creep_forces(tables, work)
     sum_forces(tables, work)
-    return outcome
+    return undefined

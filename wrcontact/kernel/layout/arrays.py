@@ -149,6 +149,17 @@ class TriedDeflection:
 
 
 @record
+class RailSlopes:
+    """How what the springs of a rail carry more than the wheel presses, laterally and vertically, follows both
+    deflections [N/m]."""
+
+    lateral_lateral: float
+    lateral_vertical: float
+    vertical_lateral: float
+    vertical_vertical: float
+
+
+@record
 class RailEquilibrium:
     """A rail on springs that settles under the forces of its wheel.
 
@@ -163,10 +174,7 @@ class RailEquilibrium:
     vertical_before: float
     lateral: float  # residuals: what the springs carry more than the wheel presses [N]
     vertical: float
-    lateral_lateral: float  # their derivatives with respect to both deflections [N/m]
-    lateral_vertical: float
-    vertical_lateral: float
-    vertical_vertical: float
+    slopes: RailSlopes
     move_lateral: float  # the last move [m]
     move_vertical: float
     one: TriedDeflection  # two deflections whose moves lead towards each other,
@@ -183,10 +191,7 @@ class BalancedRail:
         bool  # whether its wheel is lifted, or a force jumps past what the springs carry: it stays as it is
     )
     lifted: bool
-    lateral_lateral: float  # derivatives of what the springs carry more than the wheel presses [N/m]
-    lateral_vertical: float
-    vertical_lateral: float
-    vertical_vertical: float
+    slopes: RailSlopes
 
 
 @record

@@ -1,7 +1,7 @@
 """Records and constants that follow from the rows of inputs, parameters and outputs (wrcontact/interface).
 
 The order of the fields is that of the rows. A field has the name of its row, or the
-part of it behind the dot.  Beside them, by number: what can be wanted of a step, and its outcome.
+part of it behind the dot.  Beside them, by number: what can be wanted of a step, and its status.
 """
 
 from typing import Final
@@ -39,7 +39,7 @@ DEPTH_GEOMETRY: Final[int] = 0  # contact point, angle, radius, curvatures
 DEPTH_PATCHES: Final[int] = 1  # and penetration, patches
 DEPTH_ALL: Final[int] = 2  # and the outline
 
-# outcome of a step ---------------------------------------------------------------------------------
+# status of a step ----------------------------------------------------------------------------------
 VALID: Final[int] = 0
 UNLOADED: Final[int] = 1
 OFF_PROFILE: Final[int] = 2

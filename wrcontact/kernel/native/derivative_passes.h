@@ -1,6 +1,6 @@
-/* Derivatives of a step along any number of directions, WRCONTACT_LANES of them in each pass of the differentiated kernel.
+/* Derivatives of a step along any number of directions, WRCONTACT_DIRECTIONS of them in each pass of the differentiated kernel.
  *
- * A unit that defines WRCONTACT_LANES includes this file, and with it the differentiated kernel.
+ * A unit that defines WRCONTACT_DIRECTIONS includes this file, and with it the differentiated kernel.
  */
 #include "wrcontact_derivative.h"
 
@@ -18,7 +18,7 @@
 /* Numbers of memory that the derivatives need. */
 static int64_t derivative_room(void)
 {
-    return layout__STATE_SIZE + (1 + WRCONTACT_LANES) * layout__WORK_SIZE + layout__INPUT_COUNT + layout__OUTPUT_COUNT
+    return layout__STATE_SIZE + (1 + WRCONTACT_DIRECTIONS) * layout__WORK_SIZE + layout__INPUT_COUNT + layout__OUTPUT_COUNT
         + 2 * (layout__RUN_COUNT + layout__WEAR_RUN_COUNT) * layout__STATION_LIMIT + layout__WEAR_END;
 }
 
@@ -77,7 +77,7 @@ static int step_as(const wrcontact_handle *own, const wrcontact_handle *handle)
 
 /* No rates, but where they are written before they are read: the outlines, patches, nodes, strips, equations and samples of the
  * wheels, which are most of the memory. */
-static void clear_rates(lanes *rates)
+static void clear_rates(directional_rate *rates)
 {
     const int64_t right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE;
     const int64_t parts[][2] = {
@@ -90,34 +90,34 @@ static void clear_rates(lanes *rates)
         {layout__WORK_CONTACT + layout__CONTACT_ORIGIN, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES},
         {layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH, layout__WORK_ROLLING}};
     for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k += 1)
-        memset(rates + parts[k][0], 0, (parts[k][1] - parts[k][0]) * sizeof(lanes));
+        memset(rates + parts[k][0], 0, (parts[k][1] - parts[k][0]) * sizeof(directional_rate));
 }
 
 /* Rates of all outputs along `count` directions (count, outputs), whose rates of the inputs are the rows of `seeds`; the status. */
 static int derivatives(const wrcontact_handle *handle, int64_t count, const double *seeds, double *rates, double *room)
 {
     const array_double_1d work = span_of(room, layout__WORK_SIZE);
-    const array_lanes_1d work_t = {(lanes *)(room + layout__WORK_SIZE), {layout__WORK_SIZE}};
-    const array_double_1d state = span_of(room + (1 + WRCONTACT_LANES) * layout__WORK_SIZE, layout__STATE_SIZE);
+    const array_directional_rate_1d work_t = {(directional_rate *)(room + layout__WORK_SIZE), {layout__WORK_SIZE}};
+    const array_double_1d state = span_of(room + (1 + WRCONTACT_DIRECTIONS) * layout__WORK_SIZE, layout__STATE_SIZE);
     const array_double_1d inputs = span_of(state.data + layout__STATE_SIZE, layout__INPUT_COUNT);
     const array_double_1d outputs = span_of(inputs.data + layout__INPUT_COUNT, outline__row_size(handle->tables));
     const wrcontact_handle own = {handle->tables, state, work, inputs, outputs};
     const int64_t size = outputs.shape[0];
     memset(rates, 0, count * size * sizeof(double));
     int status = step_as(&own, handle);
-    for (int64_t first = 0; first < count && status <= layout__UNLOADED; first += WRCONTACT_LANES)
+    for (int64_t first = 0; first < count && status <= layout__UNLOADED; first += WRCONTACT_DIRECTIONS)
     {
         clear_rates(work_t.data);
-        for (int64_t k = 0; k < WRCONTACT_LANES && first + k < count; k += 1)
+        for (int64_t k = 0; k < WRCONTACT_DIRECTIONS && first + k < count; k += 1)
             for (int64_t i = 0; i < layout__INPUT_COUNT; i += 1)
-                *lane_at(work_t.data + layout__WORK_INPUTS + i, k) = seeds[(first + k) * layout__INPUT_COUNT + i];
+                *rate_along(work_t.data + layout__WORK_INPUTS + i, k) = seeds[(first + k) * layout__INPUT_COUNT + i];
         const bool reported = derivative_wheelset_rules__differentiate_t(handle->tables, work, work_t) == 0;
         bool stepped = false;
-        for (int64_t k = 0; k < WRCONTACT_LANES && first + k < count; k += 1)
+        for (int64_t k = 0; k < WRCONTACT_DIRECTIONS && first + k < count; k += 1)
         {
             double *found = rates + (first + k) * size;
             for (int64_t i = 0; i < size; i += 1)
-                found[i] = *lane_at(work_t.data + layout__WORK_OUTPUTS + i, k);
+                found[i] = *rate_along(work_t.data + layout__WORK_OUTPUTS + i, k);
             if (!reported || !all_finite(found, size))
             {
                 difference(&own, handle, seeds + (first + k) * layout__INPUT_COUNT, found);

@@ -1,7 +1,7 @@
 /* The third translation unit: the differentiated kernel along one direction.  It stands apart so that the compiler spends nothing
  * on it that it would take from the steps.
  */
-#define WRCONTACT_LANES 1
+#define WRCONTACT_DIRECTIONS 1
 #include "derivative_passes.h"
 
 int64_t wrcontact_derivative_room(void)

@@ -1,5 +1,5 @@
 /* The fourth translation unit: the differentiated kernel along many directions. */
-#define WRCONTACT_LANES 10
+#define WRCONTACT_DIRECTIONS 10
 #include "derivative_passes.h"
 #include "wrcontact_jacobian.h"
 

@@ -44,12 +44,12 @@ int64_t wrcontact_prepare_room(const wrcontact_preparation *p)
 
 int wrcontact_prepare(const wrcontact_preparation *p)
 {
-    const int outcome = (int)prepare_tables__prepare(p->setup, p->wheel, p->rail, p->left_wheel, p->left_rail, p->fixed, p->tables,
+    const int used = (int)prepare_tables__prepare(p->setup, p->wheel, p->rail, p->left_wheel, p->left_rail, p->fixed, p->tables,
                                                      p->work);
-    if (outcome >= 0)
+    if (used >= 0)
     {
         fill_starts(p->tables, p->work.data);
         prepare_tables__write_methods(p->setup, p->tables);
     }
-    return outcome;
+    return used;
 }

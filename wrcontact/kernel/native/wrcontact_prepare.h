@@ -1,6 +1,6 @@
 /* What a simulation needs at its start: the kernel's tables from definitions of the profiles and the parameters.
  *
- * generated/constants.h describes the arrays (layout/arrays.py: setup; prepare/tables.py: outcome; prepare/zones.py: definitions).
+ * generated/constants.h describes the arrays (layout/arrays.py: setup; prepare/tables.py: reasons; prepare/zones.py: definitions).
  * The caller owns all memory; nothing is allocated.
  */
 #ifndef WRCONTACT_PREPARE_H
@@ -22,7 +22,7 @@ typedef struct {
 /* How long the work array has to be for these definitions and this length of the tables. */
 WRCONTACT_EXPORT int64_t wrcontact_prepare_room(const wrcontact_preparation *preparation);
 
-/* Fill the tables; how many numbers of them are used, or a negative outcome.  Where they are too short it says so, and a longer
+/* Fill the tables; how many numbers of them are used, or a negative reason.  Where they are too short it says so, and a longer
  * array is the remedy. */
 WRCONTACT_EXPORT int wrcontact_prepare(const wrcontact_preparation *preparation);
 

@@ -59,7 +59,7 @@ FASTER: Final[float] = 1.5
 
 
 def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, guess: float, warm: bool):
-    """Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
+    """Roll [rad] of the wheelset and status; the smallest gaps of both sides are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
     no roll does not decide that. The roll and both places of contact depend on the inputs alone, to the last bit.
@@ -326,7 +326,7 @@ def has_no_root(tables: Tables, sides: Sides, near: RollTrial, far: RollTrial, s
 
 
 def first_root(tables: Tables, sides: Sides, trials: RollTrials, roll: float):
-    """The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``."""
+    """The first root [rad] of D from zero roll, and the status; D has a root at ``roll``."""
     near = trials.near
     note_root(trials.far[0], sides, roll)
     turn_both(sides, 0.0)
@@ -378,7 +378,7 @@ def first_root(tables: Tables, sides: Sides, trials: RollTrials, roll: float):
 
 def root_before(tables: Tables, sides: Sides, near: float, middle: float, sign: float):
     """A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
-    it has not; and the outcome."""
+    it has not; and the status."""
     first = near
     last = middle + APART
     if sign < 0.0:

@@ -218,7 +218,7 @@ def keep_known(side: SideSearch, y: float, gap: float, abscissa: float):
 
 
 def roll_between(tables: Tables, sides: Sides, roll: float, first: float, last: float, known: bool):
-    """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
+    """A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the status;
     both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
 
     With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
@@ -284,7 +284,7 @@ def roll_between(tables: Tables, sides: Sides, roll: float, first: float, last: 
 
 
 def any_roll(tables: Tables, inputs: Inputs, sides: Sides, guess: float, warm: bool):
-    """A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
+    """A roll [rad] at which both smallest gaps are equal, and the status; both gaps are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
     """

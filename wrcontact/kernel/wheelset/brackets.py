@@ -24,7 +24,7 @@ from ..layout import (
     seldom,
 )
 from .side import load_side, lower_wheel
-from .residuals import DEEPEST, SHALLOWEST, balance_side, depth_outcome, permitted_approach, turn_to
+from .residuals import DEEPEST, SHALLOWEST, balance_side, depth_status, permitted_approach, turn_to
 
 #: Brackets end here, or when they or what they enclose are this small [m, rad].
 BRACKETINGS: Final[int] = 90
@@ -47,6 +47,21 @@ def next_in_bracket(bracket: Bracket, i: int):
         if chord > low and chord < high:
             place = chord
     return place
+
+
+@seldom
+def open_bracket(bracket: Bracket, place: float, value: float):
+    """Let both ends of the bracket be at ``place``, with this ``value``."""
+    bracket.low = place
+    bracket.high = place
+    bracket.at_low = value
+    bracket.at_high = value
+
+
+@seldom
+def is_within(bracket: Bracket, place: float) -> bool:
+    """Whether a place lies between both ends of a bracket."""
+    return place > bracket.low and place < bracket.high
 
 
 @seldom
@@ -76,7 +91,7 @@ def carried_load(regions: Regions, count: int):
 @seldom
 def height_residual(tables: Tables, work: Work, index: int, force: float, height: float):
     """How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are
-    there [m]; whether they can carry it; and the outcome.
+    there [m]; whether they can carry it; and the status.
 
     The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry
     at ``height`` shows whether that is too low or too high, and the residual counts as the whole approach.
@@ -105,7 +120,7 @@ def height_residual(tables: Tables, work: Work, index: int, force: float, height
 @seldom
 def bracket_height(tables: Tables, work: Work, index: int, force: float):
     """Find the height at which a side carries ``force`` [N] with regions and nodes as they
-    are just there; the outcome.
+    are just there; the status.
 
     The residual is positive where the side is too high, negative where it is too low. Where its load jumps
     past the force as it comes down, since a region comes or goes, the height of the jump is taken, with the
@@ -169,7 +184,7 @@ def flatter_side(sides: Sides):
 def roll_residual(tables: Tables, work: Work, roll: float, left: float, right: float, flat: int):
     """Let side ``flat`` carry its load at ``roll``, and move the other one to this height;
     how much lower the right one carries its load than the left one [m], whether both can carry
-    their loads, and the outcome."""
+    their loads, and the status."""
     if not turn_to(tables, work, roll):
         return 0.0, False, OFF_PROFILE
     work.sides[1].roll_count += 1.0
@@ -184,29 +199,26 @@ def roll_residual(tables: Tables, work: Work, roll: float, left: float, right: f
 @seldom
 def level_residual(tables: Tables, work: Work, flat: int, flat_force: float, steep_force: float):
     """Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
-    other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the outcome."""
+    other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the status."""
     status = bracket_height(tables, work, flat, flat_force)
     if status > UNLOADED:
         return 0.0, False, status
     height = work.supports[flat].height
-    residual, satisfied, outcome = height_residual(tables, work, 1 - flat, steep_force, height)
+    residual, satisfied, side_status = height_residual(tables, work, 1 - flat, steep_force, height)
     work.supports[1 - flat].height = height
-    status = max(status, outcome)
+    status = max(status, side_status)
     return residual, satisfied, status
 
 
 @seldom
 def enclose_roll(tables: Tables, work: Work, roll: float, left: float, right: float, flat: int):
-    """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
+    """Bracket the roll in equilibrium by looking further and further from ``roll`` on; the status,
     NOT_CONVERGED if there is none within ROLL_LIMIT."""
     bracket = work.roll_bracket
     residual, satisfied, status = roll_residual(tables, work, roll, left, right, flat)
     if status > UNLOADED:
         return status
-    bracket.low = roll
-    bracket.high = roll
-    bracket.at_low = residual
-    bracket.at_high = residual
+    open_bracket(bracket, roll, residual)
     reach = FIRST_REACH
     while bracket.at_low * bracket.at_high > 0.0:
         if reach > ROLL_LIMIT:
@@ -231,7 +243,7 @@ def enclose_roll(tables: Tables, work: Work, roll: float, left: float, right: fl
 
 @seldom
 def bracket_roll(tables: Tables, work: Work, roll: float, left: float, right: float):
-    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
+    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status,
     from the rigid ``roll``."""
     bracket = work.roll_bracket
     flat = flatter_side(work.sides)
@@ -266,5 +278,5 @@ def bracket_roll(tables: Tables, work: Work, roll: float, left: float, right: fl
     if status <= UNLOADED:
         if not satisfied:
             status = NOT_CONVERGED
-        status = depth_outcome(work, status)
+        status = depth_status(work, status)
     return roll, status

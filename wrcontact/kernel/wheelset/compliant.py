@@ -15,7 +15,7 @@ from .springs import rest_rail
 
 @seldom
 def solve_compliant(tables: Tables, work: Work):
-    """The requested sides of the wheelset at the height and roll of the inputs; the outcome."""
+    """The requested sides of the wheelset at the height and roll of the inputs; the status."""
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
@@ -34,8 +34,8 @@ def solve_compliant(tables: Tables, work: Work):
     clear_side(work.sides[1])
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            outcome = load_standing(tables, work, index, height)
-            status = counted_outcome(tables, index, status, outcome)
+            side_status = load_standing(tables, work, index, height)
+            status = counted_outcome(tables, index, status, side_status)
     return status
 
 
@@ -55,7 +55,7 @@ def search_requested(tables: Tables, work: Work) -> bool:
 @seldom
 def load_standing(tables: Tables, work: Work, index: int, height: float):
     """The load of a requested side at ``height`` [m], whose rail is rigid or has settled on its springs; its
-    outcome."""
+    status."""
     if is_sprung(tables, index):
         return equilibrate_rail(tables, work, index, height)
     return load_at_height(tables, work, index, height)
@@ -64,7 +64,7 @@ def load_standing(tables: Tables, work: Work, index: int, height: float):
 @seldom
 def turn_compliant(tables: Tables, work: Work, index: int):
     """A side of the wheelset that is solved, with its wheel turning at another rate: its rail on springs
-    settles again; the outcome."""
+    settles again; the status."""
     height = work.inputs.vertical_shift
     if not (is_sprung(tables, index) and is_needed(tables, work.inputs, index)):
         return VALID
@@ -76,7 +76,7 @@ def turn_compliant(tables: Tables, work: Work, index: int):
 
 @seldom
 def equilibrate_anew(tables: Tables, work: Work, index: int):
-    """A side of the wheelset that is solved, whose rail settles on its springs from rest on; the outcome."""
+    """A side of the wheelset that is solved, whose rail settles on its springs from rest on; the status."""
     rest_rail(tables, work, index)
     place_both(tables, work.inputs, work.sides, work.inputs.roll)
     if not search_near(tables, work, index, nearest_start(tables.starts, work.inputs.lateral_shift)):
@@ -87,7 +87,7 @@ def equilibrate_anew(tables: Tables, work: Work, index: int):
 @seldom
 def leave_jumps(tables: Tables, work: Work, first: int, last: int):
     """Let the rails of the sides ``first`` ... ``last`` that stand at a jump of their forces settle from rest on,
-    since with other creep forces they may stand elsewhere in balance; whether there were any, and the outcome."""
+    since with other creep forces they may stand elsewhere in balance; whether there were any, and the status."""
     left = False
     status = VALID
     for index in range(first, last + 1):

@@ -19,6 +19,7 @@ from .elastic import find_move, update
 from .rolled_rails import set_reference
 from .input_checks import is_moving, side_force
 from .residuals import balance_side
+from .side import begin_trial
 
 #: So far both ways a wheel is displaced against its rail [m].
 DISPLACED: Final[float] = 5e-7
@@ -121,15 +122,13 @@ def displace(tables: Tables, work: Work, vertical: float, roll_rate: float, time
     height = work.wheelset.vertical_shift + time * vertical
     set_reference(work.sides, height)
     place_both(tables, work.displaced, work.sides, work.wheelset.roll + time * roll_rate)
-    work.contact.filling = False
-    work.contact.following = True
+    begin_trial(work.contact, False, False, True)
     found = True
     for index in range(2):
         force = side_force(work, index)
         if force > 0.0 and found:
             found = balance_side(tables, work, index, force, height) <= UNLOADED
-    work.contact.filling = True
-    work.contact.following = False
+    begin_trial(work.contact, True, False, False)
     return found
 
 

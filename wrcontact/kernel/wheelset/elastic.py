@@ -20,6 +20,7 @@ from math import fabs
 from typing import Final
 
 from ..contact.penetrated import limited
+from ..elementary.pair import solve_pair
 from ..layout import (
     NOT_CONVERGED,
     OFF_PROFILE,
@@ -35,8 +36,8 @@ from ..layout import (
 from ..normal.normal_contact import has_coarse_form, residual_rate
 from .brackets import bracket_roll
 from .enclosing import enclose_equilibrium, gaps_hold, ELASTIC_SHARP, NOT_LAST, LONGEST_MOVE, LEAST_LEVER
-from .side import side_lever
-from .residuals import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
+from .side import begin_trial, side_lever
+from .residuals import balance_both, depth_status, estimate_approach, turn_near, turn_to
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
 TRIALS: Final[int] = 18
@@ -61,7 +62,7 @@ SINGULAR: Final[float] = 0.02
 
 @seldom
 def solve_elastic(tables: Tables, work: Work, roll: float, left: float, right: float):
-    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
+    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status; outputs
     are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known."""
     status = estimate_approach(tables, work, 0, left)
     if status == VALID:
@@ -74,9 +75,7 @@ def solve_elastic(tables: Tables, work: Work, roll: float, left: float, right: f
     if not turn_near(tables, work, roll):
         return roll, OFF_PROFILE
     roll, status = iterate(tables, work, roll, height, left, right)
-    work.contact.filling = True
-    work.contact.coarse = False
-    work.contact.following = False
+    begin_trial(work.contact, True, False, False)
     if status == NOT_CONVERGED:
         roll, status = enclose_equilibrium(
             tables, work, work.broyden.best_roll, work.broyden.best_height, left, right
@@ -108,7 +107,7 @@ def first_estimate(tables: Tables, work: Work):
 
 @seldom
 def iterate(tables: Tables, work: Work, roll: float, height: float, left: float, right: float):
-    """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
+    """Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the status;
     NOT_CONVERGED where it finds nothing."""
     method = work.broyden
     arm = tables.arm
@@ -156,7 +155,7 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
             if work.contact.filling and gaps_hold(tables, work, roll):
                 for index in range(2):
                     work.supports[index].height = height + method.move_height
-                return roll + method.move_roll / arm, depth_outcome(work, status)
+                return roll + method.move_roll / arm, depth_status(work, status)
             # the same place again, with patches, or with the smaller gap that was found
             method.move_height = 0.0
             method.move_roll = 0.0
@@ -230,12 +229,25 @@ def renewed(method: Broyden, by_height: float, by_roll: float, change: float, ne
 @seldom
 def find_move(method: Broyden, supports: Supports, arm: float, rate: float) -> bool:
     """The move of height and roll that lets the residuals vanish; whether there is one."""
-    determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
+    determinant, height, roll = solve_residuals(method)
     if not fabs(determinant) > SINGULAR:
         begin_derivatives(method, supports, arm, rate)
-        determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
+        determinant, height, roll = solve_residuals(method)
         if not fabs(determinant) > SINGULAR:
             return False
-    method.move_height = (method.right * method.left_roll - method.left * method.right_roll) / determinant
-    method.move_roll = (method.left * method.right_height - method.right * method.left_height) / determinant
+    method.move_height = height
+    method.move_roll = roll
     return True
+
+
+@seldom
+def solve_residuals(method: Broyden):
+    """Determinant of the residuals' derivatives [-], and the moves of height and roll that they ask for [m]."""
+    return solve_pair(
+        method.left,
+        method.right,
+        method.left_height,
+        method.left_roll,
+        method.right_height,
+        method.right_roll,
+    )

@@ -17,7 +17,7 @@ from ..layout import NOT_CONVERGED, ROLL_LIMIT, UNLOADED, Bracket, Jump, Support
 from ..normal.normal_contact import residual_rate
 from .brackets import height_residual
 from .jumps import find_jump
-from .residuals import depth_outcome, turn_near, turn_to
+from .residuals import depth_status, turn_near, turn_to
 
 #: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
 #: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up
@@ -54,19 +54,19 @@ REDUCED: Final[float] = 0.5
 @seldom
 def level_both(tables: Tables, work: Work, left: float, right: float, height: float):
     """Press both wheels at ``height`` [m]; whether both can carry ``left`` and ``right`` [N], and the
-    outcome. How much lower they do is in their supports."""
+    status. How much lower they do is in their supports."""
     work.sides[1].roll_count += 1.0
     residual, satisfied, status = height_residual(tables, work, 0, left, height)
     if status <= UNLOADED:
-        residual, also, outcome = height_residual(tables, work, 1, right, height)
+        residual, also, side_status = height_residual(tables, work, 1, right, height)
         satisfied = satisfied and also
-        status = max(status, outcome)
+        status = max(status, side_status)
     return satisfied, status
 
 
 @seldom
 def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, left: float, right: float):
-    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome, from
+    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status, from
     ``roll`` and ``height`` on; NOT_CONVERGED where none is found."""
     bracket = work.roll_bracket
     supports = work.supports
@@ -120,7 +120,7 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
         if fabs(sink) < ELASTIC_SHARP and tables.arm * fabs(move) < ELASTIC_SHARP:
             if work.contact.filling and satisfied and gaps_hold(tables, work, roll):
                 set_heights(supports, height + sink)
-                return roll + move, depth_outcome(work, status)
+                return roll + move, depth_status(work, status)
             begin_cuts(work.jump)
         height += sink
         roll += move
@@ -208,7 +208,7 @@ def slope_apart(supports: Supports, move: float, change: float):
 def stand_at_jump(tables: Tables, work: Work, steady: int, left: float, right: float):
     """Stand at the jump that the bracket encloses, at the end at which the wheel that jumps carries no less
     than its load, the one that is not ``steady``, or at the other end if it cannot; roll [rad] and
-    outcome."""
+    status."""
     bracket = work.roll_bracket
     roll = bracket.high
     height = bracket.at_high
@@ -237,7 +237,7 @@ def stand_beside(
     height: float,
 ):
     """Stand at the ``roll`` of one end of a jump, near ``height``, where the ``steady`` wheel carries its
-    load; the outcome."""
+    load; the status."""
     if not turn_to(tables, work, roll):
         return NOT_CONVERGED
     work.contact.filling = True
@@ -245,7 +245,7 @@ def stand_beside(
     if not satisfied:
         status = NOT_CONVERGED
     set_heights(work.supports, height)
-    return depth_outcome(work, status)
+    return depth_status(work, status)
 
 
 @seldom

@@ -90,12 +90,12 @@ def roll_freely(tables: Tables, work: Work):
     if are_independent(tables):
         status = VALID
         for index in range(2):
-            outcome = VALID
+            side_status = VALID
             if is_free(tables, work.inputs, index):
-                outcome = turn(tables, work, index, index)
+                side_status = turn(tables, work, index, index)
             else:
                 solve_creep_at(tables, work, index, index, work.sides[index].motion.wheel_rate)
-            status = max(status, outcome)
+            status = max(status, side_status)
     else:
         status = turn(tables, work, 0, 1)
     work.turning.sought = True
@@ -106,7 +106,7 @@ def roll_freely(tables: Tables, work: Work):
 
 
 def turn(tables: Tables, work: Work, first: int, last: int):
-    """Find the rotation of the wheels ``first`` ... ``last``, with their creep forces; the outcome."""
+    """Find the rotation of the wheels ``first`` ... ``last``, with their creep forces; the status."""
     turning = work.turning
     rolling = work.rolling
     found = open_turning(tables, work, first, last)
@@ -114,8 +114,8 @@ def turn(tables: Tables, work: Work, first: int, last: int):
         status = VALID
         if turning.wanted != 0.0:
             status = BEYOND_ADHESION
-        torque, outcome = torque_at(tables, work, first, last, nominal_rate(tables, work, first))
-        return max(status, outcome)
+        torque, contact_status = torque_at(tables, work, first, last, nominal_rate(tables, work, first))
+        return max(status, contact_status)
     start = stand_in_rate(turning)
     if turning.sought and turning.rates[first] > turning.low and turning.rates[first] < turning.high:
         start = turning.rates[first]
@@ -173,14 +173,14 @@ def open_turning(tables: Tables, work: Work, first: int, last: int) -> bool:
 
 def torque_at(tables: Tables, work: Work, first: int, last: int, rate: float):
     """Torque of the creep forces about the axle [N m] of the wheels ``first`` ... ``last`` at ``rate``
-    [rad/s], and the outcome of their contact, which changes with it on springs."""
+    [rad/s], and the status of their contact, which changes with it on springs."""
     for index in range(first, last + 1):
         work.turning.rates[index] = rate
     if on_springs(tables):
         for index in range(first, last + 1):
-            outcome = turn_compliant(tables, work, index)
-            if outcome > UNLOADED:
-                return 0.0, outcome
+            status = turn_compliant(tables, work, index)
+            if status > UNLOADED:
+                return 0.0, status
         open_given_motion(tables, work)
     return solve_creep_at(tables, work, first, last, rate), VALID
 
@@ -203,7 +203,7 @@ def solve_creep_at(tables: Tables, work: Work, first: int, last: int, rate: floa
 
 
 def seek(tables: Tables, work: Work, first: int, last: int, start: float):
-    """Seek the rate within the enclosure from ``start`` on; the outcome."""
+    """Seek the rate within the enclosure from ``start`` on; the status."""
     turning = work.turning
     begin_search(turning, start)
     rate = start
@@ -221,7 +221,7 @@ def seek(tables: Tables, work: Work, first: int, last: int, start: float):
 
 
 def try_rate(tables: Tables, work: Work, first: int, last: int, rate: float):
-    """Try a rate and keep its torque; the outcome of the contact."""
+    """Try a rate and keep its torque; the status of the contact."""
     torque, status = torque_at(tables, work, first, last, rate)
     work.rolling.kept = True
     if status <= UNLOADED:
@@ -230,7 +230,7 @@ def try_rate(tables: Tables, work: Work, first: int, last: int, rate: float):
 
 
 def seek_falling(tables: Tables, work: Work, first: int, last: int):
-    """Seek the rate with falling friction, from the one with the friction of rest; the outcome."""
+    """Seek the rate with falling friction, from the one with the friction of rest; the status."""
     turning = work.turning
     rate = turning.rates[first]
     reopen_enclosure(turning)
@@ -241,7 +241,7 @@ def seek_falling(tables: Tables, work: Work, first: int, last: int):
 
 def leave_rest(tables: Tables, work: Work, first: int, last: int, start: float):
     """Seek the first rate beyond ``start`` at which falling friction carries a torque from outside; the
-    outcome, BEYOND_ADHESION where it carries less again."""
+    status, BEYOND_ADHESION where it carries less again."""
     turning = work.turning
     begin_search(turning, start)
     status = try_rate(tables, work, first, last, start)
@@ -276,7 +276,7 @@ def leave_rest(tables: Tables, work: Work, first: int, last: int, start: float):
 
 
 def seek_between(tables: Tables, work: Work, first: int, last: int, one: float, other: float):
-    """Seek the rate between two that leave torques of opposite signs; the outcome."""
+    """Seek the rate between two that leave torques of opposite signs; the status."""
     turning = work.turning
     turning.low = min(one, other)
     turning.high = max(one, other)
@@ -287,7 +287,7 @@ def seek_between(tables: Tables, work: Work, first: int, last: int, one: float, 
 
 def seek_peak(tables: Tables, work: Work, first: int, last: int, near: float, far: float):
     """Seek the largest torque that falling friction carries, between two rates around it, by thirds: where it
-    is enough, the rate before it; the outcome."""
+    is enough, the rate before it; the status."""
     turning = work.turning
     away = turning.torque
     for i in range(TURNS):

@@ -106,23 +106,23 @@ def is_needed(tables: Tables, inputs: Inputs, index: int) -> bool:
     return needed
 
 
-def counted_outcome(tables: Tables, index: int, status: int, outcome: int):
-    """``status`` with the ``outcome`` of side ``index``; a wheel that is needed and not requested may be
+def counted_outcome(tables: Tables, index: int, status: int, side_status: int):
+    """``status`` with the ``side_status`` of side ``index``; a wheel that is needed and not requested may be
     without load."""
     counted = status
-    if outcome > UNLOADED or is_requested(tables, index):
-        counted = max(status, outcome)
+    if side_status > UNLOADED or is_requested(tables, index):
+        counted = max(status, side_status)
     return counted
 
 
-def requested_outcome(tables: Tables, work: Work, status: int):
-    """The outcome of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
+def requested_status(tables: Tables, work: Work, status: int):
+    """The status of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
     without load."""
-    outcome = status
+    requested = status
     if status == UNLOADED and tables.sides != SIDES_BOTH:
         if side_force(work, tables.sides - SIDES_LEFT) > 0.0:
-            outcome = VALID
-    return outcome
+            requested = VALID
+    return requested
 
 
 def is_free(tables: Tables, inputs: Inputs, index: int) -> bool:

@@ -87,13 +87,13 @@ def narrow_jump(tables: Tables, work: Work, index: int, force: float, sharp: flo
         share = near + step
         turn_both(work.sides, jump.roll + share * jump.turn)
         if jump.pattern >= 0:
-            outcome = compare_pattern(tables, work, index, jump.height + share * jump.climb)
+            compared = compare_pattern(tables, work, index, jump.height + share * jump.climb)
         else:
-            outcome = compare_load(tables, work, index, force, jump.height + share * jump.climb)
-        if outcome == LOST:
+            compared = compare_load(tables, work, index, force, jump.height + share * jump.climb)
+        if compared == LOST:
             lost = share
             step *= 0.5
-        elif outcome == SAME:
+        elif compared == SAME:
             near = share
             step = far - near
             if jumps:
@@ -119,11 +119,11 @@ def compare_pattern(tables: Tables, work: Work, index: int, height: float) -> in
     pair = tables.pairs[index]
     if follow_overlaps(pair, overlap, changing, work.sides[index].place, height) == 0:
         return LOST
-    outcome = OTHER
+    compared = OTHER
     if region_pattern(overlap, tables.normal_model == MODEL_HERTZ) == work.jump.pattern:
-        outcome = SAME
+        compared = SAME
         keep_points(overlap, changing)
-    return outcome
+    return compared
 
 
 @seldom
@@ -134,7 +134,7 @@ def compare_load(tables: Tables, work: Work, index: int, force: float, height: f
         return LOST
     if balance_side(tables, work, index, force, height) > UNLOADED:
         return LOST
-    outcome = OTHER
+    compared = OTHER
     if work.jump.sign * (work.supports[index].height - height) > 0.0:
-        outcome = SAME
-    return outcome
+        compared = SAME
+    return compared

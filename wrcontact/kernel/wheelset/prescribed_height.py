@@ -53,7 +53,7 @@ def search_near(tables: Tables, work: Work, index: int, row: int) -> bool:
 @seldom
 def load_at_height(tables: Tables, work: Work, index: int, height: float):
     """The load of a side whose wheelset has the vertical shift ``height`` [m], if it is requested; its
-    outcome, UNLOADED if lifted."""
+    status, UNLOADED if lifted."""
     approach = height - work.sides[index].best
     if not approach > GRAZING:
         return touch_side(tables, work, index)

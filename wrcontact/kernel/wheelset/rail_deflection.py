@@ -7,7 +7,7 @@ from typing import Final
 
 from ..elementary.circle import sine_cosine
 from ..elementary.powers import cube_root
-from ..layout import NOT_CONVERGED, UNLOADED, Tables, Work, seldom
+from ..layout import NOT_CONVERGED, UNLOADED, Tables, Work, copy, seldom
 from ..normal.estimate import first_penetration
 from .prescribed_height import GRAZING
 from .rail_deflection_brackets import bracket_rail, press_rail, stand_on
@@ -33,7 +33,7 @@ AGAIN_SHARP: Final[float] = 1e-15
 @seldom
 def equilibrate_rail(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose
-    smallest gap is known; the outcome."""
+    smallest gap is known; the status."""
     open_equilibrium(tables, work, index)
     side = work.sides[index]
     work.settled[index].lifted = not height - side.best > GRAZING
@@ -60,16 +60,13 @@ def keep_slopes(work: Work, index: int):
     equilibrium = work.equilibrium
     settled = work.settled[index]
     settled.standing = not is_balanced(equilibrium, work.sides[index], UNSETTLED)
-    settled.lateral_lateral = equilibrium.lateral_lateral
-    settled.lateral_vertical = equilibrium.lateral_vertical
-    settled.vertical_lateral = equilibrium.vertical_lateral
-    settled.vertical_vertical = equilibrium.vertical_vertical
+    copy(equilibrium.slopes, settled.slopes)
 
 
 @seldom
 def equilibrate_again(tables: Tables, work: Work, index: int, height: float):
     """Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
-    rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
+    rate; the status, NOT_CONVERGED where it has to settle from rest on.
 
     A rail that stands at a jump of the forces stays there (``leave_jumps``).
     """
@@ -81,10 +78,7 @@ def equilibrate_again(tables: Tables, work: Work, index: int, height: float):
         return UNLOADED
     if settled.standing:
         return press_rail(tables, work, index, height, deflection.lateral, deflection.vertical)
-    equilibrium.lateral_lateral = settled.lateral_lateral
-    equilibrium.lateral_vertical = settled.lateral_vertical
-    equilibrium.vertical_lateral = settled.vertical_lateral
-    equilibrium.vertical_vertical = settled.vertical_vertical
+    copy(settled.slopes, equilibrium.slopes)
     status = iterate_deflection(
         tables, work, index, height, deflection.lateral, deflection.vertical, AGAIN_TRIALS
     )
@@ -157,7 +151,7 @@ def one_contact(tables: Tables, work: Work, index: int, approach: float, sideway
 def iterate_deflection(
     tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float, trials: int
 ):
-    """Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the outcome,
+    """Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the status,
     NOT_CONVERGED where so many ``trials`` find nothing.  Fewer begin with the derivatives that are known."""
     equilibrium = work.equilibrium
     side = work.sides[index]

@@ -25,7 +25,14 @@ from ..layout import (
 from ..search.roll import follow_side, place_both
 from ..search.smallest_gap import search_side
 from .prescribed_height import GRAZING, is_damped
-from .brackets import BRACKET_SHARP, BRACKETINGS, narrow_bracket, next_in_bracket
+from .brackets import (
+    BRACKET_SHARP,
+    BRACKETINGS,
+    is_within,
+    narrow_bracket,
+    next_in_bracket,
+    open_bracket,
+)
 from .input_checks import is_moving
 from .rolling_contact import open_given_motion
 from .rail_deflection_slopes import GROWTH
@@ -74,7 +81,7 @@ def stand_on(tables: Tables, work: Work, index: int, lateral: float, vertical: f
 
 @seldom
 def press_rail(tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float):
-    """The side with its rail deflected: its load, and the residuals; the outcome."""
+    """The side with its rail deflected: its load, and the residuals; the status."""
     if not stand_on(tables, work, index, lateral, vertical):
         return OFF_PROFILE
     if is_damped(tables) or is_moving(tables, work.inputs):
@@ -127,7 +134,7 @@ def bracket_vertical(
     tables: Tables, work: Work, index: int, height: float, lateral: float, exact: bool, reach: float
 ):
     """Let the rail of a side with this ``lateral`` deflection [m] settle vertically, by Newton's method from
-    where it stands, within a bracket that is halved where a step has not halved the residual; the outcome.
+    where it stands, within a bracket that is halved where a step has not halved the residual; the status.
 
     exact : else the vertical residual that is left, or what the width of a jump leaves open, is small against
         the lateral residual.
@@ -141,7 +148,7 @@ def bracket_vertical(
         return status
     lowest = bracket.low
     vertical = near
-    if not (near > lowest and near < bracket.high):
+    if not is_within(bracket, near):
         stiffness = equilibrium.vertical_stiffness
         touching = bracket.high - equilibrium.vertical_rest
         vertical = max(bracket.high - touching * stiffness / (stiffness + CONTACT_STIFFNESS), lowest)
@@ -186,22 +193,13 @@ def bracket_vertical(
 
 
 @seldom
-def is_within(bracket: Bracket, place: float) -> bool:
-    """Whether a place lies between both ends of a bracket."""
-    return place > bracket.low and place < bracket.high
-
-
-@seldom
 def open_vertical(tables: Tables, work: Work, index: int, height: float, lateral: float):
     """Bracket the vertical deflection of a rail with this ``lateral`` one [m]: from where its wheel just
-    touches it down to where it is deepest; VALID, or the outcome if no vertical one is sought."""
+    touches it down to where it is deepest; VALID, or the status if no vertical one is sought."""
     equilibrium = work.equilibrium
     bracket = work.height_bracket
     rest = equilibrium.vertical_rest
-    bracket.low = rest
-    bracket.high = rest
-    bracket.at_low = 0.0
-    bracket.at_high = 0.0
+    open_bracket(bracket, rest, 0.0)
     approach = 0.0
     if equilibrium.vertical_stiffness > 0.0:
         if not stand_on(tables, work, index, lateral, rest):
@@ -249,10 +247,10 @@ def ends_at_jump(bracket: Bracket) -> bool:
 
 @seldom
 def narrow_beside(tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float):
-    """Let a vertical deflection be an end of the bracket if it lies within; the outcome."""
+    """Let a vertical deflection be an end of the bracket if it lies within; the status."""
     bracket = work.height_bracket
     status = UNLOADED
-    if vertical > bracket.low and vertical < bracket.high:
+    if is_within(bracket, vertical):
         status = press_rail(tables, work, index, height, lateral, vertical)
         if status <= UNLOADED:
             narrow_bracket(bracket, vertical, -work.equilibrium.vertical)
@@ -261,7 +259,7 @@ def narrow_beside(tables: Tables, work: Work, index: int, height: float, lateral
 
 @seldom
 def bracket_rail(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail of a side settle; the outcome."""
+    """Let the rail of a side settle; the status."""
     equilibrium = work.equilibrium
     bracket = work.roll_bracket
     lateral = equilibrium.lateral_rest
@@ -269,10 +267,7 @@ def bracket_rail(tables: Tables, work: Work, index: int, height: float):
     status = bracket_vertical(tables, work, index, height, lateral, not sideways, 0.0)
     if status > UNLOADED or not sideways or equilibrium.lateral == 0.0:
         return status
-    bracket.low = lateral
-    bracket.high = lateral
-    bracket.at_low = -equilibrium.lateral
-    bracket.at_high = -equilibrium.lateral
+    open_bracket(bracket, lateral, -equilibrium.lateral)
     reach = NEAR_END
     if equilibrium.lateral > 0.0:
         reach = -NEAR_END
@@ -292,7 +287,7 @@ def bracket_rail(tables: Tables, work: Work, index: int, height: float):
 
 @seldom
 def narrow_lateral(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail of a side settle within the bracket of its lateral deflection; the outcome."""
+    """Let the rail of a side settle within the bracket of its lateral deflection; the status."""
     equilibrium = work.equilibrium
     bracket = work.roll_bracket
     deflection = work.sides[index].deflection

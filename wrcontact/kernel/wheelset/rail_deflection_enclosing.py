@@ -36,7 +36,7 @@ REDUCED: Final[float] = 0.5
 
 @seldom
 def enclose_deflection(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where nothing is
+    """Let the rail of a side settle from where it stands; the status, NOT_CONVERGED where nothing is
     found."""
     equilibrium = work.equilibrium
     deflection = work.sides[index].deflection
@@ -87,7 +87,7 @@ def shorten_move(equilibrium: RailEquilibrium):
 
 @seldom
 def let_down(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail down until the wheel just touches it; the outcome."""
+    """Let the rail down until the wheel just touches it; the status."""
     equilibrium = work.equilibrium
     vertical = equilibrium.vertical_rest
     if equilibrium.vertical_stiffness > 0.0 and stand_on(
@@ -206,7 +206,7 @@ def is_at_jump(equilibrium: RailEquilibrium, lateral: float, vertical: float) ->
 @seldom
 def stand_nearer(tables: Tables, work: Work, index: int, height: float):
     """Stand on the side of a jump on which the wheel's force is nearer to that of the springs; the
-    outcome."""
+    status."""
     equilibrium = work.equilibrium
     one = equilibrium.one
     other = equilibrium.other
@@ -219,7 +219,7 @@ def stand_nearer(tables: Tables, work: Work, index: int, height: float):
 
 @seldom
 def move_rail(tables: Tables, work: Work, index: int, height: float):
-    """Move the rail, less far where its wheel would stand too deep; the outcome."""
+    """Move the rail, less far where its wheel would stand too deep; the status."""
     equilibrium = work.equilibrium
     deflection = work.sides[index].deflection
     lateral = deflection.lateral

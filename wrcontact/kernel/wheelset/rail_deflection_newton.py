@@ -28,7 +28,7 @@ GOOD: Final[float] = 0.05
 
 @seldom
 def approach_balance(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where no part of a move
+    """Let the rail of a side settle from where it stands; the status, NOT_CONVERGED where no part of a move
     reduces what is left."""
     equilibrium = work.equilibrium
     side = work.sides[index]
@@ -65,7 +65,7 @@ def approach_balance(tables: Tables, work: Work, index: int, height: float):
 @seldom
 def move_part(tables: Tables, work: Work, index: int, height: float, lateral: float, vertical: float):
     """Move the rail from ``lateral`` and ``vertical`` [m], and less far until this reduces the residuals; the
-    outcome."""
+    status."""
     equilibrium = work.equilibrium
     size = residual_size(equilibrium)
     for i in range(PARTS):
@@ -88,6 +88,7 @@ def move_part(tables: Tables, work: Work, index: int, height: float, lateral: fl
 def difference_slopes(tables: Tables, work: Work, index: int, height: float) -> bool:
     """The residuals' derivatives by both deflections, by differences; whether the contact is known there."""
     equilibrium = work.equilibrium
+    slopes = equilibrium.slopes
     deflection = work.sides[index].deflection
     lateral = deflection.lateral
     vertical = deflection.vertical
@@ -97,13 +98,13 @@ def difference_slopes(tables: Tables, work: Work, index: int, height: float) -> 
     if equilibrium.lateral_stiffness > 0.0:
         status = press_rail(tables, work, index, height, lateral + DIFFERENCE, vertical)
         found = status <= UNLOADED
-        equilibrium.lateral_lateral = (equilibrium.lateral - left_lateral) / DIFFERENCE
-        equilibrium.vertical_lateral = (equilibrium.vertical - left_vertical) / DIFFERENCE
+        slopes.lateral_lateral = (equilibrium.lateral - left_lateral) / DIFFERENCE
+        slopes.vertical_lateral = (equilibrium.vertical - left_vertical) / DIFFERENCE
     if equilibrium.vertical_stiffness > 0.0:
         status = press_rail(tables, work, index, height, lateral, vertical + DIFFERENCE)
         found = found and status <= UNLOADED
-        equilibrium.lateral_vertical = (equilibrium.lateral - left_lateral) / DIFFERENCE
-        equilibrium.vertical_vertical = (equilibrium.vertical - left_vertical) / DIFFERENCE
+        slopes.lateral_vertical = (equilibrium.lateral - left_lateral) / DIFFERENCE
+        slopes.vertical_vertical = (equilibrium.vertical - left_vertical) / DIFFERENCE
     hold_rigid(equilibrium)
     equilibrium.lateral = left_lateral
     equilibrium.vertical = left_vertical

@@ -3,6 +3,7 @@
 from math import fabs
 from typing import Final
 
+from ..elementary.pair import solve_pair
 from ..layout import UNLOADED, RailEquilibrium, Tables, Work, seldom
 from .prescribed_height import is_damped
 from .input_checks import has_creep_forces
@@ -24,20 +25,21 @@ def begin_slopes(tables: Tables, work: Work, index: int, height: float):
     """The residuals' derivatives from the springs, and from patches whose forces grow as Hertz's along their
     normals, friction in proportion; over a step in time also from how forces follow the rates of the rail."""
     equilibrium = work.equilibrium
+    slopes = equilibrium.slopes
     side = work.sides[index]
-    equilibrium.lateral_lateral = equilibrium.lateral_stiffness
-    equilibrium.lateral_vertical = 0.0
-    equilibrium.vertical_lateral = 0.0
-    equilibrium.vertical_vertical = equilibrium.vertical_stiffness
+    slopes.lateral_lateral = equilibrium.lateral_stiffness
+    slopes.lateral_vertical = 0.0
+    slopes.vertical_lateral = 0.0
+    slopes.vertical_vertical = equilibrium.vertical_stiffness
     for number in range(side.patch_count):
         patch = side.patches[number]
         if patch.totals.load > 0.0 and patch.penetration > 0.0:
             stiffness = GROWTH / (patch.totals.load * patch.penetration)
             force = patch.forces.force
-            equilibrium.lateral_lateral += stiffness * force[1] * patch.normal_y
-            equilibrium.lateral_vertical += stiffness * force[1] * patch.normal_z
-            equilibrium.vertical_lateral += stiffness * force[2] * patch.normal_y
-            equilibrium.vertical_vertical += stiffness * force[2] * patch.normal_z
+            slopes.lateral_lateral += stiffness * force[1] * patch.normal_y
+            slopes.lateral_vertical += stiffness * force[1] * patch.normal_z
+            slopes.vertical_lateral += stiffness * force[2] * patch.normal_y
+            slopes.vertical_vertical += stiffness * force[2] * patch.normal_z
     if work.inputs.rail_time_step > 0.0 and (is_damped(tables) or has_creep_forces(tables, work)):
         add_rates(tables, work, index, height)
     hold_rigid(equilibrium)
@@ -46,12 +48,13 @@ def begin_slopes(tables: Tables, work: Work, index: int, height: float):
 @seldom
 def hold_rigid(equilibrium: RailEquilibrium):
     """Directions in which a rail is rigid keep its deflection."""
+    slopes = equilibrium.slopes
     if not equilibrium.lateral_stiffness > 0.0:
-        equilibrium.lateral_lateral = 1.0
-        equilibrium.lateral_vertical = 0.0
+        slopes.lateral_lateral = 1.0
+        slopes.lateral_vertical = 0.0
     if not equilibrium.vertical_stiffness > 0.0:
-        equilibrium.vertical_lateral = 0.0
-        equilibrium.vertical_vertical = 1.0
+        slopes.vertical_lateral = 0.0
+        slopes.vertical_vertical = 1.0
 
 
 @seldom
@@ -59,6 +62,7 @@ def add_rates(tables: Tables, work: Work, index: int, height: float):
     """Add how the forces follow the rates of the rail, over the step in time in which these follow its
     deflections: by differences."""
     equilibrium = work.equilibrium
+    slopes = equilibrium.slopes
     side = work.sides[index]
     deflection = side.deflection
     lateral = equilibrium.lateral
@@ -70,14 +74,14 @@ def add_rates(tables: Tables, work: Work, index: int, height: float):
     if equilibrium.lateral_stiffness > 0.0:
         deflection.lateral_rate += step
         if weigh_anew(tables, work, index, height):
-            equilibrium.lateral_lateral += (equilibrium.lateral - lateral) * over
-            equilibrium.vertical_lateral += (equilibrium.vertical - vertical) * over
+            slopes.lateral_lateral += (equilibrium.lateral - lateral) * over
+            slopes.vertical_lateral += (equilibrium.vertical - vertical) * over
         deflection.lateral_rate -= step
     if equilibrium.vertical_stiffness > 0.0:
         deflection.vertical_rate += step
         if weigh_anew(tables, work, index, height):
-            equilibrium.lateral_vertical += (equilibrium.lateral - lateral) * over
-            equilibrium.vertical_vertical += (equilibrium.vertical - vertical) * over
+            slopes.lateral_vertical += (equilibrium.lateral - lateral) * over
+            slopes.vertical_vertical += (equilibrium.vertical - vertical) * over
         deflection.vertical_rate -= step
     weigh_anew(tables, work, index, height)
 
@@ -98,32 +102,36 @@ def find_equilibrium_of_rail(tables: Tables, work: Work, index: int, height: flo
         least *= equilibrium.lateral_stiffness
     if equilibrium.vertical_stiffness > 0.0:
         least *= equilibrium.vertical_stiffness
-    determinant = (
-        equilibrium.lateral_lateral * equilibrium.vertical_vertical
-        - equilibrium.lateral_vertical * equilibrium.vertical_lateral
-    )
+    determinant, lateral, vertical = solve_deflections(equilibrium)
     if not determinant > least:
         begin_slopes(tables, work, index, height)
-        determinant = (
-            equilibrium.lateral_lateral * equilibrium.vertical_vertical
-            - equilibrium.lateral_vertical * equilibrium.vertical_lateral
-        )
+        determinant, lateral, vertical = solve_deflections(equilibrium)
         if not determinant > least:
             return False
-    equilibrium.move_lateral = (
-        equilibrium.vertical * equilibrium.lateral_vertical
-        - equilibrium.lateral * equilibrium.vertical_vertical
-    ) / determinant
-    equilibrium.move_vertical = (
-        equilibrium.lateral * equilibrium.vertical_lateral
-        - equilibrium.vertical * equilibrium.lateral_lateral
-    ) / determinant
+    equilibrium.move_lateral = lateral
+    equilibrium.move_vertical = vertical
     return True
+
+
+@seldom
+def solve_deflections(equilibrium: RailEquilibrium):
+    """Determinant of the residuals' derivatives [N^2/m^2], and the moves of both deflections that they ask for
+    [m]."""
+    slopes = equilibrium.slopes
+    return solve_pair(
+        equilibrium.lateral,
+        equilibrium.vertical,
+        slopes.lateral_lateral,
+        slopes.lateral_vertical,
+        slopes.vertical_lateral,
+        slopes.vertical_vertical,
+    )
 
 
 @seldom
 def update_slopes(equilibrium: RailEquilibrium, before_lateral: float, before_vertical: float):
     """The derivatives that the last move has shown (Broyden 1965)."""
+    slopes = equilibrium.slopes
     lateral = equilibrium.move_lateral
     vertical = equilibrium.move_vertical
     size = lateral * lateral + vertical * vertical
@@ -131,16 +139,16 @@ def update_slopes(equilibrium: RailEquilibrium, before_lateral: float, before_ve
         off_lateral = (
             equilibrium.lateral
             - before_lateral
-            - equilibrium.lateral_lateral * lateral
-            - equilibrium.lateral_vertical * vertical
+            - slopes.lateral_lateral * lateral
+            - slopes.lateral_vertical * vertical
         ) / size
         off_vertical = (
             equilibrium.vertical
             - before_vertical
-            - equilibrium.vertical_lateral * lateral
-            - equilibrium.vertical_vertical * vertical
+            - slopes.vertical_lateral * lateral
+            - slopes.vertical_vertical * vertical
         ) / size
-        equilibrium.lateral_lateral += off_lateral * lateral
-        equilibrium.lateral_vertical += off_lateral * vertical
-        equilibrium.vertical_lateral += off_vertical * lateral
-        equilibrium.vertical_vertical += off_vertical * vertical
+        slopes.lateral_lateral += off_lateral * lateral
+        slopes.lateral_vertical += off_lateral * vertical
+        slopes.vertical_lateral += off_vertical * lateral
+        slopes.vertical_vertical += off_vertical * vertical

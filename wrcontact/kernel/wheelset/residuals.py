@@ -20,7 +20,7 @@ DEEPEST: Final[float] = 2e-3
 
 @seldom
 def estimate_approach(tables: Tables, work: Work, index: int, force: float):
-    """Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome."""
+    """Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the status."""
     pair = tables.pairs[index]
     support = work.supports[index]
     status = touch_side(tables, work, index)
@@ -43,7 +43,7 @@ def permitted_approach(support: Support, side: SideSearch, height: float):
 @seldom
 def balance_side(tables: Tables, work: Work, index: int, force: float, height: float):
     """Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height``
-    [m]; its outcome. Patches are those of the side under this force."""
+    [m]; its status. Patches are those of the side under this force."""
     support = work.supports[index]
     side = work.sides[index]
     if not force > 0.0:
@@ -62,13 +62,13 @@ def balance_side(tables: Tables, work: Work, index: int, force: float, height: f
 
 @seldom
 def balance_both(tables: Tables, work: Work, left: float, right: float, height: float):
-    """``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome."""
+    """``balance_side`` for both, under ``left`` and ``right`` [N]; the worse status."""
     work.sides[1].roll_count += 1.0
     work.supports[0].trials += 1.0
     status = balance_side(tables, work, 0, left, height)
     if status <= UNLOADED:
-        outcome = balance_side(tables, work, 1, right, height)
-        status = max(status, outcome)
+        side_status = balance_side(tables, work, 1, right, height)
+        status = max(status, side_status)
     return status
 
 
@@ -98,7 +98,7 @@ def turn_near(tables: Tables, work: Work, roll: float) -> bool:
 
 
 @seldom
-def depth_outcome(work: Work, status: int):
+def depth_status(work: Work, status: int):
     """``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the
     compliant form refuses too."""
     for index in range(2):

@@ -24,7 +24,7 @@ NEAR_SHIFT: Final[float] = 2e-4
 
 
 def find_roll(tables: Tables, work: Work, state: State):
-    """Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
+    """Roll [rad] and status; starts at the given guess, or at the last roll and contacts if the wheelset has
     moved little, or at those known near its lateral shift."""
     shift = work.inputs.lateral_shift
     guess = work.inputs.roll_guess
@@ -50,7 +50,7 @@ def find_roll(tables: Tables, work: Work, state: State):
 
 
 def find_roll_on_rolled_rails(tables: Tables, work: Work, roll: float):
-    """Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
+    """Roll [rad] and status over rolled rails, from the ``roll`` that was found for a reference of zero
     on: both are sought together with the vertical shift."""
     open_reference(work.reference, 0.0, work.sides[1].best)
     for i in range(MEETINGS):
@@ -65,7 +65,7 @@ def find_roll_on_rolled_rails(tables: Tables, work: Work, roll: float):
 
 
 def solve_rigid(tables: Tables, work: Work, roll: float):
-    """Both wheels touch at ``roll``, and each carries its load there; the outcome."""
+    """Both wheels touch at ``roll``, and each carries its load there; the status."""
     status = VALID
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = work.sides[1].best
@@ -73,8 +73,8 @@ def solve_rigid(tables: Tables, work: Work, roll: float):
     clear_side(work.sides[1])
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            outcome = solve_side(tables, work, index, side_force(work, index))
-            status = counted_outcome(tables, index, status, outcome)
+            side_status = solve_side(tables, work, index, side_force(work, index))
+            status = counted_outcome(tables, index, status, side_status)
     return status
 
 

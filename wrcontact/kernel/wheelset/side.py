@@ -109,9 +109,17 @@ def clear_side(side: SideSearch):
     clear_patches(side)
 
 
+def begin_trial(contact: Contact, filling: bool, coarse: bool, following: bool):
+    """Say what the next contacts are for: whether their patches are filled in, whether an approximate penetration
+    is enough, and whether deepest points may be followed from the contact before."""
+    contact.filling = filling
+    contact.coarse = coarse
+    contact.following = following
+
+
 def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: float):
     """Normal contact of the side whose frame is open, and its patches if they are filled in; number of its
-    regions and outcome."""
+    regions and status."""
     pair = tables.pairs[index]
     side = work.sides[index]
     penetration, count, satisfied = solve_normal(pair, work.contact, side, force, prescribed)
@@ -138,7 +146,7 @@ def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: 
 
 def touch_side(tables: Tables, work: Work, index: int):
     """Describe the side whose wheel just touches, with the vertical shift of its smallest
-    gap; its outcome, UNLOADED."""
+    gap; its status, UNLOADED."""
     side = work.sides[index]
     clear_side(side)
     status = UNLOADED
@@ -148,7 +156,7 @@ def touch_side(tables: Tables, work: Work, index: int):
 
 
 def solve_side(tables: Tables, work: Work, index: int, force: float):
-    """Contact and patches of one side of a rigid wheelset, as far as they are requested; its outcome."""
+    """Contact and patches of one side of a rigid wheelset, as far as they are requested; its status."""
     status = touch_side(tables, work, index)
     if status == UNLOADED:
         penetration = tables.penetration[index]
@@ -164,7 +172,7 @@ def solve_side(tables: Tables, work: Work, index: int, force: float):
 
 def lower_wheel(tables: Tables, work: Work, index: int, approach: float):
     """Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its
-    rail most; its outcome."""
+    rail most; its status."""
     pair = tables.pairs[index]
     side = work.sides[index]
     height = side.best + approach

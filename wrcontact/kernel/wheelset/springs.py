@@ -91,7 +91,7 @@ def spring_residual(stiffness: float, rest: float, deflection: float, force: flo
 
 
 def weigh_rail(tables: Tables, work: Work, index: int, height: float):
-    """What the springs of a placed side carry more than its wheel at ``height`` [m] presses; the outcome."""
+    """What the springs of a placed side carry more than its wheel at ``height`` [m] presses; the status."""
     status = load_at_height(tables, work, index, height)
     if status <= UNLOADED:
         side = work.sides[index]

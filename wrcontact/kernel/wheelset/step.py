@@ -30,7 +30,7 @@ from .depth_rates import follow_depths
 from .elastic import solve_elastic
 from .forces import sum_forces
 from .free_rolling import release_rates, roll_freely, turns_freely
-from .input_checks import check_inputs, requested_outcome, side_force
+from .input_checks import check_inputs, requested_status, side_force
 from .rolled_rails import (
     ELASTIC_MET,
     MEETINGS,
@@ -44,6 +44,7 @@ from .rolling_contact import move_patches, move_wheelset, solve_creep_forces
 from .report import report
 from .rigid import find_roll, keep_roll, penetration_status, solve_rigid
 from .residuals import turn_to
+from .side import begin_trial
 from .vertical_load import (
     LOAD_PASSES,
     carries_friction,
@@ -74,14 +75,13 @@ def evaluate(tables: Tables, work: Work, state: State):
 def solve_with_friction(tables: Tables, work: Work, state: State, status: int):
     """Vertical loads of which friction carries a part: the wheelset again, until both are met; the status,
     NOT_CONVERGED where no loads are found."""
-    outcome = status
     for i in range(LOAD_PASSES):
-        if outcome > UNLOADED or is_load_met(work):
-            return outcome
+        if status > UNLOADED or is_load_met(work):
+            return status
         if is_load_lost(work):
             return NOT_CONVERGED
         share_load(work)
-        outcome = solve_wheelset(tables, work, state)
+        status = solve_wheelset(tables, work, state)
     return NOT_CONVERGED
 
 
@@ -91,22 +91,20 @@ def solve_wheelset(tables: Tables, work: Work, state: State):
     if status <= UNLOADED:
         move_wheelset(tables, work)
         follow_depths(tables, work)
-        outcome = VALID
+        rolling_status = VALID
         if turns_freely(tables, work):
-            outcome = roll_freely(tables, work)
+            rolling_status = roll_freely(tables, work)
         else:
             move_patches(tables, work)
             solve_creep_forces(tables, work)
-        status = max(status, outcome)
+        status = max(status, rolling_status)
         sum_forces(tables, work)
     return status
 
 
 def stand(tables: Tables, work: Work, state: State):
     """Where the wheelset stands, and the patches of both wheels: rigid, elastic or compliant; the status."""
-    work.contact.filling = True
-    work.contact.coarse = False
-    work.contact.following = False
+    begin_trial(work.contact, True, False, False)
     if tables.mode == MODE_COMPLIANT:
         return solve_compliant(tables, work)
     roll, status = find_roll(tables, work, state)
@@ -122,13 +120,13 @@ def stand(tables: Tables, work: Work, state: State):
 
 
 def elastic_from_rigid(tables: Tables, work: Work, rigid_roll: float):
-    """Elastic contact: the height and roll at which both wheels carry their loads; the outcome."""
+    """Elastic contact: the height and roll at which both wheels carry their loads; the status."""
     roll, status = solve_elastic(tables, work, rigid_roll, side_force(work, 0), side_force(work, 1))
     if status <= UNLOADED and has_rolled_rail(work.sides):
         roll, status = meet_rolled_rails(tables, work, rigid_roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = support_height(work)
-    return requested_outcome(tables, work, status)
+    return requested_status(tables, work, status)
 
 
 def support_height(work: Work):
@@ -137,7 +135,7 @@ def support_height(work: Work):
 
 
 def meet_rolled_rails(tables: Tables, work: Work, rigid_roll: float):
-    """Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
+    """Roll [rad] and status in elastic equilibrium over rolled rails, sought together with the vertical
     shift; the equilibrium for the rigid height as reference is known."""
     roll = rigid_roll
     open_reference(work.reference, work.sides[1].place.reference, support_height(work))
