@@ -206,19 +206,21 @@ def test_no_answer_misses_its_vertical_load(mode, count, normal):
     table = contact.evaluate_many(**poses)
     met = table.status == wrcontact.Status.VALID
     assert np.mean(met) > 0.9
+    if mode == "elastic" and normal == "analyn_strip":
+        # rows 5 and 41: one wheel moves the load of the other one past those that enclosed it
+        assert met.all()
     for side in (table.left, table.right):
         np.testing.assert_allclose(-side.force.z[met], poses["normal_force"][met], rtol=1.1e-9)
         assert side.penetration[met].max() <= 2e-3
-    # work is bounded: passes of a rigid wheelset, trials of an elastic one, of which 3558 are the most of a pose
-    # whose load is jumped past (status 3) and 1160 of one that has an answer; the last Newton step of each
-    # trial, for states without history, is among them
+    # work is bounded: passes of a rigid wheelset, trials of an elastic one, of which 1381 are the most; the
+    # last Newton step of each trial, for states without history, is among them
     stepper = contact.stepper()
     before = 0.0
     for row in range(count):
         stepper.inputs[:] = table.inputs[row]
         stepper.step()
         rolls = counts_of(stepper)["roll"]
-        assert rolls - before < (1600 if mode == "rigid" else 3800)
+        assert rolls - before < (1600 if mode == "rigid" else 2200)
         before = rolls
 
 

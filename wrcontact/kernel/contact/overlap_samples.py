@@ -8,17 +8,12 @@ from typing import Final
 
 from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, Scan, inlined, seldom
 from ..search.bounds import (
-    BEND_STRETCH,
-    FINE_CELL,
-    ROLL_BEND,
-    ROLL_STRETCH,
-    STEEP_STRETCH,
     WIDEST,
-    YAW_BEND,
+    bend_shares,
     clear_exponent,
     largest_fall,
-    rail_index,
     rail_place,
+    stretch_bounds,
 )
 from ..surface.gap import above_rail
 from ..surface.locus import outline_jet, outline_point
@@ -163,40 +158,17 @@ def falling_exponent(
     The overlap along the normals falls with the slope of the gap straight down, but for what the turning
     normal takes from it: depth times ``turns`` at most, and depth falls.  What is left, s, stays above zero
     over a length L where (1 - stretch) s >= -(1 + stretch) bend L: where a gap whose slope begins with s / 2
-    does not fall.  Bounds and shares are those of :func:`~.bounds.clear_exponent`.
+    does not fall.
     """
     u = rail_place(scan, abscissa)
-    roll = fabs(at.sin_roll)
-    least_stretch = ROLL_STRETCH * roll
-    share = ROLL_BEND * roll
-    stretch_per_bend = 0.0
-    if at.yawed:
-        square = at.sin_yaw * at.sin_yaw
-        least_stretch += STEEP_STRETCH * square
-        share += YAW_BEND * square
-        stretch_per_bend = BEND_STRETCH * square * at.radius
+    least_stretch, stretch_per_bend, share = bend_shares(at)
     while exponent >= 0:
-        cells = 1 << exponent
-        first = node
-        if direction < 0:
-            first = node - cells
-        if first >= 0 and first + cells < scan.count:
-            begin = scan.nodes[first]
-            stretch = least_stretch + stretch_per_bend * begin.steepest_bends[exponent]
-            if stretch < WIDEST:
-                length = scan.nodes[first + cells].y - begin.y
-                edge = u
-                if direction < 0:
-                    edge -= (1.0 + WIDEST) * scan.rail_per_metre * length
-                rail = scan.rail[rail_index(scan, edge)]
-                reach = exponent
-                if length > FINE_CELL * float(cells):
-                    reach += 1
-                bend = rail.least_bends[reach]
-                wheel = begin.most_bends[exponent]
-                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
-                left = slope - TURNED * depth * rail.turns[reach] - SLOPE_STEPS
-                if left > 0.0 and largest_fall(0.5 * left, bend, length, stretch) <= 0.0:
-                    return exponent
+        length, stretch, bend, cell, reach = stretch_bounds(
+            scan, node, direction, u, exponent, least_stretch, stretch_per_bend, share
+        )
+        if stretch < WIDEST:
+            left = slope - TURNED * depth * scan.rail[cell].turns[reach] - SLOPE_STEPS
+            if left > 0.0 and largest_fall(0.5 * left, bend, length, stretch) <= 0.0:
+                return exponent
         exponent -= 1
     return exponent

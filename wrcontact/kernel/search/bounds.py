@@ -129,6 +129,65 @@ def largest_fall(slope: float, bend: float, length: float, stretch: float):
 
 
 @inlined
+def bend_shares(at: Place):
+    """By which share a stretch of the outline is stretched at least, and per steepest bend of the wheel [m];
+    by which share its own bends change."""
+    roll = fabs(at.sin_roll)
+    least_stretch = ROLL_STRETCH * roll
+    share = ROLL_BEND * roll
+    stretch_per_bend = 0.0
+    if at.yawed:
+        square = at.sin_yaw * at.sin_yaw
+        least_stretch += STEEP_STRETCH * square
+        share += YAW_BEND * square
+        stretch_per_bend = BEND_STRETCH * square * at.radius
+    return least_stretch, stretch_per_bend, share
+
+
+@inlined
+def stretch_bounds(
+    scan: Scan,
+    node: int,
+    direction: int,
+    u: float,
+    exponent: int,
+    least_stretch: float,
+    stretch_per_bend: float,
+    share: float,
+):
+    """Length [m] of the 2^exponent cells from ``node`` on in ``direction``, by which share they are stretched,
+    WIDEST or more if nothing is known of them, and by how much the slope difference rises there at least
+    [1/m]; the cell of the rail and the exponent whose bounds hold for the rail below them.
+
+    u : of the node in the raster of the rail, in cells.
+    """
+    length = 0.0
+    stretch = WIDEST
+    bend = 0.0
+    cell = 0
+    reach = exponent
+    cells = 1 << exponent
+    first = node
+    if direction < 0:
+        first = node - cells
+    if first >= 0 and first + cells < scan.count:
+        begin = scan.nodes[first]
+        stretch = least_stretch + stretch_per_bend * begin.steepest_bends[exponent]
+        if stretch < WIDEST:
+            length = scan.nodes[first + cells].y - begin.y
+            edge = u
+            if direction < 0:
+                edge -= (1.0 + WIDEST) * scan.rail_per_metre * length
+            cell = rail_index(scan, edge)
+            if length > FINE_CELL * float(cells):
+                reach += 1
+            bend = scan.rail[cell].least_bends[reach]
+            wheel = begin.most_bends[exponent]
+            bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
+    return length, stretch, bend, cell, reach
+
+
+@inlined
 def clear_exponent(
     scan: Scan,
     at: Place,
@@ -146,38 +205,13 @@ def clear_exponent(
     slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
     """
     u = rail_place(scan, abscissa)
-    roll = fabs(at.sin_roll)
-    least_stretch = ROLL_STRETCH * roll
-    share = ROLL_BEND * roll
-    stretch_per_bend = 0.0
-    if at.yawed:
-        square = at.sin_yaw * at.sin_yaw
-        least_stretch += STEEP_STRETCH * square
-        share += YAW_BEND * square
-        stretch_per_bend = BEND_STRETCH * square * at.radius
+    least_stretch, stretch_per_bend, share = bend_shares(at)
     while exponent >= 0:
-        cells = 1 << exponent
-        first = node
-        if direction < 0:
-            first = node - cells
-        if first >= 0 and first + cells < scan.count:
-            begin = scan.nodes[first]
-            stretch = least_stretch + stretch_per_bend * begin.steepest_bends[exponent]
-            if stretch < WIDEST:
-                length = scan.nodes[first + cells].y - begin.y
-                edge = u
-                if direction < 0:
-                    edge -= (1.0 + WIDEST) * scan.rail_per_metre * length
-                rail = scan.rail[rail_index(scan, edge)]
-                reach = exponent
-                if length > FINE_CELL * float(cells):
-                    reach += 1
-                # by how much the slope difference rises at least
-                bend = rail.least_bends[reach]
-                wheel = begin.most_bends[exponent]
-                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
-                if largest_fall(slope, bend, length, stretch) <= excess:
-                    return exponent
+        length, stretch, bend, cell, reach = stretch_bounds(
+            scan, node, direction, u, exponent, least_stretch, stretch_per_bend, share
+        )
+        if stretch < WIDEST and largest_fall(slope, bend, length, stretch) <= excess:
+            return exponent
         exponent -= 1
     return exponent
 

@@ -97,16 +97,19 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
             return roll, status
         following = roll - apart / slope
         inside = following > bracket.low and following < bracket.high
-        cut = near and (work.jump.found or not inside or fabs(apart) > REDUCED * fabs(before))
+        slow = fabs(apart) > REDUCED * fabs(before)
+        cut = near and (work.jump.found or not inside or slow)
+        astray = not near and move != 0.0 and slow
         if enclosed and cut:
             following = cut_bracket(tables, work, steady, left, right, roll, fabs(lack))
-        elif enclosed and not inside:
-            # the same roll again, nearer to where the wheels carry their loads
+        elif enclosed and not inside or astray and not enclosed:
+            # the same roll again, nearer to where the wheels carry their loads: Newton's method alternates
+            # between two rolls where it trusts D far from there
             following = roll
         before = apart
         move = limited(following - roll, LONGEST_MOVE / tables.arm)
         sink = lack + float(2 * steady - 1) * supports[steady].lever * move
-        if not enclosed:
+        if not enclosed and not astray:
             # in one order for a wheelset and its mirror image
             sink = 0.5 * ((lack_left - supports[0].lever * move) + (lack_right + supports[1].lever * move))
         elif cut:

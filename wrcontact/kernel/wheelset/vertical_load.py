@@ -8,9 +8,10 @@ there on a secant through the last two finds the load of each wheel, with two or
 A steep flange on which friction acts downwards jams: the more it is loaded, the less it carries, until the
 patch reaches the flange root.  There the load is met with a multiple of it as normal force.  A wheel without
 load carries none, so that the loads tried enclose the one that is sought as soon as one of them carries too
-much: until then they are doubled, and what secants do not find, halving does.  Where the vertical force jumps
-past Q, the loads end at the jump, and there is no answer; nor is there one where the wheel would be deeper in
-its rail than DEEPEST, or after so many passes or trials.
+much: until then they are doubled, and what secants do not find, halving does.  An end that stays is tried
+again now and then, since the other wheel may have moved the load past it.  Where the vertical force jumps past
+Q, the loads end at the jump, and there is no answer; nor is there one where the wheel would be deeper in its
+rail than DEEPEST, or after so many passes or trials.
 """
 
 from math import fabs
@@ -28,6 +29,8 @@ LOAD_PASSES: Final[int] = 60
 LOAD_TRIALS: Final[float] = 800.0
 #: Secants alone find the loads in the first of these turns.
 LOAD_SECANTS: Final[float] = 8.0
+#: After so many turns each time, an end that has not moved is tried again.
+DOUBTED: Final[float] = 4.0
 #: In one turn the load changes by a factor between this and its inverse.
 LARGEST_CHANGE: Final[float] = 2.0
 #: A secant through two loads that differ by less than this share is not tried [-].
@@ -111,6 +114,17 @@ def is_enclosed(support: Support) -> bool:
     return support.high_load - support.low_load < AT_JUMP * support.high_load
 
 
+def is_doubtful(support: Support, share: float) -> bool:
+    """Whether to try the far one of the loads that enclose the one that is sought again: the last two have given
+    both too little or both too much, the last one ``share`` of what is wanted."""
+    return (
+        support.low_load > 0.0
+        and support.turns > LOAD_SECANTS - 0.5
+        and support.turns - DOUBTED * int(support.turns / DOUBTED) < 0.5
+        and (share - 1.0) * (support.share_before - 1.0) > 0.0
+    )
+
+
 def share_load(work: Work):
     """Let the normal forces of both sides carry what friction leaves of the load, or adds to it."""
     for index in range(2):
@@ -160,6 +174,10 @@ def next_load(support: Support, share: float):
         if is_enclosed(support):
             following = support.low_load
             if load == following:
+                following = support.high_load
+        elif is_doubtful(support, share):
+            following = support.low_load
+            if share < 1.0:
                 following = support.high_load
         elif (
             not (following > support.low_load and following < support.high_load)
