@@ -341,6 +341,8 @@ def main():
             # installations, benchmarks and tests compile the same sources once (tests/helpers/kept.py)
             "WRCONTACT_COMPILED": str(compiled(work)),
         }
+        # in the copy Python may keep what it has compiled: a dozen processes read each test and each package
+        os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
         run = Run(copy)
         try:
             all_steps(run, work, turn, changed)

@@ -20,6 +20,7 @@ import numpy as np
 
 import data
 import wrcontact
+from wrcontact.profiles.catalogue import find_profile
 from wrcontact.progress import tracked
 
 SEED = 1895
@@ -94,11 +95,16 @@ def pose(index):
     )
 
 
+#: A profile as a system reads it, once for all models.
+profile = cache(lambda source, kind, track: find_profile(source, kind, track=track))
+
+
 @cache
 def system(wheel, rail, inclination, **options):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what the readers remark on measured files
-        return wrcontact.ContactSystem(wheel=wheel, rail=rail, rail_inclination=inclination, **options)
+        profiles = profile(wheel, "wheel", inclination), profile(rail, "rail", inclination)
+        return wrcontact.ContactSystem(*profiles, rail_inclination=inclination, **options)
 
 
 def standing(where, **options):
