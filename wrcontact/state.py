@@ -146,11 +146,23 @@ class WheelsetState(WheelsetFields[N], Generic[N, K, S]):
         self._values = values if kept is None else Kept(values, kept, layout.size)
         self._offset, self.layout = 0, layout
 
+    @classmethod
+    def of_pose(cls, values: NDArray[Any], status: S, inputs: bytes, layout: Layout, system: Any) -> Any:
+        """The state of one pose with all outputs, ``values`` (m,) of this ``layout``; ``inputs`` are the bytes of their
+        array, which is made when it is asked for."""
+        state = cls.__new__(cls)
+        state.values = state._values = values
+        state.status, state._inputs, state.layout = status, inputs, layout
+        state._offset, state._places, state._system, state._equilibrium = 0, None, system, None
+        return state
+
     @property
     def inputs(self) -> Inputs:
         """The inputs by name and place, :class:`~wrcontact.results.inputs.Inputs`."""
         if self._inputs is None:
             return None
+        if isinstance(self._inputs, bytes):
+            self._inputs = np.frombuffer(self._inputs).copy()
         rows = self._inputs[:] if isinstance(self._inputs, Rows) else self._inputs
         return Inputs.of(rows, self._system is not None)
 
@@ -260,7 +272,7 @@ class WheelsetState(WheelsetFields[N], Generic[N, K, S]):
             np.array([int(self.status)]),
             self._inputs.as_table()
             if isinstance(self._inputs, Rows)
-            else Rows(self._inputs, [], np.empty((1, 0))),
+            else Rows(np.asarray(self.inputs), [], np.empty((1, 0))),
             self.layout,
             system=self._system,
         )

@@ -20,16 +20,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .interface.calls import (
-    NUMBERS,
-    START_ROW,
     check_count,
     describe_inputs,
     describe_parameters,
     given_inputs,
     input_values,
-    single_number,
     unknown_parameter,
     warn_of_inputs,
+    write_inputs,
     wrong_input,
 )
 from .interface.friction import Friction
@@ -164,6 +162,8 @@ class ContactSystem:
         self._own = threading.local()
         self._warned = set()  # names of inputs of which the user has been warned
         self._elastic = None  # the same wheelset in elastic contact, once it is needed
+        # what finds the equilibrium of a state
+        self._balancing = self if parameters["contact_mode"] == "compliant" else None
 
     @property
     def equal_sides(self) -> bool:
@@ -298,30 +298,24 @@ class ContactSystem:
         """
         if type(outputs) is not str or outputs not in DEPTHS:
             return self._evaluate_some(arguments, penetration, side, outputs, inputs)
-        stepper = self._stepper_at(penetration, side, outputs, given_inputs(arguments, inputs))
+        stepper = self._stepper_at(penetration, side, outputs, arguments, inputs)
         status = stepper.step()
         found = stepper.outputs.copy()
         if status > layout.UNLOADED:
             found[:] = math.nan
-        return WheelsetState(
-            found, STATUSES[status], stepper.inputs.copy(), stepper.layout, system=self._balancing()
+        return WheelsetState.of_pose(
+            found, STATUSES[status], stepper.numbers.tobytes(), stepper.layout, self._balancing
         )
 
-    def _stepper_at(self, penetration, side, outputs, given):
-        """This thread's stepper with the inputs ``given`` by their places, not stepped."""
-        stepper = getattr(self._own, "stepper", None)
-        if stepper is None:
+    def _stepper_at(self, penetration, side, outputs, arguments, inputs):
+        """This thread's stepper with the inputs of a call, not stepped."""
+        try:
+            stepper = self._own.stepper
+        except AttributeError:
             stepper = self._own.stepper = self.stepper()
         stepper.prescribe(penetration)
         stepper.want(side, outputs)
-        row = stepper.numbers
-        row[:] = START_ROW
-        try:
-            for place, value in given.items():
-                row[place] = value if type(value) in NUMBERS else single_number(value)
-        except (TypeError, ValueError):
-            raise wrong_input(input_values(given), array=False) from None
-        warn_of_inputs(given, self._warned)
+        write_inputs(stepper.numbers, arguments, inputs, self._warned)
         return stepper
 
     def derivatives(
@@ -356,11 +350,11 @@ class ContactSystem:
         refuse_changing(self, "derivatives")
         names = listed("of", of)
         own = [name for name in names if name not in EQUILIBRIUM]
-        stepper = self._stepper_at(penetration, "both", "all", given_inputs((), inputs))
+        stepper = self._stepper_at(penetration, "both", "all", (), inputs)
         rows = dict(zip(own, stepper.derivatives(own, by)))
         balanced = [name for name in names if name in EQUILIBRIUM]
         if balanced:
-            stands = self._elastic_twin() if self._balancing() else self
+            stands = self._elastic_twin() if self._balancing else self
             rows |= zip(balanced, stands.derivatives([EQUILIBRIUM[name] for name in balanced], by, **inputs))
         return np.array([rows[name] for name in names])
 
@@ -380,7 +374,7 @@ class ContactSystem:
             if the contact_mode is not compliant.
         """
         refuse_changing(self, "stand_at")
-        if self._balancing() is None:
+        if self._balancing is None:
             raise ValueError(
                 f"the contact_mode is {self.parameters['contact_mode']!r}; a roll can be given "
                 "with 'compliant'"
@@ -429,7 +423,7 @@ class ContactSystem:
         from .linear.point import linearize  # not part of an FMU
 
         refuse_changing(self, "linearize")
-        compliant = self if self._balancing() else self._twin("compliant")
+        compliant = self if self._balancing else self._twin("compliant")
         return linearize(
             compliant,
             amplitude=amplitude,
@@ -496,7 +490,7 @@ class ContactSystem:
             for part, found, outcome in self._parts(stepper, rows, wanted.places, processes, threads):
                 values[part], status[part] = found, outcome
                 advance(len(found))
-        return WheelsetState(values, status, rows, stepper.layout, wanted.places, self._balancing())
+        return WheelsetState(values, status, rows, stepper.layout, wanted.places, self._balancing)
 
     def evaluate_parts(
         self,
@@ -514,14 +508,10 @@ class ContactSystem:
         parts = self._parts(stepper, rows, wanted.places, processes)
         return (
             WheelsetState(
-                found.copy(), outcome, rows.part(part), stepper.layout, wanted.places, self._balancing()
+                found.copy(), outcome, rows.part(part), stepper.layout, wanted.places, self._balancing
             )
             for part, found, outcome in parts
         )
-
-    def _balancing(self):
-        """What finds the equilibrium of a state: this system, if it is compliant, else None."""
-        return self if self.parameters["contact_mode"] == "compliant" else None
 
     def find_equilibrium(self, inputs: NDArray[Any]) -> Equilibrium:
         """Where both wheels carry the load of the ``inputs`` of a state, or of a table's (n, ...): an

@@ -23,6 +23,35 @@ USUAL = [(place, row, *row.usual) for place, row in enumerate(INPUTS) if row.usu
 NUMBERS = {float, int, np.float64}
 
 
+def write_inputs(row, arguments, keywords, warned):
+    """Write the inputs of a call for one pose into ``row``, a memoryview of all inputs in the kernel's order; those
+    that are not given get their start.  Warns as :func:`warn_of_inputs`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        as :func:`given_inputs`, and where a value is not one number.
+    """
+    row[:] = START_ROW
+    plain = not arguments  # the usual call has keywords alone, with numbers within their usual range
+    for name, value in keywords.items():
+        if name not in KEYWORDS or type(value) not in NUMBERS:
+            plain = False
+            break
+        row[KEYWORDS[name]] = value
+    for place, _, low, high in USUAL:
+        plain = plain and low <= row[place] <= high
+    if plain:
+        return
+    given = given_inputs(arguments, keywords)
+    try:
+        for place, value in given.items():
+            row[place] = value if type(value) in NUMBERS else single_number(value)
+    except (TypeError, ValueError):
+        raise wrong_input(input_values(given), array=False) from None
+    warn_of_inputs(given, warned)
+
+
 def given_inputs(arguments, keywords):
     """The values that a call gives by the places of their inputs in the kernel's order: {place: value}."""
     given = {}
