@@ -14,8 +14,9 @@ from ..layout import (
 )
 from ..prepare.curvatures import write_abscissae, write_arcs
 from ..prepare.pieces import BINS_EACH_METRE, FULL, write_quintic, write_stops
-from ..prepare.scan import FINE_STEP, sample_pieces, write_rail_bounds
+from ..prepare.scan import FINE_STEP
 from ..prepare.scan_bends import write_joints, write_waves
+from .bounds_at_pose import write_bounds_at_pose
 
 #: Cells of bounds of the rail that have room (sections/kernel_table.py).
 CELL_LIMIT: Final[int] = 400
@@ -42,8 +43,7 @@ def write_rail_at_pose(tables: Tables, pair: Pair) -> bool:
         return False
     scan.rail_count = cells
     scan.rail_start = pair.rail.start
-    sample_pieces(tables.raw, room, tables.raw, sections.scratch)
-    write_rail_bounds(tables, pair, scan, tables.raw, sections.scratch)
+    write_bounds_at_pose(tables, pair, scan)
     if write_joints(tables, pair, scan, end) == FULL:
         return False
     write_waves(tables, pair, scan)
