@@ -28,7 +28,7 @@ from ..normal.normal_contact import residual_rate
 from ..wheelset.depth_rates import displace_inputs, motion_size
 from ..wheelset.elastic import begin_derivatives, find_move, update
 from ..wheelset.enclosing import ELASTIC_SHARP, LONGEST_MOVE, NOT_LAST
-from ..wheelset.input_checks import is_moving, requested_outcome, side_force
+from ..wheelset.input_checks import is_moving, requested_status, side_force
 from ..wheelset.residuals import DEEPEST, SHALLOWEST
 from ..wheelset.side import load_side, lower_wheel, touch_side
 from .section_roll import find_section_roll, follow_both, touch_both
@@ -43,7 +43,7 @@ AHEAD: Final[float] = 2e-6
 
 
 def stand_elastic(tables: Tables, work: Work):
-    """The wheelset in equilibrium under its loads, with the patches of both wheels; the outcome."""
+    """The wheelset in equilibrium under its loads, with the patches of both wheels; the status."""
     roll, status = find_section_roll(tables, work)
     if status != VALID:
         return status
@@ -53,11 +53,11 @@ def stand_elastic(tables: Tables, work: Work):
         status, covered = balance_changing(tables, work, roll, height, ALL)
     if not covered:
         return NOT_CONVERGED
-    return requested_outcome(tables, work, status)
+    return requested_status(tables, work, status)
 
 
 def balance_changing(tables: Tables, work: Work, roll: float, height: float, far: float):
-    """Equilibrium from the rigid ``roll`` [rad] and ``height`` [m] on, with rails up to gaps of ``far`` [m]; the outcome, and
+    """Equilibrium from the rigid ``roll`` [rad] and ``height`` [m] on, with rails up to gaps of ``far`` [m]; the status, and
     whether the wheels overlap no rail farther away."""
     if not touch_both(tables, work, roll) == VALID:
         return NOT_CONVERGED, True
@@ -121,7 +121,7 @@ def frame_force(tables: Tables, work: Work, index: int):
 
 
 def estimate_side(tables: Tables, work: Work, index: int, far: float):
-    """Estimate how far the wheel of side ``index`` comes down below its smallest gap; the outcome."""
+    """Estimate how far the wheel of side ``index`` comes down below its smallest gap; the status."""
     support = work.supports[index]
     touch = work.touches[index]
     support.approach = 0.0
@@ -141,7 +141,7 @@ def estimate_side(tables: Tables, work: Work, index: int, far: float):
 
 def press_side(tables: Tables, work: Work, index: int, height: float, far: float):
     """The height at which side ``index`` carries its load with the rail and the regions at ``height`` [m], into its support;
-    the outcome."""
+    the status."""
     pair = tables.pairs[index]
     support = work.supports[index]
     touch = work.touches[index]
@@ -169,7 +169,7 @@ def press_side(tables: Tables, work: Work, index: int, height: float, far: float
 
 
 def finish_both(tables: Tables, work: Work, status: int, far: float):
-    """Turn both sides back into the track: the outcome, and whether enough of their rails was laid."""
+    """Turn both sides back into the track: the status, and whether enough of their rails was laid."""
     covered = True
     for index in range(2):
         touch = work.touches[index]
@@ -178,15 +178,15 @@ def finish_both(tables: Tables, work: Work, status: int, far: float):
             height = touch.best
         if height - touch.best > DEEPEST:
             return OFF_PROFILE, True
-        outcome, enough = finish_side(tables, work, index, VALID, height, height - touch.best)
-        status = max(status, outcome)
+        side_status, enough = finish_side(tables, work, index, VALID, height, height - touch.best)
+        status = max(status, side_status)
         covered = covered and enough
     return status, covered or far >= ALL
 
 
 def find_section_rates(tables: Tables, work: Work):
     """Find the vertical velocity [m/s] and roll rate [rad/s] of the wheelset along its run, before it is solved itself; the
-    outcome."""
+    status."""
     wheelset = work.wheelset
     wheelset.vertical_velocity = 0.0
     wheelset.roll_rate = 0.0
@@ -207,7 +207,7 @@ def find_section_rates(tables: Tables, work: Work):
 
 def stand_displaced(tables: Tables, work: Work, time: float):
     """The equilibrium of a wheelset that has moved on by ``time`` [s], and its wheels with it, at the rate that is given or that of
-    the nominal radius; the outcome.  Over rollers it stays where it is."""
+    the nominal radius; the status.  Over rollers it stays where it is."""
     displace_inputs(work, time)
     work.displaced.wheel_rotation += time * rolling_rate(work.inputs, work.inputs.wheel_rate, tables.height)
     if not (tables.pairs[0].roller > 0.0 or tables.pairs[1].roller > 0.0):

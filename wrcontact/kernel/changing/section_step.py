@@ -27,7 +27,7 @@ from ..wheelset.report import report
 from ..wheelset.rigid import penetration_status
 from ..wheelset.rolling_contact import solve_creep_forces
 from ..wheelset.rows import keep_row, open_row
-from ..wheelset.side import clear_side
+from ..wheelset.side import begin_trial, clear_side
 from ..wheelset.vertical_load import (
     LOAD_PASSES,
     is_load_lost,
@@ -44,7 +44,7 @@ from .section_side import load_pressed, load_touching
 
 
 def check_section_inputs(tables: Tables, inputs: Inputs):
-    """The outcome of the inputs: besides what a constant rail forbids, rails that change do not roll."""
+    """The status of the inputs: besides what a constant rail forbids, rails that change do not roll."""
     status = check_inputs(tables, inputs)
     if status == VALID:
         if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0:
@@ -76,22 +76,19 @@ def evaluate_changing(tables: Tables, work: Work):
 def carry_loads(tables: Tables, work: Work, status: int):
     """Vertical loads of which friction carries a part, and of patches whose normals lean: the wheelset again, until both are
     met (wheelset/vertical_load.py); the status, NOT_CONVERGED where no loads are found."""
-    outcome = status
     for i in range(LOAD_PASSES):
-        if outcome > UNLOADED or is_load_met(work):
-            return outcome
+        if status > UNLOADED or is_load_met(work):
+            return status
         if is_load_lost(work):
             return NOT_CONVERGED
         share_load(work)
-        outcome = solve_changing(tables, work)
+        status = solve_changing(tables, work)
     return NOT_CONVERGED
 
 
 def solve_changing(tables: Tables, work: Work):
     """Contact of both wheels, their patches' creepages and creep forces, and all forces; the status."""
-    work.contact.filling = True
-    work.contact.coarse = False
-    work.contact.following = False
+    begin_trial(work.contact, True, False, False)
     clear_side(work.sides[0])
     clear_side(work.sides[1])
     if tables.mode == MODE_COMPLIANT:
@@ -104,19 +101,19 @@ def solve_changing(tables: Tables, work: Work):
         status = stand_rigid(tables, work)
     if status <= UNLOADED:
         move_changing(tables, work)
-        outcome = VALID
+        rolling_status = VALID
         if turns_freely(tables, work):
-            outcome = roll_freely(tables, work)
+            rolling_status = roll_freely(tables, work)
         else:
             move_changing_patches(tables, work)
             solve_creep_forces(tables, work)
-        status = max(status, outcome)
+        status = max(status, rolling_status)
         sum_pushes(tables, work)
     return status
 
 
 def stand_rigid(tables: Tables, work: Work):
-    """Both wheels touch, and each carries its load there; the outcome."""
+    """Both wheels touch, and each carries its load there; the status."""
     roll, status = find_section_roll(tables, work)
     if status != VALID:
         return status
@@ -125,13 +122,13 @@ def stand_rigid(tables: Tables, work: Work):
     work.wheelset.vertical_shift = height
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            outcome = load_touching(tables, work, index, work.touches[index].best, side_force(work, index))
-            status = counted_outcome(tables, index, status, outcome)
+            side_status = load_touching(tables, work, index, work.touches[index].best, side_force(work, index))
+            status = counted_outcome(tables, index, status, side_status)
     return status
 
 
 def stand_compliant(tables: Tables, work: Work):
-    """The wheelset at the height and roll of the inputs; the outcome."""
+    """The wheelset at the height and roll of the inputs; the status."""
     height = work.inputs.vertical_shift
     work.wheelset.roll = work.inputs.roll
     work.wheelset.vertical_shift = height
@@ -146,8 +143,8 @@ def stand_compliant(tables: Tables, work: Work):
         return status
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            outcome = load_pressed(tables, work, index, height)
-            status = counted_outcome(tables, index, status, outcome)
+            side_status = load_pressed(tables, work, index, height)
+            status = counted_outcome(tables, index, status, side_status)
     return status
 
 

@@ -799,58 +799,23 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables,
  * The overlap along the normals falls with the slope of the gap straight down, but for what the turning
  * normal takes from it: depth times ``turns`` at most, and depth falls.  What is left, s, stays above zero
  * over a length L where (1 - stretch) s >= -(1 + stretch) bend L: where a gap whose slope begins with s / 2
- * does not fall.  Bounds and shares are those of :func:`~.bounds.clear_exponent`.
+ * does not fall.
  */
 static ALWAYS_INLINE int64_t overlap_samples__falling_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double depth, double slope, int64_t exponent)
 {
-    double u, roll, least_stretch, share, stretch_per_bend, square, stretch, length, edge, bend, wheel, left;
-    int64_t cells, first, begin, rail, reach;
+    double u, least_stretch, stretch_per_bend, share, length, stretch, bend, left;
+    int64_t cell, reach;
     u = bounds__rail_place(tables, scan, abscissa);
-    roll = fabs(AT(work, at + layout__PLACE_SIN_ROLL));
-    least_stretch = bounds__ROLL_STRETCH * roll;
-    share = bounds__ROLL_BEND * roll;
-    stretch_per_bend = 0.0;
-    if (AT(work, at + layout__PLACE_YAWED) == 1.0)
-    {
-        square = AT(work, at + layout__PLACE_SIN_YAW) * AT(work, at + layout__PLACE_SIN_YAW);
-        least_stretch += bounds__STEEP_STRETCH * square;
-        share += bounds__YAW_BEND * square;
-        stretch_per_bend = bounds__BEND_STRETCH * square * AT(work, at + layout__PLACE_RADIUS);
-    }
+    bounds__bend_shares(&least_stretch, &stretch_per_bend, &share, work, at);
     while (exponent >= 0)
     {
-        cells = INT64_C(1) << exponent;
-        first = node;
-        if (direction < 0)
+        bounds__stretch_bounds(&length, &stretch, &bend, &cell, &reach, tables, scan, node, direction, u, exponent, least_stretch, stretch_per_bend, share);
+        if (stretch < bounds__WIDEST)
         {
-            first = node - cells;
-        }
-        if (first >= 0 && first + cells < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
-        {
-            begin = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first;
-            stretch = least_stretch + stretch_per_bend * AT(tables, begin + layout__SCAN_NODE_STEEPEST_BENDS + exponent);
-            if (stretch < bounds__WIDEST)
+            left = slope - overlap_samples__TURNED * depth * AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * cell + layout__RAIL_CELL_TURNS + reach) - overlap_samples__SLOPE_STEPS;
+            if (left > 0.0 && bounds__largest_fall(0.5 * left, bend, length, stretch) <= 0.0)
             {
-                length = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (first + cells) + layout__SCAN_NODE_Y) - AT(tables, begin + layout__SCAN_NODE_Y);
-                edge = u;
-                if (direction < 0)
-                {
-                    edge -= (1.0 + bounds__WIDEST) * AT(tables, scan + layout__SCAN_RAIL_PER_METRE) * length;
-                }
-                rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, edge);
-                reach = exponent;
-                if (length > bounds__FINE_CELL * (double)cells)
-                {
-                    reach += 1;
-                }
-                bend = AT(tables, rail + layout__RAIL_CELL_LEAST_BENDS + reach);
-                wheel = AT(tables, begin + layout__SCAN_NODE_MOST_BENDS + exponent);
-                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel);
-                left = slope - overlap_samples__TURNED * depth * AT(tables, rail + layout__RAIL_CELL_TURNS + reach) - overlap_samples__SLOPE_STEPS;
-                if (left > 0.0 && bounds__largest_fall(0.5 * left, bend, length, stretch) <= 0.0)
-                {
-                    return exponent;
-                }
+                return exponent;
             }
         }
         exponent -= 1;

@@ -40,7 +40,8 @@ static inline int64_t creepage__move_strips(array_double_1d work, int64_t motion
 static inline int64_t creepage__move_strip(array_double_1d work, int64_t motion, int64_t strip, double x_track, double inverse);
 static inline void creepage__rolling_velocity(double* out_0, double* out_1, double* out_2, double* out_3, array_double_1d work, int64_t motion, double x, double y, double z, double radius);
 static inline double creepage__velocity_along(array_double_1d work, int64_t motion, double y, double z, double rolling_x);
-static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x);
+static inline void creepage__velocity_across(double* lateral_out, double* vertical_out, array_double_1d work, int64_t motion, double x, double y_track, double z_track, double rolling_y, double rolling_z);
+static inline double creepage__reference_speed(double running, double rolling);
 static inline double creepage__approach_rate(array_double_1d work, int64_t motion, int64_t patch);
 
 /* creep/falling.py */
@@ -77,6 +78,18 @@ static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t
 static inline bool friction__is_frictional(double friction, double limit);
 static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t patch);
 static inline double friction__creep_gain(array_double_1d work, int64_t patch);
+
+/* creep/leaning.py */
+static inline double leaning__along(array_double_1d work, int64_t direction, double x, double y, double z);
+static inline void leaning__roll_at(double* out_0, double* out_1, double* out_2, double* out_3, array_double_1d work, int64_t motion, int64_t at, double radius);
+static inline void leaning__slide_at(double* out_0, double* lateral_out, double* out_2, array_double_1d work, int64_t motion, int64_t at, double rolling_x, double rolling_y, double rolling_z);
+static inline void leaning__roller_slide(double* roller_x_out, double* roller_z_out, array_double_1d work, int64_t motion, int64_t at);
+static inline double leaning__turn_at(array_double_1d work, int64_t motion, int64_t at);
+static inline int64_t leaning__move_leaning_patch(array_double_1d work, int64_t motion, int64_t leaning, int64_t patch);
+static inline int64_t leaning__move_leaning_strips(array_double_1d work, int64_t motion, int64_t leaning, int64_t patch);
+static inline int64_t leaning__move_leaning_strip(array_double_1d work, int64_t motion, int64_t at, int64_t strip, double inverse);
+static inline int64_t leaning__enclose_leaning_rates(array_double_1d work, int64_t motion, int64_t leaning, int64_t patch);
+static inline double leaning__leaning_approach_rate(array_double_1d work, int64_t motion, int64_t at);
 
 /* creep/motion.py */
 static inline bool motion__is_moderate(array_double_1d work, int64_t inputs);
@@ -163,6 +176,7 @@ static inline double tractions__point_weight(array_double_1d work, int64_t strip
 static inline void turning__heading_velocity(double* out_0, double* out_1, array_double_1d work, int64_t motion, double x, double y_track, double z_track);
 static inline int64_t turning__begin_turning(array_double_1d work, double wanted, double speed);
 static inline int64_t turning__enclose_rates(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t turning__enclose_rate(array_double_1d work, double rate);
 static inline int64_t turning__add_stand_in(array_double_1d work, array_double_1d tables, int64_t motion, int64_t patch, double friction);
 static inline int64_t turning__widen_enclosure(array_double_1d work);
 static inline int64_t turning__reopen_enclosure(array_double_1d work);
@@ -843,18 +857,15 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
 static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch)
 {
     double x, y, z, rolling_x, rolling_y, rolling_z, share, along, lateral, vertical, normal_y, normal_z, speed;
-    int64_t rail;
     x = AT(work, patch + layout__PATCH_X_TRACK);
     y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
     z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
-    rail = motion + layout__MOTION_RAIL;
     creepage__rolling_velocity(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, x, y, z, AT(work, patch + layout__PATCH_ROLLING_RADIUS));
     along = creepage__velocity_along(work, motion, y, z, rolling_x);
-    lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TRACK_RATE) * x + AT(work, motion + layout__MOTION_TURN_Z) * x - AT(work, motion + layout__MOTION_TURN_X) * z - rolling_y - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * (AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, rail + layout__RAIL_MOTION_Z));
-    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * (AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, rail + layout__RAIL_MOTION_Y));
+    creepage__velocity_across(&lateral, &vertical, work, motion, x, AT(work, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK), rolling_y, rolling_z);
     normal_y = -AT(work, patch + layout__PATCH_ANGLE_SIN);
     normal_z = -AT(work, patch + layout__PATCH_ANGLE_COS);
-    speed = creepage__reference_speed(work, motion, rolling_x);
+    speed = creepage__reference_speed(AT(work, motion + layout__MOTION_SPEED), rolling_x);
     AT(work, patch + layout__PATCH_SPEED) = speed;
     AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
     AT(work, patch + layout__PATCH_BACKWARDS) = (double)(AT(work, motion + layout__MOTION_SPEED) + rolling_x < 0.0);
@@ -924,11 +935,29 @@ static inline double creepage__velocity_along(array_double_1d work, int64_t moti
     return AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * (y + AT(work, motion + layout__MOTION_CENTRE_Y)) + AT(work, motion + layout__MOTION_TURN_Y) * z - AT(work, motion + layout__MOTION_TURN_Z) * y - rolling_x;
 }
 
-/* The rolling speed [m/s] that creepages are referred to. */
-static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x)
+/* Velocity of the wheel's surface against the rail [m/s] at a place in the track, to the field side and down, where the
+ * rotation about the axle has the parts ``rolling_y`` and ``rolling_z``.
+ */
+static inline void creepage__velocity_across(double* lateral_out, double* vertical_out, array_double_1d work, int64_t motion, double x, double y_track, double z_track, double rolling_y, double rolling_z)
+{
+    int64_t rail;
+    double y, z, lateral, vertical;
+    rail = motion + layout__MOTION_RAIL;
+    y = y_track - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = z_track - AT(work, motion + layout__MOTION_CENTRE_Z);
+    lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TRACK_RATE) * x + AT(work, motion + layout__MOTION_TURN_Z) * x - AT(work, motion + layout__MOTION_TURN_X) * z - rolling_y - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * (z_track - AT(work, rail + layout__RAIL_MOTION_Z));
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * (y_track - AT(work, rail + layout__RAIL_MOTION_Y));
+    *lateral_out = lateral;
+    *vertical_out = vertical;
+}
+
+/* The rolling speed [m/s] that creepages are referred to, of a wheelset that is ``running`` and a wheel whose surface is
+ * ``rolling`` [m/s] along the rail.
+ */
+static inline double creepage__reference_speed(double running, double rolling)
 {
     double speed;
-    speed = 0.5 * (fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x));
+    speed = 0.5 * (fabs(running) + fabs(rolling));
     return sqrt(speed * speed + creepage__REST * creepage__REST);
 }
 
@@ -1588,6 +1617,161 @@ static inline double friction__creep_gain(array_double_1d work, int64_t patch)
 }
 
 
+/* ---- From creep/leaning.py; change that one.
+ *
+ * Creepages of patches on rails whose section changes, where the normal n has a part along the track.
+ *
+ * Equations are those of creepage.py with vectors.  At a place P of contact e1 lies along the rail in the plane of contact,
+ * e2 to the field side, and e3 = e1 x e2 into the rail, so that n = -e3.  With the velocity v there, that of the wheel's surface
+ * against the rail, the rotation w about the axle a, and the velocity v_c of the wheelset's centre,
+ *
+ *     V_ref = sqrt((|v_c . e1| + |w (a x (P - C)) . e1|)^2 / 4 + V_0^2)
+ *     xi = v . e1 / V_ref,   eta = v . e2 / V_ref,   phi = (W - w a) . e3 / V_ref
+ *
+ * Wheel and rail approach each other at the speed v . e3, in which the rotation about the axle has no part as long as the wheel is
+ * round and its normals meet the axle; at an angle at which its radius grows by r_theta, a wheel grows by w r_theta.  With the normal's part along the track this is
+ *
+ *     -n . v = -(n_x V + n_y y' + n_z z' + ((P - C) x n) . W)                                     (A4)
+ *
+ * A wheel that stays on its rail does not approach it.
+ */
+
+/* The part of a vector along a ``direction`` of length 1. */
+static inline double leaning__along(array_double_1d work, int64_t direction, double x, double y, double z)
+{
+    return AT(work, direction + 0) * x + AT(work, direction + 1) * y + AT(work, direction + 2) * z;
+}
+
+/* Velocity w a x (P - C) [m/s] of a place where the wheel has the rolling ``radius`` [m], and the radius over the
+ * distance from the axle.
+ */
+static inline void leaning__roll_at(double* out_0, double* out_1, double* out_2, double* out_3, array_double_1d work, int64_t motion, int64_t at, double radius)
+{
+    creepage__rolling_velocity(out_0, out_1, out_2, out_3, work, motion, AT(work, at + layout__LEANING_X), AT(work, at + layout__LEANING_Y) - AT(work, motion + layout__MOTION_CENTRE_Y), AT(work, at + layout__LEANING_Z) - AT(work, motion + layout__MOTION_CENTRE_Z), radius);
+}
+
+/* Velocity of the wheel's surface against the rail [m/s] at a place, where the rotation about the axle has this
+ * part.
+ */
+static inline void leaning__slide_at(double* out_0, double* lateral_out, double* out_2, array_double_1d work, int64_t motion, int64_t at, double rolling_x, double rolling_y, double rolling_z)
+{
+    double lateral, vertical, roller_x, roller_z;
+    creepage__velocity_across(&lateral, &vertical, work, motion, AT(work, at + layout__LEANING_X), AT(work, at + layout__LEANING_Y), AT(work, at + layout__LEANING_Z), rolling_y, rolling_z);
+    leaning__roller_slide(&roller_x, &roller_z, work, motion, at);
+    *out_0 = creepage__velocity_along(work, motion, AT(work, at + layout__LEANING_Y) - AT(work, motion + layout__MOTION_CENTRE_Y), AT(work, at + layout__LEANING_Z) - AT(work, motion + layout__MOTION_CENTRE_Z), rolling_x) + roller_x;
+    *lateral_out = lateral;
+    *out_2 = vertical + roller_z;
+}
+
+/* What the velocity of the wheel's surface against a roller has beyond that against a rail along which the wheelset runs
+ * [m/s], along and down.
+ *
+ * The roller's surface has the velocity t (z - z_a, 0, x_a - x) with its rotation t = V / R about (x_a, z_a), and the wheelset
+ * does not run along it.
+ */
+static inline void leaning__roller_slide(double* roller_x_out, double* roller_z_out, array_double_1d work, int64_t motion, int64_t at)
+{
+    int64_t rail;
+    double roller_x, roller_z;
+    rail = motion + layout__MOTION_RAIL;
+    roller_x = 0.0;
+    roller_z = 0.0;
+    if (AT(work, rail + layout__RAIL_MOTION_TURN) != 0.0)
+    {
+        roller_x = AT(work, rail + layout__RAIL_MOTION_TURN) * (AT(work, rail + layout__RAIL_MOTION_AXLE_Z) - AT(work, at + layout__LEANING_Z)) - AT(work, motion + layout__MOTION_SPEED);
+        roller_z = AT(work, rail + layout__RAIL_MOTION_TURN) * (AT(work, at + layout__LEANING_X) - AT(work, rail + layout__RAIL_MOTION_AXLE_X));
+    }
+    *roller_x_out = roller_x;
+    *roller_z_out = roller_z;
+}
+
+/* Rotation of the wheel against the rail [rad/s] about the normal into the rail. */
+static inline double leaning__turn_at(array_double_1d work, int64_t motion, int64_t at)
+{
+    double rate;
+    rate = AT(work, motion + layout__MOTION_WHEEL_RATE);
+    return leaning__along(work, at + layout__LEANING_DOWN, AT(work, motion + layout__MOTION_TURN_X) - AT(work, motion + layout__MOTION_RAIL + layout__RAIL_MOTION_ROLL) - rate * AT(work, motion + layout__MOTION_AXLE_X), AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_RAIL + layout__RAIL_MOTION_TURN) - rate * AT(work, motion + layout__MOTION_AXLE_Y), AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - rate * AT(work, motion + layout__MOTION_AXLE_Z));
+}
+
+/* Rolling speed and creepages of a patch. */
+static inline int64_t leaning__move_leaning_patch(array_double_1d work, int64_t motion, int64_t leaning, int64_t patch)
+{
+    int64_t at;
+    double rolling_x, rolling_y, rolling_z, share, slide_x, slide_y, slide_z, running, rolling, speed;
+    at = leaning + layout__LEANING_PATCH_OWN;
+    leaning__roll_at(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, at, AT(work, patch + layout__PATCH_ROLLING_RADIUS));
+    leaning__slide_at(&slide_x, &slide_y, &slide_z, work, motion, at, rolling_x, rolling_y, rolling_z);
+    running = leaning__along(work, at + layout__LEANING_AHEAD, AT(work, motion + layout__MOTION_SPEED), AT(work, motion + layout__MOTION_LATERAL), AT(work, motion + layout__MOTION_VERTICAL));
+    rolling = leaning__along(work, at + layout__LEANING_AHEAD, rolling_x, rolling_y, rolling_z);
+    speed = creepage__reference_speed(running, rolling);
+    AT(work, patch + layout__PATCH_SPEED) = speed;
+    AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
+    AT(work, patch + layout__PATCH_BACKWARDS) = (double)(running + rolling < 0.0);
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = leaning__along(work, at + layout__LEANING_AHEAD, slide_x, slide_y, slide_z) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = leaning__along(work, at + layout__LEANING_ASIDE, slide_x, slide_y, slide_z) / speed;
+    AT(work, patch + layout__PATCH_SPIN) = leaning__turn_at(work, motion, at) / speed;
+    return 0;
+}
+
+/* Creepages and spin of the strips of a patch that rolls. */
+static inline int64_t leaning__move_leaning_strips(array_double_1d work, int64_t motion, int64_t leaning, int64_t patch)
+{
+    int64_t index;
+    for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
+    {
+        leaning__move_leaning_strip(work, motion, leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * index, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, 1.0 / AT(work, patch + layout__PATCH_SPEED));
+    }
+    return 0;
+}
+
+/* Creepages and spin of a strip, whose patch rolls at the speed 1/``inverse`` [m/s]. */
+static inline int64_t leaning__move_leaning_strip(array_double_1d work, int64_t motion, int64_t at, int64_t strip, double inverse)
+{
+    double rolling_x, rolling_y, rolling_z, share, slide_x, slide_y, slide_z;
+    leaning__roll_at(&rolling_x, &rolling_y, &rolling_z, &share, work, motion, at, AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS));
+    leaning__slide_at(&slide_x, &slide_y, &slide_z, work, motion, at, rolling_x, rolling_y, rolling_z);
+    AT(work, strip + layout__ROLLING_STRIP_SLIP) = leaning__along(work, at + layout__LEANING_AHEAD, slide_x, slide_y, slide_z) * inverse;
+    AT(work, strip + layout__ROLLING_STRIP_LATERAL) = leaning__along(work, at + layout__LEANING_ASIDE, slide_x, slide_y, slide_z) * inverse;
+    AT(work, strip + layout__ROLLING_STRIP_SPIN) = leaning__turn_at(work, motion, at) * inverse;
+    AT(work, strip + layout__ROLLING_STRIP_RADIUS_SHARE) = share;
+    return 0;
+}
+
+/* Let the enclosure hold the rates of all strips of a patch, as eq. (A1) of turning.py. */
+static inline int64_t leaning__enclose_leaning_rates(array_double_1d work, int64_t motion, int64_t leaning, int64_t patch)
+{
+    int64_t index, strip, at;
+    double heading, ahead, roller_x, roller_z;
+    for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
+        if (AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) > 0.0)
+        {
+            at = leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * index;
+            turning__heading_velocity(&heading, &ahead, work, motion, AT(work, at + layout__LEANING_X), AT(work, at + layout__LEANING_Y), AT(work, at + layout__LEANING_Z));
+            leaning__roller_slide(&roller_x, &roller_z, work, motion, at);
+            turning__enclose_rate(work, (heading + roller_x * ahead) / AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS));
+        }
+    }
+    return 0;
+}
+
+/* Speed [m/s] at which wheel and rail approach each other at a place; eq. (A4).  The course of a curve does not bring
+ * them closer, as positions along the track are those of its centre line.
+ */
+static inline double leaning__leaning_approach_rate(array_double_1d work, int64_t motion, int64_t at)
+{
+    double x, y, z, lateral, vertical, roller_x, roller_z, rate;
+    x = AT(work, at + layout__LEANING_X);
+    y = AT(work, at + layout__LEANING_Y) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = AT(work, at + layout__LEANING_Z) - AT(work, motion + layout__MOTION_CENTRE_Z);
+    creepage__velocity_across(&lateral, &vertical, work, motion, x, AT(work, at + layout__LEANING_Y), AT(work, at + layout__LEANING_Z), AT(work, motion + layout__MOTION_TRACK_RATE) * x, 0.0);
+    leaning__roller_slide(&roller_x, &roller_z, work, motion, at);
+    rate = leaning__along(work, at + layout__LEANING_DOWN, AT(work, motion + layout__MOTION_SPEED) + AT(work, motion + layout__MOTION_TURN_Y) * z - AT(work, motion + layout__MOTION_TURN_Z) * y + roller_x, lateral, vertical + roller_z);
+    return rate + AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, at + layout__LEANING_SWELLING);
+}
+
+
 /* ---- From creep/motion.py; change that one.
  *
  * The motion of a wheelset and its rails, from the inputs.
@@ -1839,14 +2023,7 @@ static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t le
     right_roll = x * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + y * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y);
     known_left = motion__known_part(work, left);
     known_right = motion__known_part(work, right);
-    determinant = AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * right_roll - AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * left_roll;
-    vertical = 0.0;
-    roll_rate = 0.0;
-    if (determinant != 0.0)
-    {
-        vertical = (known_right * left_roll - known_left * right_roll) / determinant;
-        roll_rate = (known_left * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) - known_right * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) / determinant;
-    }
+    pair__solve_pair(&determinant, &vertical, &roll_rate, known_left, known_right, AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z), left_roll, AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z), right_roll);
     motion__set_rates(work, left, right, vertical, roll_rate);
     return 0;
 }
@@ -3143,29 +3320,35 @@ static inline int64_t turning__begin_turning(array_double_1d work, double wanted
 static inline int64_t turning__enclose_rates(array_double_1d work, int64_t motion, int64_t patch)
 {
     int64_t i, strip;
-    double along, ahead, rate;
+    double along, ahead;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         if (AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) > 0.0)
         {
             turning__heading_velocity(&along, &ahead, work, motion, AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X), AT(work, strip + layout__ROLLING_STRIP_Y_TRACK), AT(work, strip + layout__ROLLING_STRIP_Z_TRACK));
-            rate = along / AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS);
-            if ((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) == 0)
-            {
-                AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = rate;
-                AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = rate;
-                AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)1;
-            }
-            AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = double_min(AT(work, layout__WORK_TURNING + layout__TURNING_LOW), rate);
-            AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = double_max(AT(work, layout__WORK_TURNING + layout__TURNING_HIGH), rate);
+            turning__enclose_rate(work, along / AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS));
         }
     }
     return 0;
 }
 
-/* Add a patch with this coefficient of ``friction`` to the stand-in.  Its lateral force is that at the
- * motion's rotation, over the rolling speed there.
+/* Let the enclosure hold the ``rate`` of a strip [rad/s]. */
+static inline int64_t turning__enclose_rate(array_double_1d work, double rate)
+{
+    if ((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) == 0)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = rate;
+        AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = rate;
+        AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)1;
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = double_min(AT(work, layout__WORK_TURNING + layout__TURNING_LOW), rate);
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = double_max(AT(work, layout__WORK_TURNING + layout__TURNING_HIGH), rate);
+    return 0;
+}
+
+/* Add a patch with this coefficient of ``friction`` to the stand-in.  Its lateral force is that of its creepages, over
+ * the rolling speed of these.
  */
 static inline int64_t turning__add_stand_in(array_double_1d work, array_double_1d tables, int64_t motion, int64_t patch, double friction)
 {
@@ -3175,7 +3358,6 @@ static inline int64_t turning__add_stand_in(array_double_1d work, array_double_1
     {
         own = layout__WORK_TURNING + layout__TURNING_PATCHES + layout__TURNING_PATCH_SIZE * (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT);
         AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) + 1);
-        creepage__move_patch(work, motion, patch);
         turning__heading_velocity(&along, &ahead, work, motion, AT(work, patch + layout__PATCH_X_TRACK), AT(work, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK));
         tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH));
         area = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);

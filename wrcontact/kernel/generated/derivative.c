@@ -8,28 +8,28 @@
  */
 
 /* Derivative of ``follow_minimum``. */
-static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     int64_t pair, side, at;
-    lanes y_t, gap_t, mismatch_t, rate_t;
+    directional_rate y_t, gap_t, mismatch_t, rate_t;
     double y, gap, mismatch, rate, v1;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-    y_t = all_lanes(0.0);
+    y_t = along_all(0.0);
     y = AT(work, side + layout__SIDE_SEARCH_BEST_Y);
     derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
     v1 = -mismatch;
-    EACH_LANE each(y_t) = -each(mismatch_t) / rate;
+    EACH_DIRECTION each(y_t) = -each(mismatch_t) / rate;
     derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST_Y)) = each(y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST_Y)) = each(y_t);
     AT(work, side + layout__SIDE_SEARCH_BEST_Y) = y;
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) = each(gap_t);
+    EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) = each(gap_t);
     return 0;
 }
 
 /* Derivative of ``follow_deflection``. */
-static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
+static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double lateral, directional_rate lateral_t, double vertical, directional_rate vertical_t)
 {
     derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
@@ -43,54 +43,54 @@ static inline int64_t derivative_compliant_rules__follow_deflection_t(array_doub
 }
 
 /* Derivative of ``follow_balanced``. */
-static inline bool derivative_compliant_rules__follow_balanced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline bool derivative_compliant_rules__follow_balanced_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     double lateral, vertical;
-    lanes residual_lateral, residual_vertical, lateral_lateral, vertical_lateral, lateral_vertical, vertical_vertical, determinant, lateral_rate, vertical_rate;
+    directional_rate residual_lateral, residual_vertical, lateral_lateral, vertical_lateral, lateral_vertical, vertical_vertical, determinant, lateral_rate, vertical_rate;
     derivative_springs__open_equilibrium_t(tables, work, work_t, index);
     lateral = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL);
     vertical = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL);
-    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(0.0));
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, along_all(0.0), vertical, along_all(0.0));
     if (!springs__is_balanced(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
     {
         return true;
     }
-    EACH_LANE each(residual_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL));
-    EACH_LANE each(residual_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL));
-    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(1.0), vertical, all_lanes(0.0));
-    EACH_LANE each(lateral_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) - each(residual_lateral);
-    EACH_LANE each(vertical_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) - each(residual_vertical);
-    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(1.0));
-    EACH_LANE each(lateral_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) - each(residual_lateral);
-    EACH_LANE each(vertical_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) - each(residual_vertical);
-    EACH_LANE each(determinant) = each(lateral_lateral) * each(vertical_vertical) - each(lateral_vertical) * each(vertical_lateral);
+    EACH_DIRECTION each(residual_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL));
+    EACH_DIRECTION each(residual_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL));
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, along_all(1.0), vertical, along_all(0.0));
+    EACH_DIRECTION each(lateral_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) - each(residual_lateral);
+    EACH_DIRECTION each(vertical_lateral) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) - each(residual_vertical);
+    derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, along_all(0.0), vertical, along_all(1.0));
+    EACH_DIRECTION each(lateral_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) - each(residual_lateral);
+    EACH_DIRECTION each(vertical_vertical) = each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) - each(residual_vertical);
+    EACH_DIRECTION each(determinant) = each(lateral_lateral) * each(vertical_vertical) - each(lateral_vertical) * each(vertical_lateral);
     if (!derivative_rates__nonzero(determinant))
     {
         return true;
     }
-    EACH_LANE each(lateral_rate) = (each(residual_vertical) * each(lateral_vertical) - each(residual_lateral) * each(vertical_vertical)) / each(determinant);
-    EACH_LANE each(vertical_rate) = (each(residual_lateral) * each(vertical_lateral) - each(residual_vertical) * each(lateral_lateral)) / each(determinant);
+    EACH_DIRECTION each(lateral_rate) = (each(residual_vertical) * each(lateral_vertical) - each(residual_lateral) * each(vertical_vertical)) / each(determinant);
+    EACH_DIRECTION each(vertical_rate) = (each(residual_lateral) * each(vertical_lateral) - each(residual_vertical) * each(lateral_lateral)) / each(determinant);
     derivative_compliant_rules__follow_deflection_t(tables, work, work_t, index, lateral, lateral_rate, vertical, vertical_rate);
     return false;
 }
 
 /* Derivative of ``follow_compliant``. */
-static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
-    bool outcome, n1, undefined;
-    lanes roll_t, height_t;
+    bool undefined, n1, side_undefined;
+    directional_rate roll_t, height_t;
     double roll, height;
     int64_t index;
-    outcome = false;
-    EACH_LANE each(roll_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    undefined = false;
+    EACH_DIRECTION each(roll_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     roll = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL);
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    EACH_DIRECTION each(height_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
     derivative_rolled_rails__set_reference_t(work, work_t, height, height_t);
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_t);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
     if (prescribed_height__is_damped(tables))
     {
@@ -103,8 +103,8 @@ static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1
             if (rails__is_sprung(tables, index))
             {
                 n1 = derivative_compliant_rules__follow_balanced_t(tables, work, work_t, index);
-                undefined = n1;
-                outcome = outcome || undefined;
+                side_undefined = n1;
+                undefined = undefined || side_undefined;
             }
             else
             {
@@ -113,7 +113,7 @@ static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1
             }
         }
     }
-    return outcome;
+    return undefined;
 }
 
 
@@ -123,7 +123,7 @@ static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1
  */
 
 /* Derivative of ``place_moving``. */
-static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
+static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t inputs, double roll, directional_rate roll_t)
 {
     derivative_roll__place_both_t(work, work_t, tables, inputs, roll, roll_t);
     if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
@@ -142,36 +142,36 @@ static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d ta
 }
 
 /* Derivative of ``begin_yaw``. */
-static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
+static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_directional_rate_1d work_t, int64_t inputs, double roll, directional_rate roll_t)
 {
-    lanes yaw_t, sine_t, cosine_t;
+    directional_rate yaw_t, sine_t, cosine_t;
     double yaw, sine, cosine;
     int64_t index, place;
-    EACH_LANE each(yaw_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_YAW));
+    EACH_DIRECTION each(yaw_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_YAW));
     yaw = AT(work, inputs + layout__INPUTS_YAW);
     if (yaw == 0.0 && derivative_rates__nonzero(yaw_t))
     {
         derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = each(sine_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = each(sine_t);
         AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) = sine;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
         AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW) = cosine;
-        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = along_all(0.0);
         AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = (double)true;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -each(sine_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -each(sine_t);
         AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) = -sine;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = each(cosine_t);
         AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW) = cosine;
-        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = along_all(0.0);
         AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED) = (double)true;
         for (index = 0; index < 2; index += 1)
         {
             place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
             if (AT(work, place + layout__PLACE_LEANING) == 1.0)
             {
-                EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
+                EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
                 AT(work, place + layout__PLACE_TRACK_SIN_YAW) = AT(work, place + layout__PLACE_SIN_YAW);
-                EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
+                EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
                 AT(work, place + layout__PLACE_TRACK_COS_YAW) = AT(work, place + layout__PLACE_COS_YAW);
             }
         }
@@ -181,121 +181,121 @@ static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work,
 }
 
 /* Derivative of ``follow_residuals``. */
-static inline void derivative_motion_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+static inline void derivative_motion_rules__follow_residuals_t(double* left_out, directional_rate* left_t_out, double* right_out, directional_rate* right_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double time, directional_rate time_t, double vertical, directional_rate vertical_t, double roll_rate, directional_rate roll_rate_t)
 {
-    lanes left_t, right_t, v5_t, v6_t, rates;
+    directional_rate left_t, right_t, v5_t, v6_t, rates;
     double left, right, v1, v2, v3, v4, v5, v6;
     derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION, vertical, vertical_t, roll_rate, roll_rate_t);
     derivative_motion_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
-    EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    EACH_DIRECTION each(left_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
     left = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
-    EACH_LANE each(right_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
+    EACH_DIRECTION each(right_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
     right = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
     if (depth_rates__motion_size(work, tables, layout__WORK_INPUTS) > 0.0)
     {
-        EACH_LANE each(rates) = -each(time_t);
+        EACH_DIRECTION each(rates) = -each(time_t);
         derivative_motion_rules__follow_displaced_t(tables, work, work_t, -time, rates, vertical, vertical_t, roll_rate, roll_rate_t);
-        EACH_LANE each(time_t) = each(time_t) * 2.0;
+        EACH_DIRECTION each(time_t) = each(time_t) * 2.0;
         time = time * 2.0;
     }
     else
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
         AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
         AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
     }
     v1 = left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
     v2 = v1 / time;
-    EACH_LANE each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time - each(vertical_t);
+    EACH_DIRECTION each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time - each(vertical_t);
     left = v2 - vertical;
     v3 = right - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
     v4 = v3 / time;
-    EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time - each(vertical_t);
+    EACH_DIRECTION each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time - each(vertical_t);
     right = v4 - vertical;
     if (!(input_checks__side_force(work, 0) > 0.0))
     {
         derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
-        EACH_LANE each(left_t) = each(v5_t);
+        EACH_DIRECTION each(left_t) = each(v5_t);
         left = v5;
     }
     if (!(input_checks__side_force(work, 1) > 0.0))
     {
         derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION);
-        EACH_LANE each(right_t) = each(v6_t);
+        EACH_DIRECTION each(right_t) = each(v6_t);
         right = v6;
     }
     *left_out = left;
-    EACH_LANE each(*left_t_out) = each(left_t);
+    EACH_DIRECTION each(*left_t_out) = each(left_t);
     *right_out = right;
-    EACH_LANE each(*right_t_out) = each(right_t);
+    EACH_DIRECTION each(*right_t_out) = each(right_t);
 }
 
 /* Derivative of ``follow_displaced``. */
-static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double time, directional_rate time_t, double vertical, directional_rate vertical_t, double roll_rate, directional_rate roll_rate_t)
 {
-    lanes height_t, v1_t, force_t, rates;
+    directional_rate height_t, v1_t, force_t, rates;
     double height, v1, force;
     int64_t index;
     derivative_depth_rates__displace_inputs_t(work, work_t, time, time_t);
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + (each(time_t) * vertical + time * each(vertical_t));
+    EACH_DIRECTION each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + (each(time_t) * vertical + time * each(vertical_t));
     height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
     derivative_rolled_rails__set_reference_t(work, work_t, height, height_t);
-    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + (each(time_t) * roll_rate + time * each(roll_rate_t));
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + (each(time_t) * roll_rate + time * each(roll_rate_t));
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate, rates);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
     for (index = 0; index < 2; index += 1)
     {
         derivative_input_checks__side_force_t(&v1, &v1_t, work, work_t, index);
-        EACH_LANE each(force_t) = each(v1_t);
+        EACH_DIRECTION each(force_t) = each(v1_t);
         force = v1;
         if (force > 0.0)
         {
             derivative_residuals__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
         }
     }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
     return 0;
 }
 
 /* Derivative of ``follow_rates``. */
-static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     double vertical, roll_rate, v1, speed, time, v2, left, right;
     int64_t right_motion;
-    lanes v1_t, speed_t, time_t, left_t, right_t, left_vertical, right_vertical, left_roll, right_roll, determinant, vertical_rate, rate;
+    directional_rate v1_t, speed_t, time_t, left_t, right_t, left_vertical, right_vertical, left_roll, right_roll, determinant, vertical_rate, rate;
     vertical = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY);
     roll_rate = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE);
     right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
     derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
-    EACH_LANE each(speed_t) = each(v1_t);
+    EACH_DIRECTION each(speed_t) = each(v1_t);
     speed = v1;
-    time_t = all_lanes(0.0);
+    time_t = along_all(0.0);
     time = 1.0;
     if (speed > 0.0)
     {
         v2 = depth_rates__DISPLACED / speed;
-        EACH_LANE each(time_t) = -v2 * each(speed_t) / speed;
+        EACH_DIRECTION each(time_t) = -v2 * each(speed_t) / speed;
         time = v2;
     }
     derivative_depth_rates__keep_sides_t(work, work_t);
-    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(1.0), roll_rate, all_lanes(0.0));
-    EACH_LANE each(left_vertical) = each(left_t);
-    EACH_LANE each(right_vertical) = each(right_t);
-    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(1.0));
-    EACH_LANE each(left_roll) = each(left_t);
-    EACH_LANE each(right_roll) = each(right_t);
-    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, along_all(1.0), roll_rate, along_all(0.0));
+    EACH_DIRECTION each(left_vertical) = each(left_t);
+    EACH_DIRECTION each(right_vertical) = each(right_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, along_all(0.0), roll_rate, along_all(1.0));
+    EACH_DIRECTION each(left_roll) = each(left_t);
+    EACH_DIRECTION each(right_roll) = each(right_t);
+    derivative_motion_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, along_all(0.0), roll_rate, along_all(0.0));
     derivative_depth_rates__restore_sides_t(work, work_t);
-    EACH_LANE each(left_vertical) = each(left_vertical) - each(left_t);
-    EACH_LANE each(right_vertical) = each(right_vertical) - each(right_t);
-    EACH_LANE each(left_roll) = each(left_roll) - each(left_t);
-    EACH_LANE each(right_roll) = each(right_roll) - each(right_t);
-    EACH_LANE each(determinant) = each(left_vertical) * each(right_roll) - each(right_vertical) * each(left_roll);
-    EACH_LANE each(vertical_rate) = (each(right_t) * each(left_roll) - each(left_t) * each(right_roll)) / each(determinant);
-    EACH_LANE each(rate) = (each(left_t) * each(right_vertical) - each(right_t) * each(left_vertical)) / each(determinant);
+    EACH_DIRECTION each(left_vertical) = each(left_vertical) - each(left_t);
+    EACH_DIRECTION each(right_vertical) = each(right_vertical) - each(right_t);
+    EACH_DIRECTION each(left_roll) = each(left_roll) - each(left_t);
+    EACH_DIRECTION each(right_roll) = each(right_roll) - each(right_t);
+    EACH_DIRECTION each(determinant) = each(left_vertical) * each(right_roll) - each(right_vertical) * each(left_roll);
+    EACH_DIRECTION each(vertical_rate) = (each(right_t) * each(left_roll) - each(left_t) * each(right_roll)) / each(determinant);
+    EACH_DIRECTION each(rate) = (each(left_t) * each(right_vertical) - each(right_t) * each(left_vertical)) / each(determinant);
     derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
     return 0;
 }
@@ -307,7 +307,7 @@ static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d ta
  */
 
 /* Derivative of ``follow_turning``. */
-static inline bool derivative_turning_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_turning_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     bool undefined, n1, lost, n2;
     int64_t index;
@@ -338,12 +338,12 @@ static inline bool derivative_turning_rules__follow_turning_t(array_double_1d ta
 }
 
 /* Derivative of ``follow_turn``. */
-static inline bool derivative_turning_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last)
+static inline bool derivative_turning_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t last)
 {
     double rate, torque, scale, v3, n1, n2, n4, n5;
-    lanes torque_t, scale_t, v3_t, n1_t, n2_t, missing, slope, n4_t, n5_t, rates;
+    directional_rate torque_t, scale_t, v3_t, n1_t, n2_t, missing, slope, n4_t, n5_t, rates;
     rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
-    derivative_turning_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(0.0));
+    derivative_turning_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, along_all(0.0));
     if (!(scale > 0.0))
     {
         derivative_free_rolling__nominal_rate_t(&v3, &v3_t, tables, work, work_t, first);
@@ -354,27 +354,27 @@ static inline bool derivative_turning_rules__follow_turn_t(array_double_1d table
     {
         return true;
     }
-    EACH_LANE each(missing) = each(torque_t);
-    derivative_turning_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(1.0));
-    EACH_LANE each(slope) = each(torque_t) - each(missing);
+    EACH_DIRECTION each(missing) = each(torque_t);
+    derivative_turning_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, along_all(1.0));
+    EACH_DIRECTION each(slope) = each(torque_t) - each(missing);
     if (!derivative_rates__nonzero(slope))
     {
         return true;
     }
-    EACH_LANE each(rates) = -each(missing) / each(slope);
+    EACH_DIRECTION each(rates) = -each(missing) / each(slope);
     derivative_turning_rules__follow_torque_t(&n4, &n4_t, &n5, &n5_t, tables, work, work_t, first, last, rate, rates);
     return false;
 }
 
 /* Derivative of ``follow_torque``. */
-static inline void derivative_turning_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t)
+static inline void derivative_turning_rules__follow_torque_t(double* torque_out, directional_rate* torque_t_out, double* scale_out, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t last, double rate, directional_rate rate_t)
 {
     int64_t index, side, number, patch, number_end;
     double scale, v1, torque;
-    lanes v1_t, torque_t;
+    directional_rate v1_t, torque_t;
     for (index = first; index < last + 1; index += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index)) = each(rate_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index)) = each(rate_t);
         AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
     }
     if (rails__on_springs(tables))
@@ -384,12 +384,12 @@ static inline void derivative_turning_rules__follow_torque_t(double* torque_out,
     }
     scale = 0.0;
     derivative_input_checks__outer_torque_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS, first);
-    EACH_LANE each(torque_t) = each(v1_t);
+    EACH_DIRECTION each(torque_t) = each(v1_t);
     torque = v1;
     for (index = first; index < last + 1; index += 1)
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(rate_t);
+        EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(rate_t);
         AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
         derivative_rolling_contact__move_side_t(work, work_t, tables, side);
         derivative_rolling_contact__solve_side_creep_t(tables, work, work_t, index);
@@ -398,15 +398,15 @@ static inline void derivative_turning_rules__follow_torque_t(double* torque_out,
         {
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
             derivative_forces__add_creep_force_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-            EACH_LANE each(torque_t) = each(torque_t) + each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE));
+            EACH_DIRECTION each(torque_t) = each(torque_t) + each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE));
             torque = torque + AT(work, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
             scale = scale + AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_ROLLING_RADIUS);
         }
     }
     *torque_out = torque;
-    EACH_LANE each(*torque_t_out) = each(torque_t);
+    EACH_DIRECTION each(*torque_t_out) = each(torque_t);
     *scale_out = scale;
-    *out_3 = all_lanes(0.0);
+    *out_3 = along_all(0.0);
 }
 
 
@@ -416,69 +416,69 @@ static inline void derivative_turning_rules__follow_torque_t(double* torque_out,
  */
 
 /* Derivative of ``follow_roll``. */
-static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     double roll, left, right, gap_left, mismatch_left, rate_left, gap_right, mismatch_right, rate_right, v1, v2, lever, v3;
-    lanes gap_left_t, mismatch_left_t, rate_left_t, gap_right_t, mismatch_right_t, rate_right_t, v1_t, v2_t, lever_t;
+    directional_rate gap_left_t, mismatch_left_t, rate_left_t, gap_right_t, mismatch_right_t, rate_right_t, v1_t, v2_t, lever_t;
     roll = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
-    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, all_lanes(0.0));
+    derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, along_all(0.0));
     left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
     right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
-    derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
-    derivative_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, right, all_lanes(0.0));
-    derivative_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, right, all_lanes(0.0));
-    derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
-    EACH_LANE each(lever_t) = each(v1_t) + each(v2_t);
+    derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, along_all(0.0));
+    derivative_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, right, along_all(0.0));
+    derivative_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, right, along_all(0.0));
+    derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, along_all(0.0));
+    EACH_DIRECTION each(lever_t) = each(v1_t) + each(v2_t);
     lever = v1 + v2;
     v3 = -(gap_right - gap_left);
     *roll_out = roll;
-    EACH_LANE each(*out_1) = -(each(gap_right_t) - each(gap_left_t)) / lever;
+    EACH_DIRECTION each(*out_1) = -(each(gap_right_t) - each(gap_left_t)) / lever;
 }
 
 /* Derivative of ``follow_gaps``. */
-static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t)
+static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double roll, directional_rate roll_t, double height, directional_rate height_t)
 {
     double left, mismatch, rate, right;
-    lanes left_t, mismatch_t, rate_t, right_t;
+    directional_rate left_t, mismatch_t, rate_t, right_t;
     derivative_rolled_rails__set_reference_t(work, work_t, height, height_t);
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
-    derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
-    derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y), all_lanes(0.0));
+    derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y), along_all(0.0));
+    derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y), along_all(0.0));
     *out_0 = left - height;
-    EACH_LANE each(*out_1) = each(left_t) - each(height_t);
+    EACH_DIRECTION each(*out_1) = each(left_t) - each(height_t);
     *out_2 = right - height;
-    EACH_LANE each(*out_3) = each(right_t) - each(height_t);
+    EACH_DIRECTION each(*out_3) = each(right_t) - each(height_t);
 }
 
 /* Derivative of ``follow_roll_on_rolled_rails``. */
-static inline void derivative_wheelset_rules__follow_roll_on_rolled_rails_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline void derivative_wheelset_rules__follow_roll_on_rolled_rails_t(double* roll_out, directional_rate* roll_rate_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     double roll, height, left, right;
-    lanes left_t, right_t, residual_left, residual_right, left_height, right_height, left_roll, right_roll, determinant, height_rate, roll_rate;
+    directional_rate left_t, right_t, residual_left, residual_right, left_height, right_height, left_roll, right_roll, determinant, height_rate, roll_rate;
     roll = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
     height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(0.0));
-    EACH_LANE each(residual_left) = each(left_t);
-    EACH_LANE each(residual_right) = each(right_t);
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(1.0));
-    EACH_LANE each(left_height) = each(left_t) - each(residual_left);
-    EACH_LANE each(right_height) = each(right_t) - each(residual_right);
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, all_lanes(1.0), height, all_lanes(0.0));
-    EACH_LANE each(left_roll) = each(left_t) - each(residual_left);
-    EACH_LANE each(right_roll) = each(right_t) - each(residual_right);
-    EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
-    EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
-    EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, along_all(0.0), height, along_all(0.0));
+    EACH_DIRECTION each(residual_left) = each(left_t);
+    EACH_DIRECTION each(residual_right) = each(right_t);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, along_all(0.0), height, along_all(1.0));
+    EACH_DIRECTION each(left_height) = each(left_t) - each(residual_left);
+    EACH_DIRECTION each(right_height) = each(right_t) - each(residual_right);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, roll, along_all(1.0), height, along_all(0.0));
+    EACH_DIRECTION each(left_roll) = each(left_t) - each(residual_left);
+    EACH_DIRECTION each(right_roll) = each(right_t) - each(residual_right);
+    EACH_DIRECTION each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
+    EACH_DIRECTION each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
+    EACH_DIRECTION each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
     derivative_rolled_rails__set_reference_t(work, work_t, height, height_rate);
     *roll_out = roll;
-    EACH_LANE each(*roll_rate_out) = each(roll_rate);
+    EACH_DIRECTION each(*roll_rate_out) = each(roll_rate);
 }
 
 /* Derivative of ``follow_position``. */
-static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t)
+static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double roll, directional_rate roll_t, double height, directional_rate height_t)
 {
     double v1, v2;
-    lanes v1_t, v2_t;
+    directional_rate v1_t, v2_t;
     derivative_rolled_rails__set_reference_t(work, work_t, height, height_t);
     derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     derivative_compliant_rules__follow_minimum_t(tables, work, work_t, 0);
@@ -491,117 +491,117 @@ static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_
 }
 
 /* Derivative of ``follow_elastic``. */
-static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
-    lanes roll_t, height_t, residual_left, residual_right, left_height, right_height, left_roll, right_roll, determinant, height_rate, roll_rate;
+    directional_rate roll_t, height_t, residual_left, residual_right, left_height, right_height, left_roll, right_roll, determinant, height_rate, roll_rate;
     double roll, height;
     int64_t right;
-    EACH_LANE each(roll_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    EACH_DIRECTION each(roll_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
     roll = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    EACH_DIRECTION each(height_t) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1;
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(0.0));
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, along_all(0.0), height, along_all(0.0));
     if (fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) + fabs(AT(work, right + layout__SUPPORT_HEIGHT) - height) > enclosing__UNBALANCED)
     {
         return true;
     }
-    EACH_LANE each(residual_left) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
-    EACH_LANE each(residual_right) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT));
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(1.0));
-    EACH_LANE each(left_height) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - each(residual_left) - 1.0;
-    EACH_LANE each(right_height) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT)) - each(residual_right) - 1.0;
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(1.0), height, all_lanes(0.0));
-    EACH_LANE each(left_roll) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - each(residual_left);
-    EACH_LANE each(right_roll) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT)) - each(residual_right);
-    EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
+    EACH_DIRECTION each(residual_left) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    EACH_DIRECTION each(residual_right) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT));
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, along_all(0.0), height, along_all(1.0));
+    EACH_DIRECTION each(left_height) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - each(residual_left) - 1.0;
+    EACH_DIRECTION each(right_height) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT)) - each(residual_right) - 1.0;
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, along_all(1.0), height, along_all(0.0));
+    EACH_DIRECTION each(left_roll) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - each(residual_left);
+    EACH_DIRECTION each(right_roll) = each(RATE_AT(work_t, right + layout__SUPPORT_HEIGHT)) - each(residual_right);
+    EACH_DIRECTION each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
     if (!derivative_rates__nonzero(determinant))
     {
         return true;
     }
-    EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
-    EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
+    EACH_DIRECTION each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
+    EACH_DIRECTION each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
     derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, roll_rate, height, height_rate);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_rate);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_rate);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_rate);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(height_rate);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = height;
     return false;
 }
 
 /* Derivative of ``differentiate``. */
-static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
-    bool n1, outcome, n2;
+    bool n1, undefined, n2;
     n1 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
-    outcome = n1;
+    undefined = n1;
     if (vertical_load__carries_friction(tables, work))
     {
         n2 = derivative_wheelset_rules__follow_load_t(tables, work, work_t);
-        outcome = n2;
+        undefined = n2;
     }
     derivative_report__report_t(tables, work, work_t);
-    return outcome;
+    return undefined;
 }
 
 /* Derivative of ``follow_load``. */
-static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t right;
     double v1, v2, v3, v4, v5, v6;
-    lanes v1_t, missing_left, v2_t, missing_right, v3_t, left_left, v4_t, right_left, v5_t, left_right, v6_t, right_right, determinant;
+    directional_rate v1_t, missing_left, v2_t, missing_right, v3_t, left_left, v4_t, right_left, v5_t, left_right, v6_t, right_right, determinant;
     bool n7;
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1;
     derivative_vertical_load__carried_share_t(&v1, &v1_t, work, work_t, 0);
-    EACH_LANE each(missing_left) = each(v1_t);
+    EACH_DIRECTION each(missing_left) = each(v1_t);
     derivative_vertical_load__carried_share_t(&v2, &v2_t, work, work_t, 1);
-    EACH_LANE each(missing_right) = each(v2_t);
-    RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD) = all_lanes(1.0);
+    EACH_DIRECTION each(missing_right) = each(v2_t);
+    RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD) = along_all(1.0);
     derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
     derivative_vertical_load__carried_share_t(&v3, &v3_t, work, work_t, 0);
-    EACH_LANE each(left_left) = each(v3_t) - each(missing_left);
+    EACH_DIRECTION each(left_left) = each(v3_t) - each(missing_left);
     derivative_vertical_load__carried_share_t(&v4, &v4_t, work, work_t, 1);
-    EACH_LANE each(right_left) = each(v4_t) - each(missing_right);
-    RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD) = all_lanes(0.0);
-    RATE_AT(work_t, right + layout__SUPPORT_FRICTION_LOAD) = all_lanes(1.0);
+    EACH_DIRECTION each(right_left) = each(v4_t) - each(missing_right);
+    RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD) = along_all(0.0);
+    RATE_AT(work_t, right + layout__SUPPORT_FRICTION_LOAD) = along_all(1.0);
     derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
     derivative_vertical_load__carried_share_t(&v5, &v5_t, work, work_t, 0);
-    EACH_LANE each(left_right) = each(v5_t) - each(missing_left);
+    EACH_DIRECTION each(left_right) = each(v5_t) - each(missing_left);
     derivative_vertical_load__carried_share_t(&v6, &v6_t, work, work_t, 1);
-    EACH_LANE each(right_right) = each(v6_t) - each(missing_right);
+    EACH_DIRECTION each(right_right) = each(v6_t) - each(missing_right);
     if (!(input_checks__side_force(work, 0) > 0.0))
     {
-        left_left = all_lanes(1.0);
+        left_left = along_all(1.0);
     }
     if (!(input_checks__side_force(work, 1) > 0.0))
     {
-        right_right = all_lanes(1.0);
+        right_right = along_all(1.0);
     }
-    EACH_LANE each(determinant) = each(left_left) * each(right_right) - each(left_right) * each(right_left);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = (each(missing_right) * each(left_right) - each(missing_left) * each(right_right)) / each(determinant);
-    EACH_LANE each(RATE_AT(work_t, right + layout__SUPPORT_FRICTION_LOAD)) = (each(missing_left) * each(right_left) - each(missing_right) * each(left_left)) / each(determinant);
+    EACH_DIRECTION each(determinant) = each(left_left) * each(right_right) - each(left_right) * each(right_left);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = (each(missing_right) * each(left_right) - each(missing_left) * each(right_right)) / each(determinant);
+    EACH_DIRECTION each(RATE_AT(work_t, right + layout__SUPPORT_FRICTION_LOAD)) = (each(missing_left) * each(right_left) - each(missing_right) * each(left_left)) / each(determinant);
     n7 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
     return n7;
 }
 
 /* Derivative of ``follow_wheelset``. */
-static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t mode;
-    bool outcome, n3, n4, n5, undefined;
+    bool undefined, n3, n4, n5, turning_undefined;
     double v1, roll, v2;
-    lanes v1_t, roll_t, v2_t;
+    directional_rate v1_t, roll_t, v2_t;
     mode = (int64_t)AT(tables, layout__TABLES_MODE);
-    outcome = false;
+    undefined = false;
     if (mode == layout__MODE_RIGID)
     {
         derivative_wheelset_rules__follow_roll_t(&v1, &v1_t, tables, work, work_t);
-        EACH_LANE each(roll_t) = each(v1_t);
+        EACH_DIRECTION each(roll_t) = each(v1_t);
         roll = v1;
         if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
         {
             derivative_wheelset_rules__follow_roll_on_rolled_rails_t(&v2, &v2_t, tables, work, work_t);
-            EACH_LANE each(roll_t) = each(v2_t);
+            EACH_DIRECTION each(roll_t) = each(v2_t);
             roll = v2;
         }
         derivative_motion_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
@@ -612,17 +612,17 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     if (mode == layout__MODE_ELASTIC)
     {
         n3 = derivative_wheelset_rules__follow_elastic_t(tables, work, work_t);
-        outcome = n3;
+        undefined = n3;
     }
     if (mode == layout__MODE_COMPLIANT)
     {
         n4 = derivative_compliant_rules__follow_compliant_t(tables, work, work_t);
-        outcome = n4;
+        undefined = n4;
     }
     derivative_rolling_contact__move_wheelset_t(tables, work, work_t);
     if (mode == layout__MODE_ELASTIC && input_checks__is_moving(work, tables, layout__WORK_INPUTS))
     {
-        if (AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) == 1.0 && !outcome)
+        if (AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) == 1.0 && !undefined)
         {
             derivative_motion_rules__follow_rates_t(tables, work, work_t);
         }
@@ -630,8 +630,8 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     if (free_rolling__turns_freely(tables, work))
     {
         n5 = derivative_turning_rules__follow_turning_t(tables, work, work_t);
-        undefined = n5;
-        outcome = outcome || undefined;
+        turning_undefined = n5;
+        undefined = undefined || turning_undefined;
     }
     else
     {
@@ -639,5 +639,5 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
         derivative_rolling_contact__solve_creep_forces_t(tables, work, work_t);
     }
     derivative_forces__sum_forces_t(tables, work, work_t);
-    return outcome;
+    return undefined;
 }

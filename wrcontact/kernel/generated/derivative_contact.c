@@ -8,50 +8,50 @@
  */
 
 /* Derivative of ``curve_jet``. */
-static inline void derivative_curves__curve_jet_t(double* across_out, lanes* across_t_out, double* down_out, lanes* down_t_out, double* slope_out, lanes* slope_t_out, double* stretch_out, lanes* stretch_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
+static inline void derivative_curves__curve_jet_t(double* across_out, directional_rate* across_t_out, double* down_out, directional_rate* down_t_out, double* slope_out, directional_rate* slope_t_out, double* stretch_out, directional_rate* stretch_t_out, double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double u, directional_rate u_t)
 {
     double z, slope, bend, across, down, stretch, y_track, z_track;
-    lanes z_t, slope_t, bend_t, across_t, down_t, stretch_t, y_track_t, z_track_t;
+    directional_rate z_t, slope_t, bend_t, across_t, down_t, stretch_t, y_track_t, z_track_t;
     derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
-    EACH_LANE each(across_t) = each(u_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
+    EACH_DIRECTION each(across_t) = each(u_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
     across = u - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y);
-    EACH_LANE each(down_t) = each(z_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
+    EACH_DIRECTION each(down_t) = each(z_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
     down = z - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z);
-    stretch_t = all_lanes(0.0);
+    stretch_t = along_all(0.0);
     stretch = 1.0;
     if (curve == layout__WHEEL)
     {
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), u, u_t, z, z_t, slope, slope_t, bend, bend_t);
-        EACH_LANE each(across_t) = each(y_track_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
+        EACH_DIRECTION each(across_t) = each(y_track_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
         across = y_track - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y);
-        EACH_LANE each(down_t) = each(z_track_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
+        EACH_DIRECTION each(down_t) = each(z_track_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
         down = z_track - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z);
     }
     *across_out = across;
-    EACH_LANE each(*across_t_out) = each(across_t);
+    EACH_DIRECTION each(*across_t_out) = each(across_t);
     *down_out = down;
-    EACH_LANE each(*down_t_out) = each(down_t);
+    EACH_DIRECTION each(*down_t_out) = each(down_t);
     *slope_out = slope;
-    EACH_LANE each(*slope_t_out) = each(slope_t);
+    EACH_DIRECTION each(*slope_t_out) = each(slope_t);
     *stretch_out = stretch;
-    EACH_LANE each(*stretch_t_out) = each(stretch_t);
+    EACH_DIRECTION each(*stretch_t_out) = each(stretch_t);
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``curve_speed``. */
-static inline void derivative_curves__curve_speed_t(double* speed_out, lanes* speed_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
+static inline void derivative_curves__curve_speed_t(double* speed_out, directional_rate* speed_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double u, directional_rate u_t)
 {
-    lanes speed_t, z_t, slope_t, across_t, down_t, stretch_t, bend_t;
+    directional_rate speed_t, z_t, slope_t, across_t, down_t, stretch_t, bend_t;
     double speed, z, slope, v1, v2, across, down, stretch, bend, v3, v4;
-    speed_t = all_lanes(0.0);
+    speed_t = along_all(0.0);
     speed = 1.0;
     if (curve == layout__RAIL || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_YAWED) == 1.0))
     {
         derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
         v1 = 1.0 + slope * slope;
         v2 = sqrt(v1);
-        EACH_LANE each(speed_t) = derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t));
+        EACH_DIRECTION each(speed_t) = derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t));
         speed = v2;
     }
     else
@@ -59,54 +59,54 @@ static inline void derivative_curves__curve_speed_t(double* speed_out, lanes* sp
         derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, u_t);
         v3 = 1.0 + slope * slope;
         v4 = sqrt(v3);
-        EACH_LANE each(speed_t) = each(stretch_t) * v4 + stretch * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t));
+        EACH_DIRECTION each(speed_t) = each(stretch_t) * v4 + stretch * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t));
         speed = stretch * v4;
     }
     *speed_out = speed;
-    EACH_LANE each(*speed_t_out) = each(speed_t);
+    EACH_DIRECTION each(*speed_t_out) = each(speed_t);
 }
 
 /* Derivative of ``within``. */
-static inline void derivative_curves__within_t(double* u_out, lanes* u_t_out, array_double_1d tables, int64_t pair, int64_t curve, double u, lanes u_t)
+static inline void derivative_curves__within_t(double* u_out, directional_rate* u_t_out, array_double_1d tables, int64_t pair, int64_t curve, double u, directional_rate u_t)
 {
     int64_t profile;
     double v1, v2;
-    lanes v1_t, v2_t;
+    directional_rate v1_t, v2_t;
     profile = curves__curve_profile(tables, pair, curve);
     v1 = u;
-    EACH_LANE each(v1_t) = each(u_t);
+    EACH_DIRECTION each(v1_t) = each(u_t);
     if (AT(tables, profile + layout__PROFILE_START) > v1)
     {
         v1 = AT(tables, profile + layout__PROFILE_START);
-        v1_t = all_lanes(0.0);
+        v1_t = along_all(0.0);
     }
     v2 = v1;
-    EACH_LANE each(v2_t) = each(v1_t);
+    EACH_DIRECTION each(v2_t) = each(v1_t);
     if (AT(tables, profile + layout__PROFILE_STOP) < v2)
     {
         v2 = AT(tables, profile + layout__PROFILE_STOP);
-        v2_t = all_lanes(0.0);
+        v2_t = along_all(0.0);
     }
-    EACH_LANE each(u_t) = each(v2_t);
+    EACH_DIRECTION each(u_t) = each(v2_t);
     u = v2;
     *u_out = u;
-    EACH_LANE each(*u_t_out) = each(u_t);
+    EACH_DIRECTION each(*u_t_out) = each(u_t);
 }
 
 /* Derivative of ``open_origin``. */
-static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double spacing, lanes spacing_t)
+static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double spacing, directional_rate spacing_t)
 {
     if ((int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = each(RATE_AT(work_t, region + layout__REGION_STATION));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = each(RATE_AT(work_t, region + layout__REGION_STATION));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION) = AT(work, region + layout__REGION_STATION);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = each(RATE_AT(work_t, region + layout__REGION_GAP));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = each(RATE_AT(work_t, region + layout__REGION_GAP));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP) = AT(work, region + layout__REGION_GAP);
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = 0.0;
         if ((int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = each(spacing_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = each(spacing_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING) = spacing;
         }
         derivative_curves__open_curve_t(tables, work, work_t, pair, layout__RAIL, AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL));
@@ -116,42 +116,42 @@ static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, a
 }
 
 /* Derivative of ``open_curve``. */
-static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
+static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double u, directional_rate u_t)
 {
     int64_t point;
     double across, down, slope, stretch, bend;
-    lanes across_t, down_t, slope_t, stretch_t, bend_t;
+    directional_rate across_t, down_t, slope_t, stretch_t, bend_t;
     point = layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
-    RATE_AT(work_t, point + layout__POINT_Y) = all_lanes(0.0);
+    RATE_AT(work_t, point + layout__POINT_Y) = along_all(0.0);
     AT(work, point + layout__POINT_Y) = 0.0;
-    RATE_AT(work_t, point + layout__POINT_Z) = all_lanes(0.0);
+    RATE_AT(work_t, point + layout__POINT_Z) = along_all(0.0);
     AT(work, point + layout__POINT_Z) = 0.0;
     derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, u_t);
-    EACH_LANE each(RATE_AT(work_t, point + layout__POINT_Y)) = each(across_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__POINT_Y)) = each(across_t);
     AT(work, point + layout__POINT_Y) = across;
-    EACH_LANE each(RATE_AT(work_t, point + layout__POINT_Z)) = each(down_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__POINT_Z)) = each(down_t);
     AT(work, point + layout__POINT_Z) = down;
     return 0;
 }
 
 /* Derivative of ``panel_length``. */
-static inline void derivative_curves__panel_length_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double low, lanes low_t, double high, lanes high_t)
+static inline void derivative_curves__panel_length_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double low, directional_rate low_t, double high, directional_rate high_t)
 {
     double v1, middle, v2, half, total, v3, side, away, weight, v4;
-    lanes middle_t, half_t, total_t, side_t, v4_t, rates;
+    directional_rate middle_t, half_t, total_t, side_t, v4_t, rates;
     int64_t i, k;
     v1 = low + high;
-    EACH_LANE each(middle_t) = 0.5 * (each(low_t) + each(high_t));
+    EACH_DIRECTION each(middle_t) = 0.5 * (each(low_t) + each(high_t));
     middle = 0.5 * v1;
     v2 = high - low;
-    EACH_LANE each(half_t) = 0.5 * (each(high_t) - each(low_t));
+    EACH_DIRECTION each(half_t) = 0.5 * (each(high_t) - each(low_t));
     half = 0.5 * v2;
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
     for (i = -1; i < 2; i += 2)
     {
         v3 = (double)i;
-        EACH_LANE each(side_t) = each(half_t) * v3;
+        EACH_DIRECTION each(side_t) = each(half_t) * v3;
         side = half * v3;
         for (k = 0; k < 3; k += 1)
         {
@@ -167,124 +167,124 @@ static inline void derivative_curves__panel_length_t(double* out_0, lanes* out_1
                 away = curves__GAUSS_3;
                 weight = curves__WEIGHT_3;
             }
-            EACH_LANE each(rates) = each(middle_t) + each(side_t) * away;
+            EACH_DIRECTION each(rates) = each(middle_t) + each(side_t) * away;
             derivative_curves__curve_speed_t(&v4, &v4_t, tables, work, work_t, pair, curve, middle + side * away, rates);
-            EACH_LANE each(total_t) = each(total_t) + weight * each(v4_t);
+            EACH_DIRECTION each(total_t) = each(total_t) + weight * each(v4_t);
             total = total + weight * v4;
         }
     }
     *out_0 = half * total;
-    EACH_LANE each(*out_1) = each(half_t) * total + half * each(total_t);
+    EACH_DIRECTION each(*out_1) = each(half_t) * total + half * each(total_t);
 }
 
 /* Derivative of ``arc_length``. */
-static inline void derivative_curves__arc_length_t(double* total_out, lanes* total_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double start, lanes start_t, double stop, lanes stop_t)
+static inline void derivative_curves__arc_length_t(double* total_out, directional_rate* total_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double start, directional_rate start_t, double stop, directional_rate stop_t)
 {
-    lanes low_t, high_t, total_t, end_t, v1_t;
+    directional_rate low_t, high_t, total_t, end_t, v1_t;
     double low, high, total, end, v1;
     int64_t piece;
-    EACH_LANE each(low_t) = each(start_t);
+    EACH_DIRECTION each(low_t) = each(start_t);
     low = start;
-    EACH_LANE each(high_t) = each(stop_t);
+    EACH_DIRECTION each(high_t) = each(stop_t);
     high = stop;
     if (stop < start)
     {
-        EACH_LANE each(low_t) = each(stop_t);
+        EACH_DIRECTION each(low_t) = each(stop_t);
         low = stop;
-        EACH_LANE each(high_t) = each(start_t);
+        EACH_DIRECTION each(high_t) = each(start_t);
         high = start;
     }
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
     piece = tables__find_piece(tables, curves__curve_profile(tables, pair, curve), low);
     while (low < high)
     {
-        EACH_LANE each(end_t) = each(high_t);
+        EACH_DIRECTION each(end_t) = each(high_t);
         end = high;
         piece = piece + layout__PIECE_SIZE;
         if (AT(tables, piece + layout__PIECE_START) < high)
         {
-            end_t = all_lanes(0.0);
+            end_t = along_all(0.0);
             end = AT(tables, piece + layout__PIECE_START);
         }
         derivative_curves__panel_length_t(&v1, &v1_t, tables, work, work_t, pair, curve, low, low_t, end, end_t);
-        EACH_LANE each(total_t) = each(total_t) + each(v1_t);
+        EACH_DIRECTION each(total_t) = each(total_t) + each(v1_t);
         total = total + v1;
-        EACH_LANE each(low_t) = each(end_t);
+        EACH_DIRECTION each(low_t) = each(end_t);
         low = end;
     }
     if (stop < start)
     {
-        EACH_LANE each(total_t) = -each(total_t);
+        EACH_DIRECTION each(total_t) = -each(total_t);
         total = -total;
     }
     *total_out = total;
-    EACH_LANE each(*total_t_out) = each(total_t);
+    EACH_DIRECTION each(*total_t_out) = each(total_t);
 }
 
 /* Derivative of ``rail_way``. */
-static inline void derivative_curves__rail_way_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double abscissa, lanes abscissa_t)
+static inline void derivative_curves__rail_way_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t pair, double abscissa, directional_rate abscissa_t)
 {
     double v1, way, found, rate, v2, v3;
-    lanes v1_t, way_t, found_t, rate_t;
+    directional_rate v1_t, way_t, found_t, rate_t;
     derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), abscissa, abscissa_t);
-    EACH_LANE each(way_t) = each(v1_t);
+    EACH_DIRECTION each(way_t) = each(v1_t);
     way = v1;
     derivative_tables__read_cubic_jet_t(&found, &found_t, &rate, &rate_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), way, way_t);
     v2 = abscissa - found;
     v3 = v2 / rate;
     *out_0 = way + v3;
-    EACH_LANE each(*out_1) = each(way_t) + (each(abscissa_t) - each(found_t) - v3 * each(rate_t)) / rate;
+    EACH_DIRECTION each(*out_1) = each(way_t) + (each(abscissa_t) - each(found_t) - v3 * each(rate_t)) / rate;
 }
 
 /* Derivative of ``rail_length``. */
-static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t)
+static inline void derivative_curves__rail_length_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t pair, double start, directional_rate start_t, double stop, directional_rate stop_t)
 {
     double v1, v2;
-    lanes v1_t, v2_t;
+    directional_rate v1_t, v2_t;
     derivative_curves__rail_way_t(&v1, &v1_t, tables, pair, stop, stop_t);
     derivative_curves__rail_way_t(&v2, &v2_t, tables, pair, start, start_t);
     *out_0 = v1 - v2;
-    EACH_LANE each(*out_1) = each(v1_t) - each(v2_t);
+    EACH_DIRECTION each(*out_1) = each(v1_t) - each(v2_t);
 }
 
 /* Derivative of ``abscissa_after``. */
-static inline void derivative_curves__abscissa_after_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double way, lanes way_t)
+static inline void derivative_curves__abscissa_after_t(double* x_out, directional_rate* x_t_out, array_double_1d tables, int64_t pair, double way, directional_rate way_t)
 {
     int64_t abscissae;
-    lanes x_t, v1_t;
+    directional_rate x_t, v1_t;
     double x, v1;
     abscissae = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC);
     if (way < 0.0)
     {
-        EACH_LANE each(x_t) = each(way_t);
+        EACH_DIRECTION each(x_t) = each(way_t);
         x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + way;
     }
     else if (way * AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT) > AT(tables, abscissae + layout__CUBIC_TABLE_COUNT))
     {
-        EACH_LANE each(x_t) = each(way_t);
+        EACH_DIRECTION each(x_t) = each(way_t);
         x = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) + (way - AT(tables, abscissae + layout__CUBIC_TABLE_COUNT) / AT(tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT));
     }
     else
     {
         derivative_tables__read_cubic_t(&v1, &v1_t, tables, abscissae, way, way_t);
-        EACH_LANE each(x_t) = each(v1_t);
+        EACH_DIRECTION each(x_t) = each(v1_t);
         x = v1;
     }
     *x_out = x;
-    EACH_LANE each(*x_t_out) = each(x_t);
+    EACH_DIRECTION each(*x_t_out) = each(x_t);
 }
 
 /* Derivative of ``move_to_station``. */
-static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double station, lanes station_t)
+static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double station, directional_rate station_t)
 {
-    lanes way_t, spacing_t, chord_t;
+    directional_rate way_t, spacing_t, chord_t;
     double way, spacing, chord;
     bool exists, n1, n2;
     int64_t i, i_end;
-    EACH_LANE each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_DIRECTION each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
-    EACH_LANE each(spacing_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
+    EACH_DIRECTION each(spacing_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
     spacing = AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING);
     exists = true;
     if (spacing == 0.0)
@@ -294,11 +294,11 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d tables, 
     }
     else
     {
-        EACH_LANE each(chord_t) = each(spacing_t);
+        EACH_DIRECTION each(chord_t) = each(spacing_t);
         chord = spacing;
         if (way < 0.0)
         {
-            EACH_LANE each(chord_t) = -each(spacing_t);
+            EACH_DIRECTION each(chord_t) = -each(spacing_t);
             chord = -spacing;
         }
         i_end = (int64_t)(fabs(way) / spacing + 0.5);
@@ -315,12 +315,12 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d tables, 
 }
 
 /* Derivative of ``arc_rule``. */
-static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double length, lanes length_t)
+static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double length, directional_rate length_t)
 {
-    lanes start_t, place_t, v3_t;
+    directional_rate start_t, place_t, v3_t;
     double start, u, v2, place, v3, v4;
     bool n1, exists;
-    EACH_LANE each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    EACH_DIRECTION each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     start = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
     n1 = curves__move_arc(tables, work, pair, curve, length);
     exists = n1;
@@ -328,33 +328,33 @@ static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_d
     {
         u = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
         v2 = curves__curve_speed(tables, work, pair, curve, u);
-        EACH_LANE each(place_t) = each(length_t) / v2;
+        EACH_DIRECTION each(place_t) = each(length_t) / v2;
         place = length / v2;
         if (u == start)
         {
-            EACH_LANE each(place_t) = each(start_t) + each(place_t);
+            EACH_DIRECTION each(place_t) = each(start_t) + each(place_t);
             place = start + place;
         }
         else
         {
-            derivative_curves__arc_length_t(&v3, &v3_t, tables, work, work_t, pair, curve, start, start_t, u, all_lanes(0.0));
+            derivative_curves__arc_length_t(&v3, &v3_t, tables, work, work_t, pair, curve, start, start_t, u, along_all(0.0));
             v4 = curves__curve_speed(tables, work, pair, curve, u);
-            EACH_LANE each(place_t) = each(place_t) - each(v3_t) / v4;
+            EACH_DIRECTION each(place_t) = each(place_t) - each(v3_t) / v4;
             place = place - v3 / v4;
         }
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = each(place_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = each(place_t);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA) = u;
     }
     return exists;
 }
 
 /* Derivative of ``chord_rule``. */
-static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double chord, lanes chord_t)
+static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double chord, directional_rate chord_t)
 {
-    lanes start_t, from_across_t, from_down_t, slope_t, stretch_t, bend_t, across_t, down_t, length_t, along_t;
+    directional_rate start_t, from_across_t, from_down_t, slope_t, stretch_t, bend_t, across_t, down_t, length_t, along_t;
     double start, from_across, from_down, slope, stretch, bend, u, across, down, v2, v3, length, v4, along, v5, v6;
     bool n1, exists;
-    EACH_LANE each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    EACH_DIRECTION each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     start = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
     derivative_curves__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, start, start_t);
     n1 = curves__move_chord(tables, work, pair, curve, chord);
@@ -362,40 +362,40 @@ static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array
     if (exists)
     {
         u = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA);
-        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, all_lanes(0.0));
-        EACH_LANE each(across_t) = each(across_t) - each(from_across_t);
+        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, along_all(0.0));
+        EACH_DIRECTION each(across_t) = each(across_t) - each(from_across_t);
         across = across - from_across;
-        EACH_LANE each(down_t) = each(down_t) - each(from_down_t);
+        EACH_DIRECTION each(down_t) = each(down_t) - each(from_down_t);
         down = down - from_down;
         v2 = across * across + down * down;
         v3 = sqrt(v2);
-        EACH_LANE each(length_t) = derivative_rates__root_rate(v3, each(across_t) * across + across * each(across_t) + (each(down_t) * down + down * each(down_t)));
+        EACH_DIRECTION each(length_t) = derivative_rates__root_rate(v3, each(across_t) * across + across * each(across_t) + (each(down_t) * down + down * each(down_t)));
         length = v3;
         v4 = across + slope * down;
-        EACH_LANE each(along_t) = (each(across_t) + (each(slope_t) * down + slope * each(down_t))) * stretch + v4 * each(stretch_t);
+        EACH_DIRECTION each(along_t) = (each(across_t) + (each(slope_t) * down + slope * each(down_t))) * stretch + v4 * each(stretch_t);
         along = v4 * stretch;
         v5 = -(length - fabs(chord));
         v6 = length / along;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = -(each(length_t) - derivative_rates__size_rate(chord, each(chord_t))) * v6;
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = -(each(length_t) - derivative_rates__size_rate(chord, each(chord_t))) * v6;
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA) = u;
     }
     return exists;
 }
 
 /* Derivative of ``across_rule``. */
-static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double lateral, lanes lateral_t)
+static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double lateral, directional_rate lateral_t)
 {
     bool n1, exists;
     double u, across, down, slope, stretch, bend, v2;
-    lanes across_t, down_t, slope_t, stretch_t, bend_t;
+    directional_rate across_t, down_t, slope_t, stretch_t, bend_t;
     n1 = curves__move_across(tables, work, pair, lateral);
     exists = n1;
     if (exists)
     {
         u = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
-        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, u, all_lanes(0.0));
+        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, u, along_all(0.0));
         v2 = -(across - lateral);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = -(each(across_t) - each(lateral_t)) / stretch;
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = -(each(across_t) - each(lateral_t)) / stretch;
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) = u;
     }
     return exists;
@@ -408,62 +408,62 @@ static inline bool derivative_curves__across_rule_t(array_double_1d tables, arra
  */
 
 /* Derivative of ``open_frame``. */
-static inline void derivative_frame__open_frame_t(double* z_out, lanes* z_t_out, double* slope_out, lanes* slope_t_out, double* y_track_out, lanes* y_track_t_out, double* rail_slope_out, lanes* rail_slope_t_out, double* mismatch_out, lanes* mismatch_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t)
+static inline void derivative_frame__open_frame_t(double* z_out, directional_rate* z_t_out, double* slope_out, directional_rate* slope_t_out, double* y_track_out, directional_rate* y_track_t_out, double* rail_slope_out, directional_rate* rail_slope_t_out, double* mismatch_out, directional_rate* mismatch_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double y, directional_rate y_t, double aside, directional_rate aside_t, double shift, directional_rate shift_t)
 {
     double z, slope, bend, y_track, z_track, outline_slope, stretch, outline_rate, abscissa, height, rail_slope, rail_bend, v1, v2, v3, cosine, sine, along, v4, v5, v6, v7, v8, v9, v10, mismatch;
-    lanes z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, outline_rate_t, abscissa_t, height_t, rail_slope_t, rail_bend_t, cosine_t, sine_t, along_t, v10_t, mismatch_t;
+    directional_rate z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, outline_rate_t, abscissa_t, height_t, rail_slope_t, rail_bend_t, cosine_t, sine_t, along_t, v10_t, mismatch_t;
     derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
     derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-    EACH_LANE each(y_track_t) = each(y_track_t) + each(aside_t);
+    EACH_DIRECTION each(y_track_t) = each(y_track_t) + each(aside_t);
     y_track = y_track + aside;
-    EACH_LANE each(abscissa_t) = each(y_track_t);
+    EACH_DIRECTION each(abscissa_t) = each(y_track_t);
     abscissa = y_track - AT(tables, pair + layout__PAIR_RAIL_Y);
     derivative_tables__height_slope_bend_t(&height, &height_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa, abscissa_t);
     v1 = 1.0 + rail_slope * rail_slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(rail_slope_t) * rail_slope + rail_slope * each(rail_slope_t)) / v2;
+    EACH_DIRECTION each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(rail_slope_t) * rail_slope + rail_slope * each(rail_slope_t)) / v2;
     cosine = v3;
-    EACH_LANE each(sine_t) = each(rail_slope_t) * cosine + rail_slope * each(cosine_t);
+    EACH_DIRECTION each(sine_t) = each(rail_slope_t) * cosine + rail_slope * each(cosine_t);
     sine = rail_slope * cosine;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = each(abscissa_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = each(abscissa_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y) = abscissa;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = each(height_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = each(height_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z) = height;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = each(y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = each(y_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y) = y;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = each(z_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = each(z_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z) = z;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = each(cosine_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = each(cosine_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) = cosine;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = each(sine_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = each(sine_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) = sine;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) * cosine + AT(work, place + layout__PLACE_COS_ROLL) * each(cosine_t) + (each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) * sine + AT(work, place + layout__PLACE_SIN_ROLL) * each(sine_t));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) * cosine + AT(work, place + layout__PLACE_COS_ROLL) * each(cosine_t) + (each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) * sine + AT(work, place + layout__PLACE_SIN_ROLL) * each(sine_t));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS) = AT(work, place + layout__PLACE_COS_ROLL) * cosine + AT(work, place + layout__PLACE_SIN_ROLL) * sine;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) * sine + AT(work, place + layout__PLACE_COS_ROLL) * each(sine_t) - (each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) * cosine + AT(work, place + layout__PLACE_SIN_ROLL) * each(cosine_t));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) * sine + AT(work, place + layout__PLACE_COS_ROLL) * each(sine_t) - (each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) * cosine + AT(work, place + layout__PLACE_SIN_ROLL) * each(cosine_t));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN) = AT(work, place + layout__PLACE_COS_ROLL) * sine - AT(work, place + layout__PLACE_SIN_ROLL) * cosine;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = each(aside_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = each(aside_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE) = aside;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = each(shift_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = each(shift_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) = shift;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = each(z_track_t) + each(shift_t) - each(height_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = each(z_track_t) + each(shift_t) - each(height_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) = z_track + shift - height;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = 0.0;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = (double)false;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)false;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(shift_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(shift_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = shift;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = 0.0;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
-    derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), abscissa, abscissa_t, y, y_t);
-    EACH_LANE each(along_t) = each(cosine_t) + (each(outline_slope_t) * sine + outline_slope * each(sine_t));
+    derivative_traces__start_traces_t(work, work_t, 0.0, along_all(0.0), abscissa, abscissa_t, y, y_t);
+    EACH_DIRECTION each(along_t) = each(cosine_t) + (each(outline_slope_t) * sine + outline_slope * each(sine_t));
     along = cosine + outline_slope * sine;
     v4 = rail_bend * cosine;
     v5 = v4 * cosine;
@@ -471,83 +471,83 @@ static inline void derivative_frame__open_frame_t(double* z_out, lanes* z_t_out,
     v7 = v6 * along;
     v8 = v7 * along;
     v9 = outline_rate / v8;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t) - (each(outline_rate_t) - v9 * (((each(stretch_t) * along + stretch * each(along_t)) * along + v6 * each(along_t)) * along + v7 * each(along_t))) / v8;
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t) - (each(outline_rate_t) - v9 * (((each(stretch_t) * along + stretch * each(along_t)) * along + v6 * each(along_t)) * along + v7 * each(along_t))) / v8;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND) = v5 * cosine - v9;
     derivative_curvature__longitudinal_curvature_t(&v10, &v10_t, work, work_t, tables, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = each(v10_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = each(v10_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE) = v10;
-    EACH_LANE each(mismatch_t) = each(rail_slope_t) - each(outline_slope_t);
+    EACH_DIRECTION each(mismatch_t) = each(rail_slope_t) - each(outline_slope_t);
     mismatch = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
-        mismatch_t = all_lanes(0.0);
+        mismatch_t = along_all(0.0);
         mismatch = gap__FOLDED;
     }
     *z_out = z;
-    EACH_LANE each(*z_t_out) = each(z_t);
+    EACH_DIRECTION each(*z_t_out) = each(z_t);
     *slope_out = slope;
-    EACH_LANE each(*slope_t_out) = each(slope_t);
+    EACH_DIRECTION each(*slope_t_out) = each(slope_t);
     *y_track_out = y_track;
-    EACH_LANE each(*y_track_t_out) = each(y_track_t);
+    EACH_DIRECTION each(*y_track_t_out) = each(y_track_t);
     *rail_slope_out = rail_slope;
-    EACH_LANE each(*rail_slope_t_out) = each(rail_slope_t);
+    EACH_DIRECTION each(*rail_slope_t_out) = each(rail_slope_t);
     *mismatch_out = mismatch;
-    EACH_LANE each(*mismatch_t_out) = each(mismatch_t);
+    EACH_DIRECTION each(*mismatch_t_out) = each(mismatch_t);
 }
 
 /* Derivative of ``normal_gap``. */
-static inline void derivative_frame__normal_gap_t(double* gap_out, lanes* gap_t_out, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_frame__normal_gap_t(double* gap_out, directional_rate* gap_t_out, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t)
 {
     int64_t k1;
     double rail_height, rail_rate, rail_bend, wheel_height, wheel_rate, wheel_bend, gap;
-    lanes rail_height_t, rail_rate_t, rail_bend_t, wheel_height_t, wheel_rate_t, wheel_bend_t, gap_t;
+    directional_rate rail_height_t, rail_rate_t, rail_bend_t, wheel_height_t, wheel_rate_t, wheel_bend_t, gap_t;
     bool on_rail, on_wheel;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
     AT(work, k1) = AT(work, k1) + 1.0;
     derivative_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, &on_wheel, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
-    EACH_LANE each(gap_t) = each(wheel_height_t) - each(rail_height_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
+    EACH_DIRECTION each(gap_t) = each(wheel_height_t) - each(rail_height_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
     gap = wheel_height - rail_height + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED);
     if (!on_rail || !on_wheel)
     {
-        gap_t = all_lanes(0.0);
+        gap_t = along_all(0.0);
         gap = frame__NO_GAP;
     }
     *gap_out = gap;
-    EACH_LANE each(*gap_t_out) = each(gap_t);
+    EACH_DIRECTION each(*gap_t_out) = each(gap_t);
     *out_2 = wheel_rate - rail_rate;
-    EACH_LANE each(*out_3) = each(wheel_rate_t) - each(rail_rate_t);
+    EACH_DIRECTION each(*out_3) = each(wheel_rate_t) - each(rail_rate_t);
     *out_4 = wheel_bend - rail_bend;
-    EACH_LANE each(*out_5) = each(wheel_bend_t) - each(rail_bend_t);
+    EACH_DIRECTION each(*out_5) = each(wheel_bend_t) - each(rail_bend_t);
 }
 
 /* Derivative of ``locate_along_track``. */
-static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count)
+static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index, region;
     double v1;
-    lanes v1_t;
+    directional_rate v1_t;
     for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         derivative_locus__outline_x_t(&v1, &v1_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_X_TRACK)) = each(v1_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_X_TRACK)) = each(v1_t);
         AT(work, region + layout__REGION_X_TRACK) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``enter_plane``. */
-static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t slot)
+static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t slot)
 {
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
         for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1));
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * slot + i_1);
         }
     }
@@ -555,14 +555,14 @@ static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, arra
 }
 
 /* Derivative of ``leave_plane``. */
-static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
+static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region)
 {
     int64_t i_1;
     if (AT(work, region + layout__REGION_OWN) == 1.0)
     {
         for (i_1 = 0; i_1 < 28; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1));
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1);
         }
     }
@@ -570,61 +570,61 @@ static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, arra
 }
 
 /* Derivative of ``incline_region``. */
-static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double slope, lanes slope_t)
+static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double slope, directional_rate slope_t)
 {
     double v1, v2, v3, cosine, v4;
-    lanes cosine_t, v4_t;
+    directional_rate cosine_t, v4_t;
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
+    EACH_DIRECTION each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     cosine = v3;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_INCLINATION)) = each(slope_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_INCLINATION)) = each(slope_t);
     AT(work, region + layout__REGION_INCLINATION) = slope;
-    RATE_AT(work_t, region + layout__REGION_OWN) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_OWN) = along_all(0.0);
     AT(work, region + layout__REGION_OWN) = (double)false;
-    RATE_AT(work_t, region + layout__REGION_ALIGNMENT) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_ALIGNMENT) = along_all(0.0);
     AT(work, region + layout__REGION_ALIGNMENT) = 1.0;
-    RATE_AT(work_t, region + layout__REGION_OFFSET) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_OFFSET) = along_all(0.0);
     AT(work, region + layout__REGION_OFFSET) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = each(cosine_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_COS)) = each(cosine_t);
     AT(work, region + layout__REGION_COS) = cosine;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = each(slope_t) * cosine + slope * each(cosine_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SIN)) = each(slope_t) * cosine + slope * each(cosine_t);
     AT(work, region + layout__REGION_SIN) = slope * cosine;
-    RATE_AT(work_t, region + layout__REGION_SHARE) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_SHARE) = along_all(0.0);
     AT(work, region + layout__REGION_SHARE) = 1.0;
     if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
         derivative_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), cosine, cosine_t, AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v4_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v4_t);
         AT(work, region + layout__REGION_SHARE) = v4;
     }
     return 0;
 }
 
 /* Derivative of ``open_contact_region``. */
-static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region)
+static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region)
 {
     double v1;
-    lanes rates;
-    RATE_AT(work_t, region + layout__REGION_STATION) = all_lanes(0.0);
+    directional_rate rates;
+    RATE_AT(work_t, region + layout__REGION_STATION) = along_all(0.0);
     AT(work, region + layout__REGION_STATION) = 0.0;
-    RATE_AT(work_t, region + layout__REGION_GAP) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_GAP) = along_all(0.0);
     AT(work, region + layout__REGION_GAP) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     AT(work, region + layout__REGION_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WHEEL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WHEEL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
     AT(work, region + layout__REGION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
     AT(work, region + layout__REGION_BEND) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
     AT(work, region + layout__REGION_CURVATURE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE);
-    RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_LOW) = along_all(0.0);
     AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
-    RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_HIGH) = along_all(0.0);
     AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
     v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    EACH_LANE each(rates) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    EACH_DIRECTION each(rates) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     derivative_frame__incline_region_t(work, work_t, tables, region, v1, rates);
     return 0;
 }
@@ -636,71 +636,71 @@ static inline int64_t derivative_frame__open_contact_region_t(array_double_1d wo
  */
 
 /* Derivative of ``turning_rule``. */
-static inline void derivative_overlaps__turning_rule_t(double* found_x_out, lanes* found_x_t_out, double* y_out, lanes* y_t_out, double* overlap_out, lanes* overlap_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t)
+static inline void derivative_overlaps__turning_rule_t(double* found_x_out, directional_rate* found_x_t_out, double* y_out, directional_rate* y_t_out, double* overlap_out, directional_rate* overlap_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double x, directional_rate x_t, double y, directional_rate y_t, double height, directional_rate height_t)
 {
     int64_t meeting;
-    lanes found_x_t, overlap_t, rise_t, change;
+    directional_rate found_x_t, overlap_t, rise_t, change;
     double found_x, overlap, rise, v2;
     bool n1;
     meeting = place + layout__PLACE_MEETING;
-    x_t = all_lanes(0.0);
-    y_t = all_lanes(0.0);
-    EACH_LANE each(found_x_t) = each(x_t);
+    x_t = along_all(0.0);
+    y_t = along_all(0.0);
+    EACH_DIRECTION each(found_x_t) = each(x_t);
     found_x = x;
-    overlap_t = all_lanes(0.0);
+    overlap_t = along_all(0.0);
     overlap = 0.0;
-    n1 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, penetrated__LINE_SHARP, all_lanes(0.0));
+    n1 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, penetrated__LINE_SHARP, along_all(0.0));
     if (n1)
     {
-        EACH_LANE each(rise_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RISE));
+        EACH_DIRECTION each(rise_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RISE));
         rise = AT(work, meeting + layout__MEETING_RISE);
-        derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, all_lanes(1.0), AT(work, meeting + layout__MEETING_WHEEL), all_lanes(0.0), height, height_t, penetrated__LINE_SHARP, all_lanes(0.0));
-        EACH_LANE each(change) = each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - each(rise_t);
+        derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, along_all(1.0), AT(work, meeting + layout__MEETING_WHEEL), along_all(0.0), height, height_t, penetrated__LINE_SHARP, along_all(0.0));
+        EACH_DIRECTION each(change) = each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - each(rise_t);
         if (derivative_rates__nonzero(change))
         {
             v2 = -rise;
-            EACH_LANE each(found_x_t) = -each(rise_t) / each(change);
+            EACH_DIRECTION each(found_x_t) = -each(rise_t) / each(change);
             found_x = x;
         }
-        derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, found_x, found_x_t, AT(work, meeting + layout__MEETING_WHEEL), all_lanes(0.0), height, height_t, penetrated__LINE_SHARP, all_lanes(0.0));
-        EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
+        derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, found_x, found_x_t, AT(work, meeting + layout__MEETING_WHEEL), along_all(0.0), height, height_t, penetrated__LINE_SHARP, along_all(0.0));
+        EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
         y = AT(work, meeting + layout__MEETING_WHEEL);
-        EACH_LANE each(overlap_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
+        EACH_DIRECTION each(overlap_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
         overlap = AT(work, meeting + layout__MEETING_OVERLAP);
     }
     *found_x_out = found_x;
-    EACH_LANE each(*found_x_t_out) = each(found_x_t);
+    EACH_DIRECTION each(*found_x_t_out) = each(found_x_t);
     *y_out = y;
-    EACH_LANE each(*y_t_out) = each(y_t);
+    EACH_DIRECTION each(*y_t_out) = each(y_t);
     *overlap_out = overlap;
-    EACH_LANE each(*overlap_t_out) = each(overlap_t);
+    EACH_DIRECTION each(*overlap_t_out) = each(overlap_t);
 }
 
 /* Derivative of ``overlaps_rule``. */
-static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double height, lanes height_t)
+static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double height, directional_rate height_t)
 {
     int64_t n1, count, entry, point, following;
     double x, y, depth, v2;
-    lanes x_t, y_t, depth_t, rates;
+    directional_rate x_t, y_t, depth_t, rates;
     n1 = overlaps__find_overlaps(tables, work, pair, side, height);
     count = n1;
     for (entry = 0; entry < count; entry += 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), height, height_t);
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) = each(x_t);
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) = each(y_t);
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH)) = each(depth_t);
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) = each(x_t);
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) = each(y_t);
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH)) = each(depth_t);
     }
     for (entry = 0; entry < count - 1; entry += 1)
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + 1);
         v2 = AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL);
-        EACH_LANE each(rates) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_WHEEL)));
+        EACH_DIRECTION each(rates) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_WHEEL)));
         derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE), 0.5 * v2, rates, height, height_t);
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) = each(x_t);
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_BETWEEN)) = each(depth_t);
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) = each(x_t);
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_BETWEEN)) = each(depth_t);
     }
     return count;
 }
@@ -712,37 +712,37 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d table
  */
 
 /* Derivative of ``meet_wheel``. */
-static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
+static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double abscissa, directional_rate abscissa_t, double y, directional_rate y_t, double height, directional_rate height_t, double tolerance, directional_rate tolerance_t)
 {
     int64_t meeting, wheel, i;
     double z_rail, m, rail_bend, v1, v2, v3, cosine, v4, v5, kappa, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, across, down, residual, v6, along, v7, v8, move, sharp, v9, overlap, v10, v11, v12, rise, v13, v14, v15, wheel_cos, v16, v17, v18, wheel_kappa, steep, v19, rest, v20, v21, v22, turn, v23, v24, v25, v26, v27, v28;
-    lanes z_rail_t, m_t, rail_bend_t, cosine_t, kappa_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, across_t, down_t, residual_t, along_t, move_t, sharp_t, overlap_t, rise_t, wheel_cos_t, wheel_kappa_t, steep_t, rest_t, turn_t, v26_t, v28_t;
+    directional_rate z_rail_t, m_t, rail_bend_t, cosine_t, kappa_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, across_t, down_t, residual_t, along_t, move_t, sharp_t, overlap_t, rise_t, wheel_cos_t, wheel_kappa_t, steep_t, rest_t, turn_t, v26_t, v28_t;
     meeting = place + layout__PLACE_MEETING;
-    RATE_AT(work_t, meeting + layout__MEETING_OVERLAP) = all_lanes(0.0);
+    RATE_AT(work_t, meeting + layout__MEETING_OVERLAP) = along_all(0.0);
     AT(work, meeting + layout__MEETING_OVERLAP) = 0.0;
     wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
     derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa, abscissa_t);
     v1 = 1.0 + m * m;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(m_t) * m + m * each(m_t)) / v2;
+    EACH_DIRECTION each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(m_t) * m + m * each(m_t)) / v2;
     cosine = v3;
     v4 = rail_bend * cosine;
     v5 = v4 * cosine;
-    EACH_LANE each(kappa_t) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t);
+    EACH_DIRECTION each(kappa_t) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t);
     kappa = v5 * cosine;
     for (i = 0; i < penetrated__LINE_ITERATIONS; i += 1)
     {
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-        EACH_LANE each(across_t) = each(y_track_t) - each(abscissa_t);
+        EACH_DIRECTION each(across_t) = each(y_track_t) - each(abscissa_t);
         across = y_track - AT(tables, pair + layout__PAIR_RAIL_Y) - abscissa;
-        EACH_LANE each(down_t) = each(z_track_t) + each(height_t) - each(z_rail_t);
+        EACH_DIRECTION each(down_t) = each(z_track_t) + each(height_t) - each(z_rail_t);
         down = z_track + height - z_rail;
-        EACH_LANE each(residual_t) = each(across_t) + (each(down_t) * m + down * each(m_t));
+        EACH_DIRECTION each(residual_t) = each(across_t) + (each(down_t) * m + down * each(m_t));
         residual = across + down * m;
         v6 = 1.0 + m * outline_slope;
-        EACH_LANE each(along_t) = each(stretch_t) * v6 + stretch * (each(m_t) * outline_slope + m * each(outline_slope_t));
+        EACH_DIRECTION each(along_t) = each(stretch_t) * v6 + stretch * (each(m_t) * outline_slope + m * each(outline_slope_t));
         along = stretch * v6;
         if (!(along > 0.0 && stretch > 0.0))
         {
@@ -750,19 +750,19 @@ static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, a
         }
         v7 = -residual;
         v8 = v7 / along;
-        EACH_LANE each(move_t) = (-each(residual_t) - v8 * each(along_t)) / along;
+        EACH_DIRECTION each(move_t) = (-each(residual_t) - v8 * each(along_t)) / along;
         move = v8;
-        EACH_LANE each(sharp_t) = each(tolerance_t);
+        EACH_DIRECTION each(sharp_t) = each(tolerance_t);
         sharp = tolerance;
         if (i == penetrated__LINE_ITERATIONS - 1 && sharp < penetrated__LINE_JOINT)
         {
-            sharp_t = all_lanes(0.0);
+            sharp_t = along_all(0.0);
             sharp = penetrated__LINE_JOINT;
         }
         if (fabs(move) < sharp)
         {
             v9 = down - m * across;
-            EACH_LANE each(overlap_t) = (each(down_t) - (each(m_t) * across + m * each(across_t))) * cosine + v9 * each(cosine_t);
+            EACH_DIRECTION each(overlap_t) = (each(down_t) - (each(m_t) * across + m * each(across_t))) * cosine + v9 * each(cosine_t);
             overlap = v9 * cosine;
             if (!(fabs(overlap) < penetrated__FARTHEST && y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
             {
@@ -771,67 +771,67 @@ static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, a
             v10 = outline_slope - m;
             v11 = 1.0 + m * outline_slope;
             v12 = v10 / v11;
-            EACH_LANE each(rise_t) = (each(outline_slope_t) - each(m_t) - v12 * (each(m_t) * outline_slope + m * each(outline_slope_t))) / v11;
+            EACH_DIRECTION each(rise_t) = (each(outline_slope_t) - each(m_t) - v12 * (each(m_t) * outline_slope + m * each(outline_slope_t))) / v11;
             rise = v12;
             v13 = 1.0 + outline_slope * outline_slope;
             v14 = sqrt(v13);
             v15 = 1.0 / v14;
-            EACH_LANE each(wheel_cos_t) = -v15 * derivative_rates__root_rate(v14, each(outline_slope_t) * outline_slope + outline_slope * each(outline_slope_t)) / v14;
+            EACH_DIRECTION each(wheel_cos_t) = -v15 * derivative_rates__root_rate(v14, each(outline_slope_t) * outline_slope + outline_slope * each(outline_slope_t)) / v14;
             wheel_cos = v15;
             v16 = rate / stretch;
             v17 = v16 * wheel_cos;
             v18 = v17 * wheel_cos;
-            EACH_LANE each(wheel_kappa_t) = (((each(rate_t) - v16 * each(stretch_t)) / stretch * wheel_cos + v16 * each(wheel_cos_t)) * wheel_cos + v17 * each(wheel_cos_t)) * wheel_cos + v18 * each(wheel_cos_t);
+            EACH_DIRECTION each(wheel_kappa_t) = (((each(rate_t) - v16 * each(stretch_t)) / stretch * wheel_cos + v16 * each(wheel_cos_t)) * wheel_cos + v17 * each(wheel_cos_t)) * wheel_cos + v18 * each(wheel_cos_t);
             wheel_kappa = v18 * wheel_cos;
-            EACH_LANE each(steep_t) = each(rise_t) * rise + rise * each(rise_t);
+            EACH_DIRECTION each(steep_t) = each(rise_t) * rise + rise * each(rise_t);
             steep = 1.0 + rise * rise;
             v19 = -residual;
-            EACH_LANE each(rest_t) = -each(residual_t) * cosine + v19 * each(cosine_t);
+            EACH_DIRECTION each(rest_t) = -each(residual_t) * cosine + v19 * each(cosine_t);
             rest = v19 * cosine;
             v20 = wheel_kappa * steep;
             v21 = sqrt(steep);
             v22 = v20 * v21;
-            EACH_LANE each(turn_t) = ((each(wheel_kappa_t) * steep + wheel_kappa * each(steep_t)) * v21 + v20 * derivative_rates__root_rate(v21, each(steep_t))) * rest + v22 * each(rest_t);
+            EACH_DIRECTION each(turn_t) = ((each(wheel_kappa_t) * steep + wheel_kappa * each(steep_t)) * v21 + v20 * derivative_rates__root_rate(v21, each(steep_t))) * rest + v22 * each(rest_t);
             turn = v22 * rest;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) = each(y_t) + each(move_t);
+            EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) = each(y_t) + each(move_t);
             AT(work, meeting + layout__MEETING_WHEEL) = y + move;
             v23 = rise + 0.5 * turn;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP)) = each(overlap_t) + (each(rest_t) * v23 + rest * (each(rise_t) + 0.5 * each(turn_t)));
+            EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP)) = each(overlap_t) + (each(rest_t) * v23 + rest * (each(rise_t) + 0.5 * each(turn_t)));
             AT(work, meeting + layout__MEETING_OVERLAP) = overlap + rest * v23;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) = each(rise_t) + each(turn_t);
+            EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) = each(rise_t) + each(turn_t);
             AT(work, meeting + layout__MEETING_RISE) = rise + turn;
             v24 = sqrt(steep);
             v25 = wheel_kappa * v24 - kappa;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) = each(steep_t) * v25 + steep * (each(wheel_kappa_t) * v24 + wheel_kappa * derivative_rates__root_rate(v24, each(steep_t)) - each(kappa_t));
+            EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) = each(steep_t) * v25 + steep * (each(wheel_kappa_t) * v24 + wheel_kappa * derivative_rates__root_rate(v24, each(steep_t)) - each(kappa_t));
             AT(work, meeting + layout__MEETING_RATE) = steep * v25;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_Z)) = each(z_t) + (each(slope_t) * move + slope * each(move_t));
+            EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_Z)) = each(z_t) + (each(slope_t) * move + slope * each(move_t));
             AT(work, meeting + layout__MEETING_Z) = z + slope * move;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE)) = each(slope_t) + (each(bend_t) * move + bend * each(move_t));
+            EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE)) = each(slope_t) + (each(bend_t) * move + bend * each(move_t));
             AT(work, meeting + layout__MEETING_SLOPE) = slope + bend * move;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_BEND)) = each(bend_t);
+            EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_BEND)) = each(bend_t);
             AT(work, meeting + layout__MEETING_BEND) = bend;
-            EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_RAIL_SLOPE)) = each(m_t);
+            EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_RAIL_SLOPE)) = each(m_t);
             AT(work, meeting + layout__MEETING_RAIL_SLOPE) = m;
             return true;
         }
         v26 = move;
-        EACH_LANE each(v26_t) = each(move_t);
+        EACH_DIRECTION each(v26_t) = each(move_t);
         if (penetrated__LINE_STEP < v26)
         {
             v26 = penetrated__LINE_STEP;
-            v26_t = all_lanes(0.0);
+            v26_t = along_all(0.0);
         }
         v27 = -penetrated__LINE_STEP;
         v28 = v26;
-        EACH_LANE each(v28_t) = each(v26_t);
+        EACH_DIRECTION each(v28_t) = each(v26_t);
         if (v27 > v28)
         {
             v28 = v27;
-            v28_t = all_lanes(0.0);
+            v28_t = along_all(0.0);
         }
-        EACH_LANE each(move_t) = each(v28_t);
+        EACH_DIRECTION each(move_t) = each(v28_t);
         move = v28;
-        EACH_LANE each(y_t) = each(y_t) + each(move_t);
+        EACH_DIRECTION each(y_t) = each(y_t) + each(move_t);
         y = y + move;
         if (!(y >= AT(tables, wheel + layout__PROFILE_START) && y <= AT(tables, wheel + layout__PROFILE_STOP)))
         {
@@ -842,217 +842,217 @@ static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, a
 }
 
 /* Derivative of ``mean_bend``. */
-static inline void derivative_penetrated__mean_bend_t(double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t)
+static inline void derivative_penetrated__mean_bend_t(double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double y, directional_rate y_t, double bend, directional_rate bend_t)
 {
-    lanes blur_t, low_t, high_t, v1_t, v2_t, z_t, low_slope_t, high_slope_t;
+    directional_rate blur_t, low_t, high_t, v1_t, v2_t, z_t, low_slope_t, high_slope_t;
     double blur, low, high, v1, v2, z, low_slope, high_slope, v3, v4, v5;
     int64_t wheel;
-    EACH_LANE each(blur_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
+    EACH_DIRECTION each(blur_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
     blur = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR);
     if (blur > 0.0)
     {
         wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
-        EACH_LANE each(low_t) = each(y_t) - each(blur_t);
+        EACH_DIRECTION each(low_t) = each(y_t) - each(blur_t);
         low = y - blur;
-        EACH_LANE each(high_t) = each(y_t) + each(blur_t);
+        EACH_DIRECTION each(high_t) = each(y_t) + each(blur_t);
         high = y + blur;
         v1 = low;
-        EACH_LANE each(v1_t) = each(low_t);
+        EACH_DIRECTION each(v1_t) = each(low_t);
         if (AT(tables, wheel + layout__PROFILE_START) > v1)
         {
             v1 = AT(tables, wheel + layout__PROFILE_START);
-            v1_t = all_lanes(0.0);
+            v1_t = along_all(0.0);
         }
-        EACH_LANE each(low_t) = each(v1_t);
+        EACH_DIRECTION each(low_t) = each(v1_t);
         low = v1;
         v2 = high;
-        EACH_LANE each(v2_t) = each(high_t);
+        EACH_DIRECTION each(v2_t) = each(high_t);
         if (AT(tables, wheel + layout__PROFILE_STOP) < v2)
         {
             v2 = AT(tables, wheel + layout__PROFILE_STOP);
-            v2_t = all_lanes(0.0);
+            v2_t = along_all(0.0);
         }
-        EACH_LANE each(high_t) = each(v2_t);
+        EACH_DIRECTION each(high_t) = each(v2_t);
         high = v2;
         derivative_tables__height_slope_t(&z, &z_t, &low_slope, &low_slope_t, tables, wheel, low, low_t);
         derivative_tables__height_slope_t(&z, &z_t, &high_slope, &high_slope_t, tables, wheel, high, high_t);
         v3 = high_slope - low_slope;
         v4 = high - low;
         v5 = v3 / v4;
-        EACH_LANE each(bend_t) = (each(high_slope_t) - each(low_slope_t) - v5 * (each(high_t) - each(low_t))) / v4;
+        EACH_DIRECTION each(bend_t) = (each(high_slope_t) - each(low_slope_t) - v5 * (each(high_t) - each(low_t))) / v4;
         bend = v5;
     }
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``penetrated_gap``. */
-static inline void derivative_penetrated__penetrated_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
+static inline void derivative_penetrated__penetrated_gap_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t)
 {
     int64_t k1, rail, trace, meeting;
-    lanes way_t, v2_t, abscissa_t, gap_t, rate_t, bend_t, estimate_t, rates;
+    directional_rate way_t, v2_t, abscissa_t, gap_t, rate_t, bend_t, estimate_t, rates;
     double way, v2, abscissa, gap, rate, bend, estimate, v4, v5;
     bool n3;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
     AT(work, k1) = AT(work, k1) + 1.0;
     rail = pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL);
-    EACH_LANE each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_DIRECTION each(way_t) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     way = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
-    EACH_LANE each(rates) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) + each(station_t);
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) + each(station_t);
     derivative_curves__abscissa_after_t(&v2, &v2_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) + station, rates);
-    EACH_LANE each(abscissa_t) = each(v2_t);
+    EACH_DIRECTION each(abscissa_t) = each(v2_t);
     abscissa = v2;
-    gap_t = all_lanes(0.0);
+    gap_t = along_all(0.0);
     gap = frame__NO_GAP;
-    rate_t = all_lanes(0.0);
+    rate_t = along_all(0.0);
     rate = 0.0;
-    bend_t = all_lanes(0.0);
+    bend_t = along_all(0.0);
     bend = 0.0;
     if (abscissa >= AT(tables, rail + layout__PROFILE_START) && abscissa <= AT(tables, rail + layout__PROFILE_STOP))
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        EACH_LANE each(estimate_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(way_t) * AT(work, trace + layout__TRACE_RATE) + way * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
+        EACH_DIRECTION each(estimate_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(way_t) * AT(work, trace + layout__TRACE_RATE) + way * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
         estimate = AT(work, trace + layout__TRACE_ABSCISSA) + way * AT(work, trace + layout__TRACE_RATE);
-        n3 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), penetrated__NODE_SHARP, all_lanes(0.0));
+        n3 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), abscissa, abscissa_t, estimate, estimate_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), penetrated__NODE_SHARP, along_all(0.0));
         if (n3)
         {
             meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
-            EACH_LANE each(gap_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
+            EACH_DIRECTION each(gap_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
             gap = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) - AT(work, meeting + layout__MEETING_OVERLAP);
-            EACH_LANE each(rate_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RISE));
+            EACH_DIRECTION each(rate_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RISE));
             rate = -AT(work, meeting + layout__MEETING_RISE);
-            EACH_LANE each(bend_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RATE));
+            EACH_DIRECTION each(bend_t) = -each(RATE_AT(work_t, meeting + layout__MEETING_RATE));
             bend = -AT(work, meeting + layout__MEETING_RATE);
             if (fabs(way) > penetrated__LEAST_WAY)
             {
                 v4 = AT(work, meeting + layout__MEETING_WHEEL) - AT(work, trace + layout__TRACE_ABSCISSA);
                 v5 = v4 / way;
-                EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = (each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) - each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) - v5 * each(way_t)) / way;
+                EACH_DIRECTION each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = (each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) - each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) - v5 * each(way_t)) / way;
                 AT(work, trace + layout__TRACE_RATE) = v5;
             }
-            EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
+            EACH_DIRECTION each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
             AT(work, trace + layout__TRACE_ABSCISSA) = AT(work, meeting + layout__MEETING_WHEEL);
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(abscissa_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(abscissa_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
         }
     }
     *gap_out = gap;
-    EACH_LANE each(*gap_t_out) = each(gap_t);
+    EACH_DIRECTION each(*gap_t_out) = each(gap_t);
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``met_curvature``. */
-static inline void derivative_penetrated__met_curvature_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline void derivative_penetrated__met_curvature_t(double* v1_out, directional_rate* v1_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair)
 {
     int64_t meeting;
     double v2, v1;
-    lanes v2_t, v1_t;
+    directional_rate v2_t, v1_t;
     meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING;
     derivative_penetrated__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_BEND), RATE_AT(work_t, meeting + layout__MEETING_BEND));
     derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, meeting + layout__MEETING_WHEEL), RATE_AT(work_t, meeting + layout__MEETING_WHEEL), AT(work, meeting + layout__MEETING_Z), RATE_AT(work_t, meeting + layout__MEETING_Z), AT(work, meeting + layout__MEETING_SLOPE), RATE_AT(work_t, meeting + layout__MEETING_SLOPE), v2, v2_t);
     *v1_out = v1;
-    EACH_LANE each(*v1_t_out) = each(v1_t);
+    EACH_DIRECTION each(*v1_t_out) = each(v1_t);
 }
 
 /* Derivative of ``limited``. */
-static inline void derivative_penetrated__limited_t(double* step_out, lanes* step_t_out, double step, lanes step_t, double limit, lanes limit_t)
+static inline void derivative_penetrated__limited_t(double* step_out, directional_rate* step_t_out, double step, directional_rate step_t, double limit, directional_rate limit_t)
 {
     double v1, v2, v3;
-    lanes v1_t, v3_t;
+    directional_rate v1_t, v3_t;
     v1 = step;
-    EACH_LANE each(v1_t) = each(step_t);
+    EACH_DIRECTION each(v1_t) = each(step_t);
     if (limit < v1)
     {
         v1 = limit;
-        EACH_LANE each(v1_t) = each(limit_t);
+        EACH_DIRECTION each(v1_t) = each(limit_t);
     }
     v2 = -limit;
     v3 = v1;
-    EACH_LANE each(v3_t) = each(v1_t);
+    EACH_DIRECTION each(v3_t) = each(v1_t);
     if (v2 > v3)
     {
         v3 = v2;
-        EACH_LANE each(v3_t) = -each(limit_t);
+        EACH_DIRECTION each(v3_t) = -each(limit_t);
     }
-    EACH_LANE each(step_t) = each(v3_t);
+    EACH_DIRECTION each(step_t) = each(v3_t);
     step = v3;
     *step_out = step;
-    EACH_LANE each(*step_t_out) = each(step_t);
+    EACH_DIRECTION each(*step_t_out) = each(step_t);
 }
 
 /* Derivative of ``turning_point``. */
-static inline void derivative_penetrated__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
+static inline void derivative_penetrated__turning_point_t(double* x_out, directional_rate* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double low, directional_rate low_t, double high, directional_rate high_t, double x, directional_rate x_t, double y, directional_rate y_t, double height, directional_rate height_t, double sign, directional_rate sign_t)
 {
     int64_t meeting, i;
-    lanes before_t, met_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v11_t, rate_t, move_t, rise_t;
+    directional_rate before_t, met_t, following_t, z_rail_t, slope_t, rail_bend_t, stretch_t, kappa_t, v11_t, rate_t, move_t, rise_t;
     double before, met, v1, following, v3, z_rail, slope, rail_bend, v4, v5, stretch, v6, v7, v8, kappa, v9, v10, v11, rate, v12, v13, v14, move, rise;
     bool moved_low, moved_high, n2;
     meeting = place + layout__PLACE_MEETING;
-    before_t = all_lanes(0.0);
+    before_t = along_all(0.0);
     before = 0.0;
     moved_low = false;
     moved_high = false;
-    EACH_LANE each(met_t) = each(x_t);
+    EACH_DIRECTION each(met_t) = each(x_t);
     met = x;
     for (i = 0; i < penetrated__DEEP_ITERATIONS; i += 1)
     {
         v1 = x + met;
-        EACH_LANE each(following_t) = 0.5 * (each(x_t) + each(met_t));
+        EACH_DIRECTION each(following_t) = 0.5 * (each(x_t) + each(met_t));
         following = 0.5 * v1;
-        n2 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, penetrated__LINE_SHARP, all_lanes(0.0));
+        n2 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, penetrated__LINE_SHARP, along_all(0.0));
         if (n2)
         {
-            EACH_LANE each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
+            EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL));
             y = AT(work, meeting + layout__MEETING_WHEEL);
-            EACH_LANE each(met_t) = each(x_t);
+            EACH_DIRECTION each(met_t) = each(x_t);
             met = x;
             if (sign * AT(work, meeting + layout__MEETING_RISE) > 0.0)
             {
-                EACH_LANE each(low_t) = each(x_t);
+                EACH_DIRECTION each(low_t) = each(x_t);
                 low = x;
                 moved_low = true;
             }
             else
             {
-                EACH_LANE each(high_t) = each(x_t);
+                EACH_DIRECTION each(high_t) = each(x_t);
                 high = x;
                 moved_high = true;
             }
             v3 = low + high;
-            EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
+            EACH_DIRECTION each(following_t) = 0.5 * (each(low_t) + each(high_t));
             following = 0.5 * v3;
             derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &slope, &slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), x, x_t);
             v4 = 1.0 + slope * slope;
             v5 = sqrt(v4);
-            EACH_LANE each(stretch_t) = derivative_rates__root_rate(v5, each(slope_t) * slope + slope * each(slope_t));
+            EACH_DIRECTION each(stretch_t) = derivative_rates__root_rate(v5, each(slope_t) * slope + slope * each(slope_t));
             stretch = v5;
             v6 = stretch * stretch;
             v7 = v6 * stretch;
             v8 = rail_bend / v7;
-            EACH_LANE each(kappa_t) = (each(rail_bend_t) - v8 * ((each(stretch_t) * stretch + stretch * each(stretch_t)) * stretch + v6 * each(stretch_t))) / v7;
+            EACH_DIRECTION each(kappa_t) = (each(rail_bend_t) - v8 * ((each(stretch_t) * stretch + stretch * each(stretch_t)) * stretch + v6 * each(stretch_t))) / v7;
             kappa = v8;
             v9 = AT(work, meeting + layout__MEETING_RATE) + kappa;
             v10 = v9 * kappa;
             v11 = AT(work, meeting + layout__MEETING_OVERLAP);
-            EACH_LANE each(v11_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
+            EACH_DIRECTION each(v11_t) = each(RATE_AT(work_t, meeting + layout__MEETING_OVERLAP));
             if (0.0 > v11)
             {
                 v11 = 0.0;
-                v11_t = all_lanes(0.0);
+                v11_t = along_all(0.0);
             }
-            EACH_LANE each(rate_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) - (((each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) + each(kappa_t)) * kappa + v9 * each(kappa_t)) * v11 + v10 * each(v11_t));
+            EACH_DIRECTION each(rate_t) = each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) - (((each(RATE_AT(work_t, meeting + layout__MEETING_RATE)) + each(kappa_t)) * kappa + v9 * each(kappa_t)) * v11 + v10 * each(v11_t));
             rate = AT(work, meeting + layout__MEETING_RATE) - v10 * v11;
             if (sign * rate < 0.0)
             {
                 v12 = -AT(work, meeting + layout__MEETING_RISE);
                 v13 = rate * stretch;
                 v14 = v12 / v13;
-                EACH_LANE each(move_t) = (-each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - v14 * (each(rate_t) * stretch + rate * each(stretch_t))) / v13;
+                EACH_DIRECTION each(move_t) = (-each(RATE_AT(work_t, meeting + layout__MEETING_RISE)) - v14 * (each(rate_t) * stretch + rate * each(stretch_t))) / v13;
                 move = v14;
                 if (fabs(move) < penetrated__DEEP_SHARP)
                 {
@@ -1060,7 +1060,7 @@ static inline void derivative_penetrated__turning_point_t(double* x_out, lanes* 
                 }
                 if (x + move > low && x + move < high && (i == 0 || fabs(AT(work, meeting + layout__MEETING_RISE)) < 0.5 * before))
                 {
-                    EACH_LANE each(following_t) = each(x_t) + each(move_t);
+                    EACH_DIRECTION each(following_t) = each(x_t) + each(move_t);
                     following = x + move;
                 }
             }
@@ -1068,47 +1068,47 @@ static inline void derivative_penetrated__turning_point_t(double* x_out, lanes* 
             {
                 break;
             }
-            EACH_LANE each(before_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
+            EACH_DIRECTION each(before_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
             before = fabs(AT(work, meeting + layout__MEETING_RISE));
         }
         else if (fabs(x - met) < penetrated__DEEP_SHARP)
         {
             *x_out = x;
-            EACH_LANE each(*x_t_out) = each(x_t);
+            EACH_DIRECTION each(*x_t_out) = each(x_t);
             *out_2 = false;
             return;
         }
-        EACH_LANE each(x_t) = each(following_t);
+        EACH_DIRECTION each(x_t) = each(following_t);
         x = following;
     }
-    EACH_LANE each(rise_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
+    EACH_DIRECTION each(rise_t) = derivative_rates__size_rate(AT(work, meeting + layout__MEETING_RISE), each(RATE_AT(work_t, meeting + layout__MEETING_RISE)));
     rise = fabs(AT(work, meeting + layout__MEETING_RISE));
     *x_out = x;
-    EACH_LANE each(*x_t_out) = each(x_t);
+    EACH_DIRECTION each(*x_t_out) = each(x_t);
     *out_2 = rise < penetrated__ZERO_RISE || (rise < penetrated__LEVEL_RISE && moved_low && moved_high);
 }
 
 /* Derivative of ``meet_rule``. */
-static inline bool derivative_penetrated__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
+static inline bool derivative_penetrated__meet_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double abscissa, directional_rate abscissa_t, double y, directional_rate y_t, double height, directional_rate height_t, double tolerance, directional_rate tolerance_t)
 {
     bool n1, found;
     double z_rail, m, rail_bend, z, slope, bend, y_track, z_track, outline_slope, stretch, rate, v2, residual, v3, v4;
-    lanes z_rail_t, m_t, rail_bend_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, residual_t;
+    directional_rate z_rail_t, m_t, rail_bend_t, z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, rate_t, residual_t;
     n1 = penetrated__meet_wheel(tables, work, pair, place, abscissa, y, height, tolerance);
     found = n1;
     if (found)
     {
-        y_t = all_lanes(0.0);
+        y_t = along_all(0.0);
         y = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
         derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa, abscissa_t);
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         v2 = z_track + height - z_rail;
-        EACH_LANE each(residual_t) = each(y_track_t) - each(abscissa_t) + ((each(z_track_t) + each(height_t) - each(z_rail_t)) * m + v2 * each(m_t));
+        EACH_DIRECTION each(residual_t) = each(y_track_t) - each(abscissa_t) + ((each(z_track_t) + each(height_t) - each(z_rail_t)) * m + v2 * each(m_t));
         residual = y_track - AT(tables, pair + layout__PAIR_RAIL_Y) - abscissa + v2 * m;
         v3 = -residual;
         v4 = stretch * (1.0 + m * outline_slope);
-        EACH_LANE each(y_t) = -each(residual_t) / v4;
+        EACH_DIRECTION each(y_t) = -each(residual_t) / v4;
         derivative_penetrated__meet_wheel_t(tables, work, work_t, pair, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
     }
     return found;
@@ -1121,83 +1121,83 @@ static inline bool derivative_penetrated__meet_rule_t(array_double_1d tables, ar
  */
 
 /* Derivative of ``touching_shift``. */
-static inline void derivative_penetrated_regions__touching_shift_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point)
+static inline void derivative_penetrated_regions__touching_shift_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, int64_t point)
 {
     double z, slope, y_track, z_track, outline_slope, z_rail, m;
-    lanes z_t, slope_t, y_track_t, z_track_t, outline_slope_t, z_rail_t, m_t;
+    directional_rate z_t, slope_t, y_track_t, z_track_t, outline_slope_t, z_rail_t, m_t;
     derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
     derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), z, z_t, slope, slope_t);
     derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
     *out_0 = AT(work, point + layout__DEEP_POINT_RAIL) + AT(tables, pair + layout__PAIR_RAIL_Y) - y_track;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) - each(y_track_t);
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) - each(y_track_t);
     *out_2 = z_rail - z_track;
-    EACH_LANE each(*out_3) = each(z_rail_t) - each(z_track_t);
+    EACH_DIRECTION each(*out_3) = each(z_rail_t) - each(z_track_t);
 }
 
 /* Derivative of ``lower_frame``. */
-static inline int64_t derivative_penetrated_regions__lower_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t)
+static inline int64_t derivative_penetrated_regions__lower_frame_t(array_double_1d work, array_directional_rate_1d work_t, double height, directional_rate height_t, double depth, directional_rate depth_t, double gap, directional_rate gap_t)
 {
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(height_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(height_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = height;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = each(depth_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = each(depth_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = depth;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = (double)true;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = each(gap_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = each(gap_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = gap;
     return 0;
 }
 
 /* Derivative of ``sink_wheel``. */
-static inline int64_t derivative_penetrated_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t)
+static inline int64_t derivative_penetrated_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double penetration, directional_rate penetration_t)
 {
     double v1, height;
-    lanes height_t;
+    directional_rate height_t;
     int64_t n2, count;
     v1 = penetration / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (each(penetration_t) - v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    EACH_DIRECTION each(height_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (each(penetration_t) - v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) + v1;
     n2 = derivative_overlaps__overlaps_rule_t(tables, work, work_t, pair, side, height, height_t);
     count = n2;
-    derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, all_lanes(0.0));
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
+    derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, along_all(0.0));
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)true;
     return count;
 }
 
 /* Derivative of ``raise_wheel``. */
-static inline int64_t derivative_penetrated_regions__raise_wheel_t(array_double_1d work, array_lanes_1d work_t, bool sunk)
+static inline int64_t derivative_penetrated_regions__raise_wheel_t(array_double_1d work, array_directional_rate_1d work_t, bool sunk)
 {
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
     if (sunk)
     {
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) = 0.0;
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) = (double)false;
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)false;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT);
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) = 0.0;
     }
     return 0;
 }
 
 /* Derivative of ``open_penetrated_region``. */
-static inline int64_t derivative_penetrated_regions__open_penetrated_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
+static inline int64_t derivative_penetrated_regions__open_penetrated_region_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
     double z_rail, m;
-    lanes z_rail_t, m_t;
-    RATE_AT(work_t, region + layout__REGION_STATION) = all_lanes(0.0);
+    directional_rate z_rail_t, m_t;
+    RATE_AT(work_t, region + layout__REGION_STATION) = along_all(0.0);
     AT(work, region + layout__REGION_STATION) = 0.0;
-    RATE_AT(work_t, region + layout__REGION_GAP) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_GAP) = along_all(0.0);
     AT(work, region + layout__REGION_GAP) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_RAIL)) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_RAIL)) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
     AT(work, region + layout__REGION_RAIL) = AT(work, point + layout__DEEP_POINT_RAIL);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WHEEL)) = each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WHEEL)) = each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
     AT(work, region + layout__REGION_WHEEL) = AT(work, point + layout__DEEP_POINT_WHEEL);
     derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
     derivative_frame__incline_region_t(work, work_t, tables, region, m, m_t);
@@ -1205,52 +1205,52 @@ static inline int64_t derivative_penetrated_regions__open_penetrated_region_t(ar
 }
 
 /* Derivative of ``give_own_frame``. */
-static inline int64_t derivative_penetrated_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
+static inline int64_t derivative_penetrated_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
-    lanes cosine_t, abscissa_t, height_t, depth_t, aside_t, shift_t, n1_t, n2_t, n3_t, n4_t, n5_t, v6_t, v8_t;
+    directional_rate cosine_t, abscissa_t, height_t, depth_t, aside_t, shift_t, n1_t, n2_t, n3_t, n4_t, n5_t, v6_t, v8_t;
     double cosine, abscissa, height, depth, aside, shift, n1, n2, n3, n4, n5, v6, v7, v8;
     bool sunk;
-    EACH_LANE each(cosine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_DIRECTION each(cosine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     cosine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    EACH_LANE each(abscissa_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    EACH_DIRECTION each(abscissa_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     abscissa = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
+    EACH_DIRECTION each(height_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
     height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT);
-    EACH_LANE each(depth_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    EACH_DIRECTION each(depth_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     depth = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     sunk = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0;
     derivative_penetrated_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), point);
     derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), aside, aside_t, shift, shift_t);
     derivative_curves__rail_way_t(&v6, &v6_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) = each(v6_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) = each(v6_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) = v6;
-    RATE_AT(work_t, region + layout__REGION_OWN) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_OWN) = along_all(0.0);
     AT(work, region + layout__REGION_OWN) = (double)true;
     v7 = AT(work, region + layout__REGION_COS) / cosine;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) = (each(RATE_AT(work_t, region + layout__REGION_COS)) - v7 * each(cosine_t)) / cosine;
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) = (each(RATE_AT(work_t, region + layout__REGION_COS)) - v7 * each(cosine_t)) / cosine;
     AT(work, region + layout__REGION_ALIGNMENT) = v7;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_GAP)) = each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) * depth + AT(work, region + layout__REGION_ALIGNMENT) * each(depth_t) - each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_GAP)) = each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) * depth + AT(work, region + layout__REGION_ALIGNMENT) * each(depth_t) - each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH));
     AT(work, region + layout__REGION_GAP) = AT(work, region + layout__REGION_ALIGNMENT) * depth - AT(work, point + layout__DEEP_POINT_DEPTH);
     derivative_curves__rail_way_t(&v8, &v8_t, tables, pair, abscissa, abscissa_t);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_OFFSET)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) - each(v8_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_OFFSET)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) - each(v8_t);
     AT(work, region + layout__REGION_OFFSET) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) - v8;
     derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, AT(work, point + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH), AT(work, region + layout__REGION_GAP), RATE_AT(work_t, region + layout__REGION_GAP));
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) = (double)sunk;
     return 0;
 }
 
 /* Derivative of ``gather_overlaps``. */
-static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair)
 {
     int64_t count, contact, i_1, index, region, point, i_2, i_3;
     double gap, rate, bend, v1, v2, v3;
-    lanes gap_t, rate_t, bend_t, v1_t, v2_t, v3_t;
+    directional_rate gap_t, rate_t, bend_t, v1_t, v2_t, v3_t;
     count = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     contact = penetration_maxima__deepest_entry(work);
     for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
     }
     for (index = 0; index < count; index += 1)
@@ -1262,42 +1262,42 @@ static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_dou
         {
             derivative_penetrated_regions__give_own_frame_t(tables, work, work_t, pair, region, point);
         }
-        derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
-        derivative_penetrated__penetrated_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(bend_t);
+        derivative_traces__start_traces_t(work, work_t, 0.0, along_all(0.0), AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL));
+        derivative_penetrated__penetrated_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, 0.0, along_all(0.0));
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_BEND)) = each(bend_t);
         AT(work, region + layout__REGION_BEND) = bend;
-        RATE_AT(work_t, region + layout__REGION_CURVATURE) = all_lanes(0.0);
+        RATE_AT(work_t, region + layout__REGION_CURVATURE) = along_all(0.0);
         AT(work, region + layout__REGION_CURVATURE) = penetrated__NOT_MET;
         if (gap < frame__NO_GAP)
         {
             derivative_penetrated__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(v1_t);
+            EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_CURVATURE)) = each(v1_t);
             AT(work, region + layout__REGION_CURVATURE) = v1;
         }
-        RATE_AT(work_t, region + layout__REGION_LOW) = all_lanes(0.0);
+        RATE_AT(work_t, region + layout__REGION_LOW) = along_all(0.0);
         AT(work, region + layout__REGION_LOW) = -frame__BEYOND;
-        RATE_AT(work_t, region + layout__REGION_HIGH) = all_lanes(0.0);
+        RATE_AT(work_t, region + layout__REGION_HIGH) = along_all(0.0);
         AT(work, region + layout__REGION_HIGH) = frame__BEYOND;
         if (index > 0)
         {
             derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - 1) + layout__DEEP_POINT_SADDLE));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(v2_t);
+            EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(v2_t);
             AT(work, region + layout__REGION_LOW) = v2;
         }
         if (index < count - 1)
         {
             derivative_curves__rail_length_t(&v3, &v3_t, tables, pair, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(v3_t);
+            EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(v3_t);
             AT(work, region + layout__REGION_HIGH) = v3;
         }
         for (i_2 = 0; i_2 < layout__FRAME_SIZE; i_2 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2);
         }
         for (i_3 = 0; i_3 < 28; i_3 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3));
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_3);
         }
     }
@@ -1315,32 +1315,32 @@ static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_dou
  */
 
 /* Derivative of ``keep_deepest``. */
-static inline int64_t derivative_penetration_maxima__keep_deepest_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_penetration_maxima__keep_deepest_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t i_1, k1;
     for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
     {
         k1 = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work) + i_1;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = each(RATE_AT(work_t, k1));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = each(RATE_AT(work_t, k1));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1) = AT(work, k1);
     }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)1;
     return 0;
 }
 
 /* Derivative of ``keep_points``. */
-static inline int64_t derivative_penetration_maxima__keep_points_t(array_double_1d work, array_lanes_1d work_t, int64_t kept)
+static inline int64_t derivative_penetration_maxima__keep_points_t(array_double_1d work, array_directional_rate_1d work_t, int64_t kept)
 {
     int64_t entry, i_1, entry_end;
-    RATE_AT(work_t, kept + layout__DEEP_POINTS_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, kept + layout__DEEP_POINTS_COUNT) = along_all(0.0);
     AT(work, kept + layout__DEEP_POINTS_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT));
     entry_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT);
     for (entry = 0; entry < entry_end; entry += 1)
     {
         for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
             AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
         }
     }
@@ -1348,15 +1348,15 @@ static inline int64_t derivative_penetration_maxima__keep_points_t(array_double_
 }
 
 /* Derivative of ``follow_overlaps``. */
-static inline int64_t derivative_penetration_maxima__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t)
+static inline int64_t derivative_penetration_maxima__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, directional_rate height_t)
 {
     int64_t entry, point, i_1, entry_end, entry_end_2;
-    lanes x_t;
+    directional_rate x_t;
     double x;
     bool turned;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = each(height_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = each(height_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT) = height;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT) = (double)((int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT));
     entry_end = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT);
     for (entry = 0; entry < entry_end; entry += 1)
@@ -1364,21 +1364,21 @@ static inline int64_t derivative_penetration_maxima__follow_overlaps_t(array_dou
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         for (i_1 = 0; i_1 < layout__DEEP_POINT_SIZE; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, point + i_1)) = each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, point + i_1)) = each(RATE_AT(work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
             AT(work, point + i_1) = AT(work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1);
         }
-        EACH_LANE each(x_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+        EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
         x = AT(work, point + layout__DEEP_POINT_RAIL);
-        derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - penetration_maxima__FOLLOWED, x_t, x + penetration_maxima__FOLLOWED, x_t, x, x_t, AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), height, height_t, 1.0, all_lanes(0.0));
+        derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - penetration_maxima__FOLLOWED, x_t, x + penetration_maxima__FOLLOWED, x_t, x, x_t, AT(work, point + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL), height, height_t, 1.0, along_all(0.0));
         if (!turned || !(AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP) > 0.0))
         {
             return 0;
         }
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) = each(x_t);
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) = each(x_t);
         AT(work, point + layout__DEEP_POINT_RAIL) = x;
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
         AT(work, point + layout__DEEP_POINT_WHEEL) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL);
-        EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_DEPTH)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
         AT(work, point + layout__DEEP_POINT_DEPTH) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
     }
     entry_end_2 = (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) - 1;
@@ -1390,44 +1390,44 @@ static inline int64_t derivative_penetration_maxima__follow_overlaps_t(array_dou
 }
 
 /* Derivative of ``follow_saddle``. */
-static inline int64_t derivative_penetration_maxima__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t)
+static inline int64_t derivative_penetration_maxima__follow_saddle_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, directional_rate height_t)
 {
     double v1, y, v2, v3, v4, v5, reach, x, v6;
-    lanes y_t, v3_t, v5_t, reach_t, x_t, rates, rates_2, rates_3;
+    directional_rate y_t, v3_t, v5_t, reach_t, x_t, rates, rates_2, rates_3;
     bool turned;
     v1 = AT(work, point + layout__DEEP_POINT_WHEEL) + AT(work, following + layout__DEEP_POINT_WHEEL);
-    EACH_LANE each(y_t) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_WHEEL)));
+    EACH_DIRECTION each(y_t) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_WHEEL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_WHEEL)));
     y = 0.5 * v1;
     v2 = AT(work, point + layout__DEEP_POINT_SADDLE) - AT(work, point + layout__DEEP_POINT_RAIL);
     v3 = penetration_maxima__FOLLOWED;
-    v3_t = all_lanes(0.0);
+    v3_t = along_all(0.0);
     if (v2 < v3)
     {
         v3 = v2;
-        EACH_LANE each(v3_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
+        EACH_DIRECTION each(v3_t) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL));
     }
     v4 = AT(work, following + layout__DEEP_POINT_RAIL) - AT(work, point + layout__DEEP_POINT_SADDLE);
     v5 = v3;
-    EACH_LANE each(v5_t) = each(v3_t);
+    EACH_DIRECTION each(v5_t) = each(v3_t);
     if (v4 < v5)
     {
         v5 = v4;
-        EACH_LANE each(v5_t) = each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
+        EACH_DIRECTION each(v5_t) = each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)) - each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE));
     }
-    EACH_LANE each(reach_t) = each(v5_t);
+    EACH_DIRECTION each(reach_t) = each(v5_t);
     reach = v5;
-    EACH_LANE each(rates) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(reach_t);
-    EACH_LANE each(rates_2) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) + each(reach_t);
-    derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_SADDLE) - reach, rates, AT(work, point + layout__DEEP_POINT_SADDLE) + reach, rates_2, AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE), y, y_t, height, height_t, -1.0, all_lanes(0.0));
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) - each(reach_t);
+    EACH_DIRECTION each(rates_2) = each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) + each(reach_t);
+    derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_SADDLE) - reach, rates, AT(work, point + layout__DEEP_POINT_SADDLE) + reach, rates_2, AT(work, point + layout__DEEP_POINT_SADDLE), RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE), y, y_t, height, height_t, -1.0, along_all(0.0));
     if (!turned)
     {
         v6 = AT(work, point + layout__DEEP_POINT_RAIL) + AT(work, following + layout__DEEP_POINT_RAIL);
-        EACH_LANE each(rates_3) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)));
-        derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), RATE_AT(work_t, following + layout__DEEP_POINT_RAIL), 0.5 * v6, rates_3, y, y_t, height, height_t, -1.0, all_lanes(0.0));
+        EACH_DIRECTION each(rates_3) = 0.5 * (each(RATE_AT(work_t, point + layout__DEEP_POINT_RAIL)) + each(RATE_AT(work_t, following + layout__DEEP_POINT_RAIL)));
+        derivative_penetrated__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, AT(work, point + layout__DEEP_POINT_RAIL), RATE_AT(work_t, point + layout__DEEP_POINT_RAIL), AT(work, following + layout__DEEP_POINT_RAIL), RATE_AT(work_t, following + layout__DEEP_POINT_RAIL), 0.5 * v6, rates_3, y, y_t, height, height_t, -1.0, along_all(0.0));
     }
-    EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) = each(x_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_SADDLE)) = each(x_t);
     AT(work, point + layout__DEEP_POINT_SADDLE) = x;
-    EACH_LANE each(RATE_AT(work_t, point + layout__DEEP_POINT_BETWEEN)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__DEEP_POINT_BETWEEN)) = each(RATE_AT(work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     AT(work, point + layout__DEEP_POINT_BETWEEN) = AT(work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP);
     return 0;
 }
@@ -1439,19 +1439,19 @@ static inline int64_t derivative_penetration_maxima__follow_saddle_t(array_doubl
  */
 
 /* Derivative of ``vertical_rise``. */
-static inline void derivative_separation__vertical_rise_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
+static inline void derivative_separation__vertical_rise_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t)
 {
-    lanes per_station_t, lateral_t, across_t, rail_down_t, rail_slope_t, along_t, rail_bend_t, down_t, slope_t, stretch_t, bend_t;
+    directional_rate per_station_t, lateral_t, across_t, rail_down_t, rail_slope_t, along_t, rail_bend_t, down_t, slope_t, stretch_t, bend_t;
     double per_station, v1, lateral, across, rail_down, rail_slope, along, rail_bend, down, slope, stretch, bend, v3, v4, v5;
     bool n2, exists;
-    EACH_LANE each(per_station_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_DIRECTION each(per_station_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     per_station = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     v1 = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION);
-    EACH_LANE each(lateral_t) = (each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * each(per_station_t);
+    EACH_DIRECTION each(lateral_t) = (each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * each(per_station_t);
     lateral = v1 * per_station;
     n2 = derivative_curves__across_rule_t(tables, work, work_t, pair, lateral, lateral_t);
     exists = n2;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + each(lateral_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + each(lateral_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y) + lateral;
     if (curves__within(tables, pair, layout__RAIL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) != AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))
     {
@@ -1460,25 +1460,25 @@ static inline void derivative_separation__vertical_rise_t(double* out_0, lanes* 
     derivative_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, tables, work, work_t, pair, layout__RAIL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     v3 = bend / stretch;
-    EACH_LANE each(bend_t) = each(rail_bend_t) - (each(bend_t) - v3 * each(stretch_t)) / stretch;
+    EACH_DIRECTION each(bend_t) = each(rail_bend_t) - (each(bend_t) - v3 * each(stretch_t)) / stretch;
     bend = rail_bend - v3;
     v4 = rail_slope - slope;
     v5 = bend * per_station;
     *out_0 = rail_down - down;
-    EACH_LANE each(*out_1) = each(rail_down_t) - each(down_t);
+    EACH_DIRECTION each(*out_1) = each(rail_down_t) - each(down_t);
     *out_2 = v4 * per_station;
-    EACH_LANE each(*out_3) = (each(rail_slope_t) - each(slope_t)) * per_station + v4 * each(per_station_t);
+    EACH_DIRECTION each(*out_3) = (each(rail_slope_t) - each(slope_t)) * per_station + v4 * each(per_station_t);
     *out_4 = v5 * per_station;
-    EACH_LANE each(*out_5) = (each(bend_t) * per_station + bend * each(per_station_t)) * per_station + v5 * each(per_station_t);
+    EACH_DIRECTION each(*out_5) = (each(bend_t) * per_station + bend * each(per_station_t)) * per_station + v5 * each(per_station_t);
     *exists_out = exists;
 }
 
 /* Derivative of ``equidistant_rise``. */
-static inline void derivative_separation__equidistant_rise_t(double* out_0, lanes* out_1, double* rate_out, lanes* rate_t_out, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
+static inline void derivative_separation__equidistant_rise_t(double* out_0, directional_rate* out_1, double* rate_out, directional_rate* rate_t_out, double* out_4, directional_rate* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t)
 {
     bool n1, on_rail, n2, on_wheel, exists;
     double across, down, slope, stretch, bend, v3, v4, v5, rail_cos, rail_sin, v6, v7, rail_curvature, wheel_across, wheel_down, v8, v9, v10, wheel_cos, wheel_sin, v11, v12, v13, wheel_curvature, cosine, sine, v14, v15, size, v16, v17, v18, v19, rate, v20, v21, v22;
-    lanes across_t, down_t, slope_t, stretch_t, bend_t, rail_cos_t, rail_sin_t, rail_curvature_t, wheel_across_t, wheel_down_t, wheel_cos_t, wheel_sin_t, wheel_curvature_t, cosine_t, sine_t, size_t, rate_t;
+    directional_rate across_t, down_t, slope_t, stretch_t, bend_t, rail_cos_t, rail_sin_t, rail_curvature_t, wheel_across_t, wheel_down_t, wheel_cos_t, wheel_sin_t, wheel_curvature_t, cosine_t, sine_t, size_t, rate_t;
     n1 = derivative_curves__move_to_station_t(tables, work, work_t, pair, layout__RAIL, station, station_t);
     on_rail = n1;
     n2 = derivative_curves__move_to_station_t(tables, work, work_t, pair, layout__WHEEL, station, station_t);
@@ -1487,80 +1487,80 @@ static inline void derivative_separation__equidistant_rise_t(double* out_0, lane
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
-    EACH_LANE each(rail_cos_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
+    EACH_DIRECTION each(rail_cos_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
     rail_cos = v5;
-    EACH_LANE each(rail_sin_t) = each(slope_t) * rail_cos + slope * each(rail_cos_t);
+    EACH_DIRECTION each(rail_sin_t) = each(slope_t) * rail_cos + slope * each(rail_cos_t);
     rail_sin = slope * rail_cos;
     v6 = bend * rail_cos;
     v7 = v6 * rail_cos;
-    EACH_LANE each(rail_curvature_t) = ((each(bend_t) * rail_cos + bend * each(rail_cos_t)) * rail_cos + v6 * each(rail_cos_t)) * rail_cos + v7 * each(rail_cos_t);
+    EACH_DIRECTION each(rail_curvature_t) = ((each(bend_t) * rail_cos + bend * each(rail_cos_t)) * rail_cos + v6 * each(rail_cos_t)) * rail_cos + v7 * each(rail_cos_t);
     rail_curvature = v7 * rail_cos;
     derivative_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     v8 = 1.0 + slope * slope;
     v9 = sqrt(v8);
     v10 = 1.0 / v9;
-    EACH_LANE each(wheel_cos_t) = -v10 * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
+    EACH_DIRECTION each(wheel_cos_t) = -v10 * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
     wheel_cos = v10;
-    EACH_LANE each(wheel_sin_t) = each(slope_t) * wheel_cos + slope * each(wheel_cos_t);
+    EACH_DIRECTION each(wheel_sin_t) = each(slope_t) * wheel_cos + slope * each(wheel_cos_t);
     wheel_sin = slope * wheel_cos;
     v11 = bend / stretch;
     v12 = v11 * wheel_cos;
     v13 = v12 * wheel_cos;
-    EACH_LANE each(wheel_curvature_t) = (((each(bend_t) - v11 * each(stretch_t)) / stretch * wheel_cos + v11 * each(wheel_cos_t)) * wheel_cos + v12 * each(wheel_cos_t)) * wheel_cos + v13 * each(wheel_cos_t);
+    EACH_DIRECTION each(wheel_curvature_t) = (((each(bend_t) - v11 * each(stretch_t)) / stretch * wheel_cos + v11 * each(wheel_cos_t)) * wheel_cos + v12 * each(wheel_cos_t)) * wheel_cos + v13 * each(wheel_cos_t);
     wheel_curvature = v13 * wheel_cos;
-    EACH_LANE each(across_t) = each(wheel_across_t) - each(across_t);
+    EACH_DIRECTION each(across_t) = each(wheel_across_t) - each(across_t);
     across = wheel_across - across;
-    EACH_LANE each(down_t) = each(wheel_down_t) - each(down_t);
+    EACH_DIRECTION each(down_t) = each(wheel_down_t) - each(down_t);
     down = wheel_down - down;
-    EACH_LANE each(cosine_t) = each(wheel_cos_t) + each(rail_cos_t);
+    EACH_DIRECTION each(cosine_t) = each(wheel_cos_t) + each(rail_cos_t);
     cosine = wheel_cos + rail_cos;
-    EACH_LANE each(sine_t) = each(wheel_sin_t) + each(rail_sin_t);
+    EACH_DIRECTION each(sine_t) = each(wheel_sin_t) + each(rail_sin_t);
     sine = wheel_sin + rail_sin;
     v14 = cosine * cosine + sine * sine;
     v15 = sqrt(v14);
-    EACH_LANE each(size_t) = derivative_rates__root_rate(v15, each(cosine_t) * cosine + cosine * each(cosine_t) + (each(sine_t) * sine + sine * each(sine_t)));
+    EACH_DIRECTION each(size_t) = derivative_rates__root_rate(v15, each(cosine_t) * cosine + cosine * each(cosine_t) + (each(sine_t) * sine + sine * each(sine_t)));
     size = v15;
     v16 = cosine / size;
-    EACH_LANE each(cosine_t) = (each(cosine_t) - v16 * each(size_t)) / size;
+    EACH_DIRECTION each(cosine_t) = (each(cosine_t) - v16 * each(size_t)) / size;
     cosine = v16;
     v17 = sine / size;
-    EACH_LANE each(sine_t) = (each(sine_t) - v17 * each(size_t)) / size;
+    EACH_DIRECTION each(sine_t) = (each(sine_t) - v17 * each(size_t)) / size;
     sine = v17;
     exists = on_rail && on_wheel && stretch > 0.0;
     v18 = wheel_cos - rail_cos;
     v19 = wheel_sin - rail_sin;
-    EACH_LANE each(rate_t) = (each(wheel_cos_t) - each(rail_cos_t)) * sine + v18 * each(sine_t) - ((each(wheel_sin_t) - each(rail_sin_t)) * cosine + v19 * each(cosine_t));
+    EACH_DIRECTION each(rate_t) = (each(wheel_cos_t) - each(rail_cos_t)) * sine + v18 * each(sine_t) - ((each(wheel_sin_t) - each(rail_sin_t)) * cosine + v19 * each(cosine_t));
     rate = v18 * sine - v19 * cosine;
     v20 = across * cosine + down * sine;
     v21 = 0.5 * v20;
     v22 = wheel_curvature + rail_curvature;
-    EACH_LANE each(rate_t) = each(rate_t) + (0.5 * (each(across_t) * cosine + across * each(cosine_t) + (each(down_t) * sine + down * each(sine_t))) * v22 + v21 * (each(wheel_curvature_t) + each(rail_curvature_t)));
+    EACH_DIRECTION each(rate_t) = each(rate_t) + (0.5 * (each(across_t) * cosine + across * each(cosine_t) + (each(down_t) * sine + down * each(sine_t))) * v22 + v21 * (each(wheel_curvature_t) + each(rail_curvature_t)));
     rate = rate + v21 * v22;
     *out_0 = across * sine - down * cosine;
-    EACH_LANE each(*out_1) = each(across_t) * sine + across * each(sine_t) - (each(down_t) * cosine + down * each(cosine_t));
+    EACH_DIRECTION each(*out_1) = each(across_t) * sine + across * each(sine_t) - (each(down_t) * cosine + down * each(cosine_t));
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
     *out_4 = rail_curvature - wheel_curvature;
-    EACH_LANE each(*out_5) = each(rail_curvature_t) - each(wheel_curvature_t);
+    EACH_DIRECTION each(*out_5) = each(rail_curvature_t) - each(wheel_curvature_t);
     *exists_out = exists;
 }
 
 /* Derivative of ``depth_lost``. */
-static inline void derivative_separation__depth_lost_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline void derivative_separation__depth_lost_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair)
 {
     double height, slope, bend, v1, v2, v3, cosine, v4, along, v5, across, v6, v7, v8, v9, v10;
-    lanes height_t, slope_t, bend_t, cosine_t, along_t, across_t;
+    directional_rate height_t, slope_t, bend_t, cosine_t, along_t, across_t;
     derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
+    EACH_DIRECTION each(cosine_t) = -v3 * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     cosine = v3;
     v4 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-    EACH_LANE each(along_t) = each(cosine_t) * v4 + cosine * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
+    EACH_DIRECTION each(along_t) = each(cosine_t) * v4 + cosine * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
     along = cosine * v4;
     v5 = slope * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-    EACH_LANE each(across_t) = each(cosine_t) * v5 + cosine * (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+    EACH_DIRECTION each(across_t) = each(cosine_t) * v5 + cosine * (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
     across = cosine * v5;
     v6 = 1.0 - along;
     v7 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * across;
@@ -1568,17 +1568,17 @@ static inline void derivative_separation__depth_lost_t(double* out_0, lanes* out
     v9 = v8 * cosine;
     v10 = v9 * cosine;
     *out_0 = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * v6;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * v6 + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * -each(along_t);
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * v6 + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * -each(along_t);
     *out_2 = v10 * cosine;
-    EACH_LANE each(*out_3) = ((((each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * each(across_t)) * bend + v7 * each(bend_t)) * cosine + v8 * each(cosine_t)) * cosine + v9 * each(cosine_t)) * cosine + v10 * each(cosine_t);
+    EACH_DIRECTION each(*out_3) = ((((each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) * each(across_t)) * bend + v7 * each(bend_t)) * cosine + v8 * each(cosine_t)) * cosine + v9 * each(cosine_t)) * cosine + v10 * each(cosine_t);
 }
 
 /* Derivative of ``moved_separation``. */
-static inline void derivative_separation__moved_separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind)
+static inline void derivative_separation__moved_separation_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, int64_t kind)
 {
     int64_t k1;
     double gap, rate, bend, lost, more, y, z, slope, second;
-    lanes gap_t, rate_t, bend_t, lost_t, more_t, y_t, z_t, slope_t, second_t;
+    directional_rate gap_t, rate_t, bend_t, lost_t, more_t, y_t, z_t, slope_t, second_t;
     bool exists;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_NODE_COUNT;
     AT(work, k1) = AT(work, k1) + 1.0;
@@ -1590,41 +1590,41 @@ static inline void derivative_separation__moved_separation_t(double* gap_out, la
     {
         derivative_separation__equidistant_rise_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &exists, tables, work, work_t, pair, station, station_t);
     }
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
-    EACH_LANE each(gap_t) = each(gap_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
+    EACH_DIRECTION each(gap_t) = each(gap_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
     gap = gap + AT(work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP);
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && kind != layout__SEPARATION_VERTICAL)
     {
         derivative_separation__depth_lost_t(&lost, &lost_t, &more, &more_t, tables, work, work_t, pair);
-        EACH_LANE each(gap_t) = each(gap_t) + each(lost_t);
+        EACH_DIRECTION each(gap_t) = each(gap_t) + each(lost_t);
         gap = gap + lost;
-        EACH_LANE each(rate_t) = each(rate_t) + each(more_t);
+        EACH_DIRECTION each(rate_t) = each(rate_t) + each(more_t);
         rate = rate + more;
     }
     if (!exists)
     {
-        gap_t = all_lanes(0.0);
+        gap_t = along_all(0.0);
         gap = frame__NO_GAP;
     }
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
     derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &second, &second_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
     derivative_traces__note_point_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING, y, y_t, z, z_t, slope, slope_t, second, second_t);
     *gap_out = gap;
-    EACH_LANE each(*gap_t_out) = each(gap_t);
+    EACH_DIRECTION each(*gap_t_out) = each(gap_t);
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``separation_jet``. */
-static inline void derivative_separation__separation_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_separation__separation_jet_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t)
 {
     int64_t kind;
     double gap, rate, bend;
-    lanes gap_t, rate_t, bend_t;
+    directional_rate gap_t, rate_t, bend_t;
     kind = (int64_t)AT(tables, layout__TABLES_SEPARATION);
     if (kind == layout__SEPARATION_NORMAL && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0))
     {
@@ -1639,35 +1639,35 @@ static inline void derivative_separation__separation_jet_t(double* gap_out, lane
         derivative_separation__moved_separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, kind);
     }
     *gap_out = gap;
-    EACH_LANE each(*gap_t_out) = each(gap_t);
+    EACH_DIRECTION each(*gap_t_out) = each(gap_t);
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``separation``. */
-static inline void derivative_separation__separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_separation__separation_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, double* curvature_out, directional_rate* curvature_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t)
 {
     double gap, rate, bend, curvature, v1;
-    lanes gap_t, rate_t, bend_t, curvature_t, v1_t;
+    directional_rate gap_t, rate_t, bend_t, curvature_t, v1_t;
     derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
-    curvature_t = all_lanes(0.0);
+    curvature_t = along_all(0.0);
     curvature = penetrated__NOT_MET;
     if (gap < frame__NO_GAP || !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
         derivative_penetrated__met_curvature_t(&v1, &v1_t, tables, work, work_t, pair);
-        EACH_LANE each(curvature_t) = each(v1_t);
+        EACH_DIRECTION each(curvature_t) = each(v1_t);
         curvature = v1;
     }
     *gap_out = gap;
-    EACH_LANE each(*gap_t_out) = each(gap_t);
+    EACH_DIRECTION each(*gap_t_out) = each(gap_t);
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
     *curvature_out = curvature;
-    EACH_LANE each(*curvature_t_out) = each(curvature_t);
+    EACH_DIRECTION each(*curvature_t_out) = each(curvature_t);
 }
 
 
@@ -1677,89 +1677,89 @@ static inline void derivative_separation__separation_t(double* gap_out, lanes* g
  */
 
 /* Derivative of ``start_traces``. */
-static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_lanes_1d work_t, double station, lanes station_t, double abscissa, lanes abscissa_t, double y, lanes y_t)
+static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_directional_rate_1d work_t, double station, directional_rate station_t, double abscissa, directional_rate abscissa_t, double y, directional_rate y_t)
 {
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = each(station_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION) = station;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(abscissa_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = each(abscissa_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA) = abscissa;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = each(y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = each(y_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) = y;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND) = 0.0;
     return 0;
 }
 
 /* Derivative of ``first_abscissa``. */
-static inline void derivative_traces__first_abscissa_t(double* u_out, lanes* u_t_out, array_double_1d work, array_lanes_1d work_t, int64_t trace, double away, lanes away_t)
+static inline void derivative_traces__first_abscissa_t(double* u_out, directional_rate* u_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t trace, double away, directional_rate away_t)
 {
-    lanes u_t;
+    directional_rate u_t;
     double u, v1, v2;
-    EACH_LANE each(u_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(away_t) * AT(work, trace + layout__TRACE_RATE) + away * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
+    EACH_DIRECTION each(u_t) = each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) + (each(away_t) * AT(work, trace + layout__TRACE_RATE) + away * each(RATE_AT(work_t, trace + layout__TRACE_RATE)));
     u = AT(work, trace + layout__TRACE_ABSCISSA) + away * AT(work, trace + layout__TRACE_RATE);
     if (fabs(away) < traces__EXTRAPOLATED)
     {
         v1 = 0.5 * away;
         v2 = v1 * away;
-        EACH_LANE each(u_t) = each(u_t) + ((0.5 * each(away_t) * away + v1 * each(away_t)) * AT(work, trace + layout__TRACE_BEND) + v2 * each(RATE_AT(work_t, trace + layout__TRACE_BEND)));
+        EACH_DIRECTION each(u_t) = each(u_t) + ((0.5 * each(away_t) * away + v1 * each(away_t)) * AT(work, trace + layout__TRACE_BEND) + v2 * each(RATE_AT(work_t, trace + layout__TRACE_BEND)));
         u = u + v2 * AT(work, trace + layout__TRACE_BEND);
     }
     *u_out = u;
-    EACH_LANE each(*u_t_out) = each(u_t);
+    EACH_DIRECTION each(*u_t_out) = each(u_t);
 }
 
 /* Derivative of ``trace_profile``. */
-static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* out_6, lanes* out_7, double* out_8, lanes* out_9, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_profile_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* ordinate_bend_out, directional_rate* ordinate_bend_t_out, double* out_6, directional_rate* out_7, double* out_8, directional_rate* out_9, double* bend_out, directional_rate* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t)
 {
     double v1, u, excess, forward, height, slope, bend, v2, v3, v4, v5, v6, v7, along, v8, rate, v9, v10, v11, ordinate_bend, v12, v13, ordinate, v14, move, v15, v16;
-    lanes v1_t, u_t, excess_t, forward_t, height_t, slope_t, bend_t, v2_t, v3_t, along_t, rate_t, ordinate_bend_t, ordinate_t, move_t, rates;
+    directional_rate v1_t, u_t, excess_t, forward_t, height_t, slope_t, bend_t, v2_t, v3_t, along_t, rate_t, ordinate_bend_t, ordinate_t, move_t, rates;
     bool exists;
     int64_t i;
-    EACH_LANE each(rates) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_DIRECTION each(rates) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION), rates);
-    EACH_LANE each(u_t) = each(v1_t);
+    EACH_DIRECTION each(u_t) = each(v1_t);
     u = v1;
     exists = false;
-    excess_t = all_lanes(0.0);
+    excess_t = along_all(0.0);
     excess = 0.0;
-    forward_t = all_lanes(0.0);
+    forward_t = along_all(0.0);
     forward = 1.0;
-    height_t = all_lanes(0.0);
+    height_t = along_all(0.0);
     height = 0.0;
-    slope_t = all_lanes(0.0);
+    slope_t = along_all(0.0);
     slope = 0.0;
-    bend_t = all_lanes(0.0);
+    bend_t = along_all(0.0);
     bend = 0.0;
     for (i = 0; i < traces__TRACE_ITERATIONS; i += 1)
     {
         v2 = u;
-        EACH_LANE each(v2_t) = each(u_t);
+        EACH_DIRECTION each(v2_t) = each(u_t);
         if (AT(tables, profile + layout__PROFILE_START) > v2)
         {
             v2 = AT(tables, profile + layout__PROFILE_START);
-            v2_t = all_lanes(0.0);
+            v2_t = along_all(0.0);
         }
         v3 = v2;
-        EACH_LANE each(v3_t) = each(v2_t);
+        EACH_DIRECTION each(v3_t) = each(v2_t);
         if (AT(tables, profile + layout__PROFILE_STOP) < v3)
         {
             v3 = AT(tables, profile + layout__PROFILE_STOP);
-            v3_t = all_lanes(0.0);
+            v3_t = along_all(0.0);
         }
-        EACH_LANE each(u_t) = each(v3_t);
+        EACH_DIRECTION each(u_t) = each(v3_t);
         u = v3;
         derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, profile, u, u_t);
-        EACH_LANE each(forward_t) = each(RATE_AT(work_t, plane + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, plane + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)));
+        EACH_DIRECTION each(forward_t) = each(RATE_AT(work_t, plane + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, plane + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)));
         forward = AT(work, plane + layout__DIRECTION_COS) + slope * AT(work, plane + layout__DIRECTION_SIN);
         v4 = u - AT(work, point + layout__POINT_Y);
         v5 = height - AT(work, point + layout__POINT_Z);
-        EACH_LANE each(excess_t) = (each(u_t) - each(RATE_AT(work_t, point + layout__POINT_Y))) * AT(work, plane + layout__DIRECTION_COS) + v4 * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)) + ((each(height_t) - each(RATE_AT(work_t, point + layout__POINT_Z))) * AT(work, plane + layout__DIRECTION_SIN) + v5 * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN))) - each(station_t);
+        EACH_DIRECTION each(excess_t) = (each(u_t) - each(RATE_AT(work_t, point + layout__POINT_Y))) * AT(work, plane + layout__DIRECTION_COS) + v4 * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)) + ((each(height_t) - each(RATE_AT(work_t, point + layout__POINT_Z))) * AT(work, plane + layout__DIRECTION_SIN) + v5 * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN))) - each(station_t);
         excess = v4 * AT(work, plane + layout__DIRECTION_COS) + v5 * AT(work, plane + layout__DIRECTION_SIN) - station;
         if (fabs(excess) < tolerance)
         {
@@ -1770,80 +1770,80 @@ static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_
             break;
         }
         v6 = excess / forward;
-        EACH_LANE each(u_t) = each(u_t) - (each(excess_t) - v6 * each(forward_t)) / forward;
+        EACH_DIRECTION each(u_t) = each(u_t) - (each(excess_t) - v6 * each(forward_t)) / forward;
         u = u - v6;
     }
     v7 = 1.0 / forward;
-    EACH_LANE each(along_t) = -v7 * each(forward_t) / forward;
+    EACH_DIRECTION each(along_t) = -v7 * each(forward_t) / forward;
     along = v7;
     v8 = AT(work, plane + layout__DIRECTION_SIN) - slope * AT(work, plane + layout__DIRECTION_COS);
-    EACH_LANE each(rate_t) = (each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)) - (each(slope_t) * AT(work, plane + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)))) * along + v8 * each(along_t);
+    EACH_DIRECTION each(rate_t) = (each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)) - (each(slope_t) * AT(work, plane + layout__DIRECTION_COS) + slope * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)))) * along + v8 * each(along_t);
     rate = v8 * along;
     v9 = -bend;
     v10 = v9 * along;
     v11 = v10 * along;
-    EACH_LANE each(ordinate_bend_t) = ((-each(bend_t) * along + v9 * each(along_t)) * along + v10 * each(along_t)) * along + v11 * each(along_t);
+    EACH_DIRECTION each(ordinate_bend_t) = ((-each(bend_t) * along + v9 * each(along_t)) * along + v10 * each(along_t)) * along + v11 * each(along_t);
     ordinate_bend = v11 * along;
-    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(u_t) - (each(excess_t) * along + excess * each(along_t));
+    EACH_DIRECTION each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(u_t) - (each(excess_t) * along + excess * each(along_t));
     AT(work, trace + layout__TRACE_ABSCISSA) = u - excess * along;
-    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = each(along_t);
+    EACH_DIRECTION each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = each(along_t);
     AT(work, trace + layout__TRACE_RATE) = along;
-    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = each(ordinate_bend_t) * AT(work, plane + layout__DIRECTION_SIN) + ordinate_bend * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN));
+    EACH_DIRECTION each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = each(ordinate_bend_t) * AT(work, plane + layout__DIRECTION_SIN) + ordinate_bend * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN));
     AT(work, trace + layout__TRACE_BEND) = ordinate_bend * AT(work, plane + layout__DIRECTION_SIN);
     v12 = u - AT(work, point + layout__POINT_Y);
     v13 = height - AT(work, point + layout__POINT_Z);
-    EACH_LANE each(ordinate_t) = (each(u_t) - each(RATE_AT(work_t, point + layout__POINT_Y))) * AT(work, plane + layout__DIRECTION_SIN) + v12 * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)) - ((each(height_t) - each(RATE_AT(work_t, point + layout__POINT_Z))) * AT(work, plane + layout__DIRECTION_COS) + v13 * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)));
+    EACH_DIRECTION each(ordinate_t) = (each(u_t) - each(RATE_AT(work_t, point + layout__POINT_Y))) * AT(work, plane + layout__DIRECTION_SIN) + v12 * each(RATE_AT(work_t, plane + layout__DIRECTION_SIN)) - ((each(height_t) - each(RATE_AT(work_t, point + layout__POINT_Z))) * AT(work, plane + layout__DIRECTION_COS) + v13 * each(RATE_AT(work_t, plane + layout__DIRECTION_COS)));
     ordinate = v12 * AT(work, plane + layout__DIRECTION_SIN) - v13 * AT(work, plane + layout__DIRECTION_COS);
     v14 = -excess;
-    EACH_LANE each(move_t) = -each(excess_t) * along + v14 * each(along_t);
+    EACH_DIRECTION each(move_t) = -each(excess_t) * along + v14 * each(along_t);
     move = v14 * along;
     v15 = 0.5 * excess;
     v16 = rate - v15 * ordinate_bend;
     *out_0 = ordinate - excess * v16;
-    EACH_LANE each(*out_1) = each(ordinate_t) - (each(excess_t) * v16 + excess * (each(rate_t) - (0.5 * each(excess_t) * ordinate_bend + v15 * each(ordinate_bend_t))));
+    EACH_DIRECTION each(*out_1) = each(ordinate_t) - (each(excess_t) * v16 + excess * (each(rate_t) - (0.5 * each(excess_t) * ordinate_bend + v15 * each(ordinate_bend_t))));
     *out_2 = rate - excess * ordinate_bend;
-    EACH_LANE each(*out_3) = each(rate_t) - (each(excess_t) * ordinate_bend + excess * each(ordinate_bend_t));
+    EACH_DIRECTION each(*out_3) = each(rate_t) - (each(excess_t) * ordinate_bend + excess * each(ordinate_bend_t));
     *ordinate_bend_out = ordinate_bend;
-    EACH_LANE each(*ordinate_bend_t_out) = each(ordinate_bend_t);
+    EACH_DIRECTION each(*ordinate_bend_t_out) = each(ordinate_bend_t);
     *out_6 = slope + move * bend;
-    EACH_LANE each(*out_7) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
+    EACH_DIRECTION each(*out_7) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
     *out_8 = height + move * slope;
-    EACH_LANE each(*out_9) = each(height_t) + (each(move_t) * slope + move * each(slope_t));
+    EACH_DIRECTION each(*out_9) = each(height_t) + (each(move_t) * slope + move * each(slope_t));
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
     *exists_out = exists;
 }
 
 /* Derivative of ``trace_rail``. */
-static inline void derivative_traces__trace_rail_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_rail_t(double* ordinate_out, directional_rate* ordinate_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t)
 {
     double ordinate, rate, bend, slope, height, second;
-    lanes ordinate_t, rate_t, bend_t, slope_t, height_t, second_t;
+    directional_rate ordinate_t, rate_t, bend_t, slope_t, height_t, second_t;
     bool exists;
     derivative_traces__trace_profile_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &slope, &slope_t, &height, &height_t, &second, &second_t, &exists, tables, work, work_t, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
     *ordinate_out = ordinate;
-    EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
+    EACH_DIRECTION each(*ordinate_t_out) = each(ordinate_t);
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
     *exists_out = exists;
 }
 
 /* Derivative of ``trace_wheel``. */
-static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_wheel_t(double* ordinate_out, directional_rate* ordinate_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t)
 {
     int64_t place;
-    lanes lifted_t, ordinate_t, rate_t, bend_t, slope_t, z_t, second_t;
+    directional_rate lifted_t, ordinate_t, rate_t, bend_t, slope_t, z_t, second_t;
     double lifted, ordinate, rate, bend, slope, z, second;
     bool exists;
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
     if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
-        EACH_LANE each(lifted_t) = each(station_t) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+        EACH_DIRECTION each(lifted_t) = each(station_t) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
         lifted = station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
         derivative_traces__trace_profile_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &slope, &slope_t, &z, &z_t, &second, &second_t, &exists, tables, work, work_t, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
-        EACH_LANE each(ordinate_t) = each(ordinate_t) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+        EACH_DIRECTION each(ordinate_t) = each(ordinate_t) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
         ordinate = ordinate - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
         derivative_traces__note_point_t(work, work_t, place + layout__PLACE_MEETING, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), z, z_t, slope, slope_t, second, second_t);
     }
@@ -1852,98 +1852,98 @@ static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes*
         derivative_traces__trace_outline_t(&ordinate, &ordinate_t, &rate, &rate_t, &bend, &bend_t, &exists, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     }
     *ordinate_out = ordinate;
-    EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
+    EACH_DIRECTION each(*ordinate_t_out) = each(ordinate_t);
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
     *exists_out = exists;
 }
 
 /* Derivative of ``note_point``. */
-static inline int64_t derivative_traces__note_point_t(array_double_1d work, array_lanes_1d work_t, int64_t meeting, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+static inline int64_t derivative_traces__note_point_t(array_double_1d work, array_directional_rate_1d work_t, int64_t meeting, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t)
 {
-    EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) = each(y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_WHEEL)) = each(y_t);
     AT(work, meeting + layout__MEETING_WHEEL) = y;
-    EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_Z)) = each(z_t);
+    EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_Z)) = each(z_t);
     AT(work, meeting + layout__MEETING_Z) = z;
-    EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE)) = each(slope_t);
+    EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_SLOPE)) = each(slope_t);
     AT(work, meeting + layout__MEETING_SLOPE) = slope;
-    EACH_LANE each(RATE_AT(work_t, meeting + layout__MEETING_BEND)) = each(bend_t);
+    EACH_DIRECTION each(RATE_AT(work_t, meeting + layout__MEETING_BEND)) = each(bend_t);
     AT(work, meeting + layout__MEETING_BEND) = bend;
     return 0;
 }
 
 /* Derivative of ``trace_outline``. */
-static inline void derivative_traces__trace_outline_t(double* ordinate_out, lanes* ordinate_t_out, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
+static inline void derivative_traces__trace_outline_t(double* ordinate_out, directional_rate* ordinate_t_out, double* out_2, directional_rate* out_3, double* ordinate_bend_out, directional_rate* ordinate_bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t)
 {
     int64_t wheel, place, trace, i;
-    lanes cosine_t, sine_t, left_t, above_t, v1_t, y_t, excess_t, along_t, across_t, up_t, stretch_t, z_t, slope_t, bend_t, outline_slope_t, outline_rate_t, v2_t, v3_t, y_track_t, z_track_t, per_along_t, per_stretch_t, rate_t, ordinate_bend_t, move_t, ordinate_t, rates, rates_2, rates_3, rates_4;
+    directional_rate cosine_t, sine_t, left_t, above_t, v1_t, y_t, excess_t, along_t, across_t, up_t, stretch_t, z_t, slope_t, bend_t, outline_slope_t, outline_rate_t, v2_t, v3_t, y_track_t, z_track_t, per_along_t, per_stretch_t, rate_t, ordinate_bend_t, move_t, ordinate_t, rates, rates_2, rates_3, rates_4;
     double cosine, sine, left, above, v1, y, excess, along, across, up, stretch, z, slope, bend, outline_slope, outline_rate, v2, v3, y_track, z_track, v4, v5, v6, per_along, v7, per_stretch, v8, rate, v9, v10, v11, v12, ordinate_bend, v13, v14, move, v15, v16, v17, ordinate;
     bool exists;
     wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE);
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-    EACH_LANE each(cosine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_DIRECTION each(cosine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     cosine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    EACH_LANE each(sine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    EACH_DIRECTION each(sine_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     sine = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN);
-    EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
+    EACH_DIRECTION each(left_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
     left = AT(tables, pair + layout__PAIR_RAIL_Y) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE);
-    EACH_LANE each(above_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    EACH_DIRECTION each(above_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     above = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z);
-    EACH_LANE each(rates) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_DIRECTION each(rates) = each(station_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION), rates);
-    EACH_LANE each(y_t) = each(v1_t);
+    EACH_DIRECTION each(y_t) = each(v1_t);
     y = v1;
     exists = false;
-    excess_t = all_lanes(0.0);
+    excess_t = along_all(0.0);
     excess = 0.0;
-    along_t = all_lanes(0.0);
+    along_t = along_all(0.0);
     along = 1.0;
-    across_t = all_lanes(0.0);
+    across_t = along_all(0.0);
     across = 0.0;
-    up_t = all_lanes(0.0);
+    up_t = along_all(0.0);
     up = 0.0;
-    stretch_t = all_lanes(0.0);
+    stretch_t = along_all(0.0);
     stretch = 1.0;
-    z_t = all_lanes(0.0);
+    z_t = along_all(0.0);
     z = 0.0;
-    slope_t = all_lanes(0.0);
+    slope_t = along_all(0.0);
     slope = 0.0;
-    bend_t = all_lanes(0.0);
+    bend_t = along_all(0.0);
     bend = 0.0;
-    outline_slope_t = all_lanes(0.0);
+    outline_slope_t = along_all(0.0);
     outline_slope = 0.0;
-    outline_rate_t = all_lanes(0.0);
+    outline_rate_t = along_all(0.0);
     outline_rate = 0.0;
     for (i = 0; i < traces__TRACE_ITERATIONS; i += 1)
     {
         v2 = y;
-        EACH_LANE each(v2_t) = each(y_t);
+        EACH_DIRECTION each(v2_t) = each(y_t);
         if (AT(tables, wheel + layout__PROFILE_START) > v2)
         {
             v2 = AT(tables, wheel + layout__PROFILE_START);
-            v2_t = all_lanes(0.0);
+            v2_t = along_all(0.0);
         }
         v3 = v2;
-        EACH_LANE each(v3_t) = each(v2_t);
+        EACH_DIRECTION each(v3_t) = each(v2_t);
         if (AT(tables, wheel + layout__PROFILE_STOP) < v3)
         {
             v3 = AT(tables, wheel + layout__PROFILE_STOP);
-            v3_t = all_lanes(0.0);
+            v3_t = along_all(0.0);
         }
-        EACH_LANE each(y_t) = each(v3_t);
+        EACH_DIRECTION each(y_t) = each(v3_t);
         y = v3;
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-        EACH_LANE each(across_t) = each(y_track_t) - each(left_t);
+        EACH_DIRECTION each(across_t) = each(y_track_t) - each(left_t);
         across = y_track - left;
-        EACH_LANE each(up_t) = each(z_track_t) + each(above_t);
+        EACH_DIRECTION each(up_t) = each(z_track_t) + each(above_t);
         up = z_track + above;
-        EACH_LANE each(along_t) = each(cosine_t) + (each(outline_slope_t) * sine + outline_slope * each(sine_t));
+        EACH_DIRECTION each(along_t) = each(cosine_t) + (each(outline_slope_t) * sine + outline_slope * each(sine_t));
         along = cosine + outline_slope * sine;
-        EACH_LANE each(excess_t) = each(across_t) * cosine + across * each(cosine_t) + (each(up_t) * sine + up * each(sine_t)) - each(station_t);
+        EACH_DIRECTION each(excess_t) = each(across_t) * cosine + across * each(cosine_t) + (each(up_t) * sine + up * each(sine_t)) - each(station_t);
         excess = across * cosine + up * sine - station;
         if (fabs(excess) < tolerance)
         {
@@ -1955,49 +1955,49 @@ static inline void derivative_traces__trace_outline_t(double* ordinate_out, lane
         }
         v4 = stretch * along;
         v5 = excess / v4;
-        EACH_LANE each(y_t) = each(y_t) - (each(excess_t) - v5 * (each(stretch_t) * along + stretch * each(along_t))) / v4;
+        EACH_DIRECTION each(y_t) = each(y_t) - (each(excess_t) - v5 * (each(stretch_t) * along + stretch * each(along_t))) / v4;
         y = y - v5;
     }
     v6 = 1.0 / along;
-    EACH_LANE each(per_along_t) = -v6 * each(along_t) / along;
+    EACH_DIRECTION each(per_along_t) = -v6 * each(along_t) / along;
     per_along = v6;
     v7 = 1.0 / stretch;
-    EACH_LANE each(per_stretch_t) = -v7 * each(stretch_t) / stretch;
+    EACH_DIRECTION each(per_stretch_t) = -v7 * each(stretch_t) / stretch;
     per_stretch = v7;
     v8 = sine - outline_slope * cosine;
-    EACH_LANE each(rate_t) = (each(sine_t) - (each(outline_slope_t) * cosine + outline_slope * each(cosine_t))) * per_along + v8 * each(per_along_t);
+    EACH_DIRECTION each(rate_t) = (each(sine_t) - (each(outline_slope_t) * cosine + outline_slope * each(cosine_t))) * per_along + v8 * each(per_along_t);
     rate = v8 * per_along;
     v9 = -outline_rate;
     v10 = v9 * per_stretch;
     v11 = v10 * per_along;
     v12 = v11 * per_along;
-    EACH_LANE each(ordinate_bend_t) = (((-each(outline_rate_t) * per_stretch + v9 * each(per_stretch_t)) * per_along + v10 * each(per_along_t)) * per_along + v11 * each(per_along_t)) * per_along + v12 * each(per_along_t);
+    EACH_DIRECTION each(ordinate_bend_t) = (((-each(outline_rate_t) * per_stretch + v9 * each(per_stretch_t)) * per_along + v10 * each(per_along_t)) * per_along + v11 * each(per_along_t)) * per_along + v12 * each(per_along_t);
     ordinate_bend = v12 * per_along;
     v13 = -excess;
     v14 = v13 * per_along;
-    EACH_LANE each(move_t) = (-each(excess_t) * per_along + v13 * each(per_along_t)) * per_stretch + v14 * each(per_stretch_t);
+    EACH_DIRECTION each(move_t) = (-each(excess_t) * per_along + v13 * each(per_along_t)) * per_stretch + v14 * each(per_stretch_t);
     move = v14 * per_stretch;
-    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(y_t) + each(move_t);
+    EACH_DIRECTION each(RATE_AT(work_t, trace + layout__TRACE_ABSCISSA)) = each(y_t) + each(move_t);
     AT(work, trace + layout__TRACE_ABSCISSA) = y + move;
-    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = each(per_along_t) * per_stretch + per_along * each(per_stretch_t);
+    EACH_DIRECTION each(RATE_AT(work_t, trace + layout__TRACE_RATE)) = each(per_along_t) * per_stretch + per_along * each(per_stretch_t);
     AT(work, trace + layout__TRACE_RATE) = per_along * per_stretch;
     v15 = ordinate_bend * sine;
-    EACH_LANE each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = (each(ordinate_bend_t) * sine + ordinate_bend * each(sine_t)) * per_stretch + v15 * each(per_stretch_t);
+    EACH_DIRECTION each(RATE_AT(work_t, trace + layout__TRACE_BEND)) = (each(ordinate_bend_t) * sine + ordinate_bend * each(sine_t)) * per_stretch + v15 * each(per_stretch_t);
     AT(work, trace + layout__TRACE_BEND) = v15 * per_stretch;
-    EACH_LANE each(rates_2) = each(y_t) + each(move_t);
-    EACH_LANE each(rates_3) = each(z_t) + (each(move_t) * slope + move * each(slope_t));
-    EACH_LANE each(rates_4) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
+    EACH_DIRECTION each(rates_2) = each(y_t) + each(move_t);
+    EACH_DIRECTION each(rates_3) = each(z_t) + (each(move_t) * slope + move * each(slope_t));
+    EACH_DIRECTION each(rates_4) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
     derivative_traces__note_point_t(work, work_t, place + layout__PLACE_MEETING, y + move, rates_2, z + move * slope, rates_3, slope + move * bend, rates_4, bend, bend_t);
     v16 = 0.5 * excess;
     v17 = rate - v16 * ordinate_bend;
-    EACH_LANE each(ordinate_t) = each(across_t) * sine + across * each(sine_t) - (each(up_t) * cosine + up * each(cosine_t)) - (each(excess_t) * v17 + excess * (each(rate_t) - (0.5 * each(excess_t) * ordinate_bend + v16 * each(ordinate_bend_t))));
+    EACH_DIRECTION each(ordinate_t) = each(across_t) * sine + across * each(sine_t) - (each(up_t) * cosine + up * each(cosine_t)) - (each(excess_t) * v17 + excess * (each(rate_t) - (0.5 * each(excess_t) * ordinate_bend + v16 * each(ordinate_bend_t))));
     ordinate = across * sine - up * cosine - excess * v17;
     *ordinate_out = ordinate;
-    EACH_LANE each(*ordinate_t_out) = each(ordinate_t);
+    EACH_DIRECTION each(*ordinate_t_out) = each(ordinate_t);
     *out_2 = rate - excess * ordinate_bend;
-    EACH_LANE each(*out_3) = each(rate_t) - (each(excess_t) * ordinate_bend + excess * each(ordinate_bend_t));
+    EACH_DIRECTION each(*out_3) = each(rate_t) - (each(excess_t) * ordinate_bend + excess * each(ordinate_bend_t));
     *ordinate_bend_out = ordinate_bend;
-    EACH_LANE each(*ordinate_bend_t_out) = each(ordinate_bend_t);
+    EACH_DIRECTION each(*ordinate_bend_t_out) = each(ordinate_bend_t);
     *exists_out = exists;
 }
 
@@ -2008,69 +2008,69 @@ static inline void derivative_traces__trace_outline_t(double* ordinate_out, lane
  */
 
 /* Derivative of ``width_limit``. */
-static inline void derivative_widths__width_limit_t(double* limit_out, lanes* limit_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t)
+static inline void derivative_widths__width_limit_t(double* limit_out, directional_rate* limit_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, double direction, directional_rate direction_t)
 {
-    lanes limit_t;
+    directional_rate limit_t;
     double limit;
-    EACH_LANE each(limit_t) = each(RATE_AT(work_t, region + layout__REGION_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
+    EACH_DIRECTION each(limit_t) = each(RATE_AT(work_t, region + layout__REGION_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
     limit = AT(work, region + layout__REGION_HIGH) - AT(work, region + layout__REGION_STATION);
     if (direction < 0.0)
     {
-        EACH_LANE each(limit_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) - each(RATE_AT(work_t, region + layout__REGION_LOW));
+        EACH_DIRECTION each(limit_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) - each(RATE_AT(work_t, region + layout__REGION_LOW));
         limit = AT(work, region + layout__REGION_STATION) - AT(work, region + layout__REGION_LOW);
     }
     *limit_out = limit;
-    EACH_LANE each(*limit_t_out) = each(limit_t);
+    EACH_DIRECTION each(*limit_t_out) = each(limit_t);
 }
 
 /* Derivative of ``width_tolerance``. */
-static inline void derivative_widths__width_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double estimate, lanes estimate_t)
+static inline void derivative_widths__width_tolerance_t(double* tolerance_out, directional_rate* tolerance_t_out, double estimate, directional_rate estimate_t)
 {
     double v1, tolerance;
-    lanes v1_t, tolerance_t;
+    directional_rate v1_t, tolerance_t;
     v1 = widths__TRACE_OF_WIDTH * estimate;
-    EACH_LANE each(v1_t) = widths__TRACE_OF_WIDTH * each(estimate_t);
+    EACH_DIRECTION each(v1_t) = widths__TRACE_OF_WIDTH * each(estimate_t);
     if (widths__WIDTH_TRACE < v1)
     {
         v1 = widths__WIDTH_TRACE;
-        v1_t = all_lanes(0.0);
+        v1_t = along_all(0.0);
     }
-    EACH_LANE each(tolerance_t) = each(v1_t);
+    EACH_DIRECTION each(tolerance_t) = each(v1_t);
     tolerance = v1;
     *tolerance_out = tolerance;
-    EACH_LANE each(*tolerance_t_out) = each(tolerance_t);
+    EACH_DIRECTION each(*tolerance_t_out) = each(tolerance_t);
 }
 
 /* Derivative of ``zone_width``. */
-static inline void derivative_widths__zone_width_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
+static inline void derivative_widths__zone_width_t(double* width_out, directional_rate* width_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double direction, directional_rate direction_t, double level, directional_rate level_t, double estimate, directional_rate estimate_t)
 {
     double v1, limit, v2, tolerance, v3, root, low, high, width, station, abscissa, y, near, v4, gap, rate, bend, rise, following, sharp, v5, v6, square, rising, v7, v8, v9, v10, step, v11, v12, v13, v14, v15, v16, newton;
-    lanes v1_t, limit_t, v2_t, tolerance_t, root_t, low_t, high_t, width_t, station_t, abscissa_t, y_t, v4_t, gap_t, rate_t, bend_t, rise_t, following_t, square_t, rising_t, step_t, newton_t, rates;
+    directional_rate v1_t, limit_t, v2_t, tolerance_t, root_t, low_t, high_t, width_t, station_t, abscissa_t, y_t, v4_t, gap_t, rate_t, bend_t, rise_t, following_t, square_t, rising_t, step_t, newton_t, rates;
     int64_t i;
     derivative_widths__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
-    EACH_LANE each(limit_t) = each(v1_t);
+    EACH_DIRECTION each(limit_t) = each(v1_t);
     limit = v1;
     derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
-    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
+    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, along_all(0.0));
     derivative_widths__width_tolerance_t(&v2, &v2_t, estimate, estimate_t);
-    EACH_LANE each(tolerance_t) = each(v2_t);
+    EACH_DIRECTION each(tolerance_t) = each(v2_t);
     tolerance = v2;
     v3 = sqrt(level);
-    EACH_LANE each(root_t) = derivative_rates__root_rate(v3, each(level_t));
+    EACH_DIRECTION each(root_t) = derivative_rates__root_rate(v3, each(level_t));
     root = v3;
-    low_t = all_lanes(0.0);
+    low_t = along_all(0.0);
     low = 0.0;
-    high_t = all_lanes(0.0);
+    high_t = along_all(0.0);
     high = -1.0;
-    EACH_LANE each(width_t) = each(estimate_t);
+    EACH_DIRECTION each(width_t) = each(estimate_t);
     width = estimate;
-    RATE_AT(work_t, region + layout__REGION_REACHED) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_REACHED) = along_all(0.0);
     AT(work, region + layout__REGION_REACHED) = 0.0;
-    EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION));
+    EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION));
     station = AT(work, region + layout__REGION_STATION);
-    EACH_LANE each(abscissa_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
+    EACH_DIRECTION each(abscissa_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
     abscissa = AT(work, region + layout__REGION_RAIL);
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL));
     y = AT(work, region + layout__REGION_WHEEL);
     near = widths__WIDTH_SHARP;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0)
@@ -2084,15 +2084,15 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
     for (i = 0; i < widths__WIDTH_ITERATIONS; i += 1)
     {
         v4 = width;
-        EACH_LANE each(v4_t) = each(width_t);
+        EACH_DIRECTION each(v4_t) = each(width_t);
         if (limit < v4)
         {
             v4 = limit;
-            EACH_LANE each(v4_t) = each(limit_t);
+            EACH_DIRECTION each(v4_t) = each(limit_t);
         }
-        EACH_LANE each(width_t) = each(v4_t);
+        EACH_DIRECTION each(width_t) = each(v4_t);
         width = v4;
-        EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
+        EACH_DIRECTION each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
         derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
         if (gap >= frame__NO_GAP)
         {
@@ -2100,54 +2100,54 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
         }
         else
         {
-            EACH_LANE each(station_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
             station = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
-            EACH_LANE each(abscissa_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            EACH_DIRECTION each(abscissa_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
             abscissa = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA);
-            EACH_LANE each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+            EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
             y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
         }
-        EACH_LANE each(rise_t) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
+        EACH_DIRECTION each(rise_t) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
         rise = gap - AT(work, region + layout__REGION_GAP);
         if (rise < level)
         {
-            EACH_LANE each(low_t) = each(width_t);
+            EACH_DIRECTION each(low_t) = each(width_t);
             low = width;
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(rise_t);
+            EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(rise_t);
             AT(work, region + layout__REGION_REACHED) = rise;
             if (width >= limit)
             {
                 *width_out = limit;
-                EACH_LANE each(*width_t_out) = each(limit_t);
+                EACH_DIRECTION each(*width_t_out) = each(limit_t);
                 return;
             }
         }
         else
         {
-            EACH_LANE each(high_t) = each(width_t);
+            EACH_DIRECTION each(high_t) = each(width_t);
             high = width;
         }
-        EACH_LANE each(following_t) = 2.0 * each(width_t);
+        EACH_DIRECTION each(following_t) = 2.0 * each(width_t);
         following = 2.0 * width;
         sharp = widths__HALVED_SHARP;
         if (high > 0.0)
         {
             v5 = low + high;
-            EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
+            EACH_DIRECTION each(following_t) = 0.5 * (each(low_t) + each(high_t));
             following = 0.5 * v5;
         }
         if (rise > 0.0 && rate * direction > 0.0)
         {
             v6 = sqrt(rise);
-            EACH_LANE each(square_t) = derivative_rates__root_rate(v6, each(rise_t));
+            EACH_DIRECTION each(square_t) = derivative_rates__root_rate(v6, each(rise_t));
             square = v6;
-            EACH_LANE each(rising_t) = each(rate_t) * direction + rate * each(direction_t);
+            EACH_DIRECTION each(rising_t) = each(rate_t) * direction + rate * each(direction_t);
             rising = rate * direction;
             v7 = root - square;
             v8 = v7 * 2.0;
             v9 = v8 * square;
             v10 = v9 / rising;
-            EACH_LANE each(step_t) = ((each(root_t) - each(square_t)) * 2.0 * square + v8 * each(square_t) - v10 * each(rising_t)) / rising;
+            EACH_DIRECTION each(step_t) = ((each(root_t) - each(square_t)) * 2.0 * square + v8 * each(square_t) - v10 * each(rising_t)) / rising;
             step = v10;
             if (fabs(step) < widths__BENT_STEP * width)
             {
@@ -2157,14 +2157,14 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
                 v14 = 0.5 * rising;
                 v15 = v14 / rise;
                 v16 = v13 - v15;
-                EACH_LANE each(step_t) = each(step_t) - ((0.5 * each(step_t) * step + v11 * each(step_t)) * v16 + v12 * ((each(bend_t) - v13 * each(rising_t)) / rising - (0.5 * each(rising_t) - v15 * each(rise_t)) / rise));
+                EACH_DIRECTION each(step_t) = each(step_t) - ((0.5 * each(step_t) * step + v11 * each(step_t)) * v16 + v12 * ((each(bend_t) - v13 * each(rising_t)) / rising - (0.5 * each(rising_t) - v15 * each(rise_t)) / rise));
                 step = step - v12 * v16;
             }
-            EACH_LANE each(newton_t) = each(width_t) + each(step_t);
+            EACH_DIRECTION each(newton_t) = each(width_t) + each(step_t);
             newton = width + step;
             if (newton > low && newton < 4.0 * width && (high < 0.0 || newton < high))
             {
-                EACH_LANE each(following_t) = each(newton_t);
+                EACH_DIRECTION each(following_t) = each(newton_t);
                 following = newton;
                 sharp = near;
             }
@@ -2173,263 +2173,263 @@ static inline void derivative_widths__zone_width_t(double* width_out, lanes* wid
         {
             if (sharp == near)
             {
-                EACH_LANE each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(level_t);
+                EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(level_t);
                 AT(work, region + layout__REGION_REACHED) = level;
             }
             *width_out = following;
-            EACH_LANE each(*width_t_out) = each(following_t);
+            EACH_DIRECTION each(*width_t_out) = each(following_t);
             return;
         }
-        EACH_LANE each(width_t) = each(following_t);
+        EACH_DIRECTION each(width_t) = each(following_t);
         width = following;
     }
     *width_out = width;
-    EACH_LANE each(*width_t_out) = each(width_t);
+    EACH_DIRECTION each(*width_t_out) = each(width_t);
 }
 
 /* Derivative of ``keep_widths``. */
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region)
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t region)
 {
-    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
+    EACH_DIRECTION each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION));
     AT(work, first + layout__FIRST_WIDTHS_PENETRATION) = AT(work, region + layout__REGION_WIDTH_PENETRATION);
-    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
+    EACH_DIRECTION each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
     AT(work, first + layout__FIRST_WIDTHS_LOW) = AT(work, region + layout__REGION_WIDTH_LOW);
-    EACH_LANE each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
+    EACH_DIRECTION each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
     AT(work, first + layout__FIRST_WIDTHS_HIGH) = AT(work, region + layout__REGION_WIDTH_HIGH);
     return 0;
 }
 
 /* Derivative of ``begin_widths``. */
-static inline int64_t derivative_widths__begin_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t known, int64_t region)
+static inline int64_t derivative_widths__begin_widths_t(array_double_1d work, array_directional_rate_1d work_t, int64_t known, int64_t region)
 {
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_PENETRATION));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_PENETRATION));
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, known + layout__FIRST_WIDTHS_PENETRATION);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_LOW));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_LOW));
     AT(work, region + layout__REGION_WIDTH_LOW) = AT(work, known + layout__FIRST_WIDTHS_LOW);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_HIGH));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(RATE_AT(work_t, known + layout__FIRST_WIDTHS_HIGH));
     AT(work, region + layout__REGION_WIDTH_HIGH) = AT(work, known + layout__FIRST_WIDTHS_HIGH);
     return 0;
 }
 
 /* Derivative of ``start_widths``. */
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region)
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t region)
 {
-    lanes low_t, high_t;
+    directional_rate low_t, high_t;
     double low, high;
-    RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION) = along_all(0.0);
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = 0.0;
-    EACH_LANE each(low_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_LOW)) + each(RATE_AT(work_t, region + layout__REGION_OFFSET));
     low = AT(work, first + layout__FIRST_WIDTHS_LOW) + AT(work, region + layout__REGION_OFFSET);
-    EACH_LANE each(high_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    EACH_DIRECTION each(high_t) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
     high = AT(work, first + layout__FIRST_WIDTHS_HIGH) - AT(work, region + layout__REGION_OFFSET);
     if (AT(work, first + layout__FIRST_WIDTHS_PENETRATION) > 0.0 && low > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_LOW) && high > widths__LEAST_LEFT * AT(work, first + layout__FIRST_WIDTHS_HIGH))
     {
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION));
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(RATE_AT(work_t, first + layout__FIRST_WIDTHS_PENETRATION));
         AT(work, region + layout__REGION_WIDTH_PENETRATION) = AT(work, first + layout__FIRST_WIDTHS_PENETRATION);
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
         AT(work, region + layout__REGION_WIDTH_LOW) = low;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
         AT(work, region + layout__REGION_WIDTH_HIGH) = high;
     }
     return 0;
 }
 
 /* Derivative of ``measure_widths``. */
-static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double local_penetration, lanes local_penetration_t)
+static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double local_penetration, directional_rate local_penetration_t)
 {
     double v1, v2, v3, v4, bend, v5, v6, v7, low, high, v8, v9, grown, v10, high_reached, slant, start, v11, v12, v13, v14, v15, v17, v16, v19, v18, v20;
-    lanes v2_t, v4_t, bend_t, low_t, high_t, grown_t, v10_t, high_reached_t, slant_t, start_t, v11_t, v12_t, v13_t, v16_t, v18_t, rates, rates_2;
+    directional_rate v2_t, v4_t, bend_t, low_t, high_t, grown_t, v10_t, high_reached_t, slant_t, start_t, v11_t, v12_t, v13_t, v16_t, v18_t, rates, rates_2;
     bool yawed;
     v1 = widths__LEAST_BEND * AT(work, region + layout__REGION_CURVATURE);
     v2 = AT(work, region + layout__REGION_BEND);
-    EACH_LANE each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_BEND));
+    EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_BEND));
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = widths__LEAST_BEND * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
+        EACH_DIRECTION each(v2_t) = widths__LEAST_BEND * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
     }
     v3 = widths__MOST_BEND * AT(work, region + layout__REGION_CURVATURE);
     v4 = v2;
-    EACH_LANE each(v4_t) = each(v2_t);
+    EACH_DIRECTION each(v4_t) = each(v2_t);
     if (v3 < v4)
     {
         v4 = v3;
-        EACH_LANE each(v4_t) = widths__MOST_BEND * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
+        EACH_DIRECTION each(v4_t) = widths__MOST_BEND * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
     }
-    EACH_LANE each(bend_t) = each(v4_t);
+    EACH_DIRECTION each(bend_t) = each(v4_t);
     bend = v4;
     v5 = 2.0 * local_penetration;
     v6 = v5 / bend;
     v7 = sqrt(v6);
-    EACH_LANE each(low_t) = derivative_rates__root_rate(v7, (2.0 * each(local_penetration_t) - v6 * each(bend_t)) / bend);
+    EACH_DIRECTION each(low_t) = derivative_rates__root_rate(v7, (2.0 * each(local_penetration_t) - v6 * each(bend_t)) / bend);
     low = v7;
-    EACH_LANE each(high_t) = each(low_t);
+    EACH_DIRECTION each(high_t) = each(low_t);
     high = low;
     if (AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0)
     {
         v8 = local_penetration / AT(work, region + layout__REGION_WIDTH_PENETRATION);
         v9 = sqrt(v8);
-        EACH_LANE each(grown_t) = derivative_rates__root_rate(v9, (each(local_penetration_t) - v8 * each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION))) / AT(work, region + layout__REGION_WIDTH_PENETRATION));
+        EACH_DIRECTION each(grown_t) = derivative_rates__root_rate(v9, (each(local_penetration_t) - v8 * each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION))) / AT(work, region + layout__REGION_WIDTH_PENETRATION));
         grown = v9;
-        EACH_LANE each(low_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) * grown + AT(work, region + layout__REGION_WIDTH_LOW) * each(grown_t);
+        EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) * grown + AT(work, region + layout__REGION_WIDTH_LOW) * each(grown_t);
         low = AT(work, region + layout__REGION_WIDTH_LOW) * grown;
-        EACH_LANE each(high_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) * grown + AT(work, region + layout__REGION_WIDTH_HIGH) * each(grown_t);
+        EACH_DIRECTION each(high_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) * grown + AT(work, region + layout__REGION_WIDTH_HIGH) * each(grown_t);
         high = AT(work, region + layout__REGION_WIDTH_HIGH) * grown;
     }
-    derivative_widths__width_rule_t(&v10, &v10_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), local_penetration, local_penetration_t, high, high_t);
-    EACH_LANE each(high_t) = each(v10_t);
+    derivative_widths__width_rule_t(&v10, &v10_t, tables, work, work_t, pair, region, 1.0, along_all(0.0), local_penetration, local_penetration_t, high, high_t);
+    EACH_DIRECTION each(high_t) = each(v10_t);
     high = v10;
-    EACH_LANE each(high_reached_t) = each(RATE_AT(work_t, region + layout__REGION_REACHED));
+    EACH_DIRECTION each(high_reached_t) = each(RATE_AT(work_t, region + layout__REGION_REACHED));
     high_reached = AT(work, region + layout__REGION_REACHED);
-    slant_t = all_lanes(0.0);
+    slant_t = along_all(0.0);
     slant = 0.0;
-    EACH_LANE each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_DIRECTION each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     start = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
     yawed = frame__is_yawed(work);
     if (yawed)
     {
         derivative_locus__outline_x_t(&v11, &v11_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-        EACH_LANE each(slant_t) = each(v11_t);
+        EACH_DIRECTION each(slant_t) = each(v11_t);
         slant = v11;
     }
     if (!(AT(work, region + layout__REGION_WIDTH_PENETRATION) > 0.0))
     {
-        EACH_LANE each(low_t) = each(high_t);
+        EACH_DIRECTION each(low_t) = each(high_t);
         low = high;
     }
-    derivative_widths__width_rule_t(&v12, &v12_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), local_penetration, local_penetration_t, low, low_t);
-    EACH_LANE each(low_t) = each(v12_t);
+    derivative_widths__width_rule_t(&v12, &v12_t, tables, work, work_t, pair, region, -1.0, along_all(0.0), local_penetration, local_penetration_t, low, low_t);
+    EACH_DIRECTION each(low_t) = each(v12_t);
     low = v12;
     if (yawed)
     {
         derivative_locus__outline_x_t(&v13, &v13_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-        EACH_LANE each(slant_t) = each(slant_t) - each(v13_t);
+        EACH_DIRECTION each(slant_t) = each(slant_t) - each(v13_t);
         slant = slant - v13;
         if (start > AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))
         {
             v14 = start - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION);
             v15 = slant / v14;
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SLANT)) = (each(slant_t) - v15 * (each(start_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v14;
+            EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SLANT)) = (each(slant_t) - v15 * (each(start_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v14;
             AT(work, region + layout__REGION_SLANT) = v15;
         }
     }
     v17 = low + high;
-    EACH_LANE each(rates) = 0.5 * (each(low_t) + each(high_t));
+    EACH_DIRECTION each(rates) = 0.5 * (each(low_t) + each(high_t));
     derivative_widths__side_curvature_t(&v16, &v16_t, high_reached, high_reached_t, high, high_t, 0.5 * v17, rates);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIDE_HIGH)) = each(v16_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SIDE_HIGH)) = each(v16_t);
     AT(work, region + layout__REGION_SIDE_HIGH) = v16;
     v19 = low + high;
-    EACH_LANE each(rates_2) = 0.5 * (each(low_t) + each(high_t));
+    EACH_DIRECTION each(rates_2) = 0.5 * (each(low_t) + each(high_t));
     derivative_widths__side_curvature_t(&v18, &v18_t, AT(work, region + layout__REGION_REACHED), RATE_AT(work_t, region + layout__REGION_REACHED), low, low_t, 0.5 * v19, rates_2);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIDE_LOW)) = each(v18_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SIDE_LOW)) = each(v18_t);
     AT(work, region + layout__REGION_SIDE_LOW) = v18;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)) = each(high_t);
     AT(work, region + layout__REGION_WIDTH_HIGH) = high;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) = each(low_t);
     AT(work, region + layout__REGION_WIDTH_LOW) = low;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(local_penetration_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_WIDTH_PENETRATION)) = each(local_penetration_t);
     AT(work, region + layout__REGION_WIDTH_PENETRATION) = local_penetration;
     v20 = high - low;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_MIDDLE)) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + 0.5 * (each(high_t) - each(low_t));
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_MIDDLE)) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + 0.5 * (each(high_t) - each(low_t));
     AT(work, region + layout__REGION_MIDDLE) = AT(work, region + layout__REGION_STATION) + 0.5 * v20;
     return 0;
 }
 
 /* Derivative of ``side_curvature``. */
-static inline void derivative_widths__side_curvature_t(double* curvature_out, lanes* curvature_t_out, double reached, lanes reached_t, double own, lanes own_t, double mean, lanes mean_t)
+static inline void derivative_widths__side_curvature_t(double* curvature_out, directional_rate* curvature_t_out, double reached, directional_rate reached_t, double own, directional_rate own_t, double mean, directional_rate mean_t)
 {
-    lanes curvature_t, v2_t, ratio_t;
+    directional_rate curvature_t, v2_t, ratio_t;
     double curvature, v1, v2, ratio, v3, v4, v5;
-    curvature_t = all_lanes(0.0);
+    curvature_t = along_all(0.0);
     curvature = 0.0;
     if (own > 0.0)
     {
         v1 = mean / own;
         v2 = v1;
-        EACH_LANE each(v2_t) = (each(mean_t) - v1 * each(own_t)) / own;
+        EACH_DIRECTION each(v2_t) = (each(mean_t) - v1 * each(own_t)) / own;
         if (widths__NARROWER < v2)
         {
             v2 = widths__NARROWER;
-            v2_t = all_lanes(0.0);
+            v2_t = along_all(0.0);
         }
-        EACH_LANE each(ratio_t) = each(v2_t);
+        EACH_DIRECTION each(ratio_t) = each(v2_t);
         ratio = v2;
         v3 = own * own;
         v4 = reached / v3;
         v5 = v4 * ratio;
-        EACH_LANE each(curvature_t) = ((each(reached_t) - v4 * (each(own_t) * own + own * each(own_t))) / v3 * ratio + v4 * each(ratio_t)) * ratio + v5 * each(ratio_t);
+        EACH_DIRECTION each(curvature_t) = ((each(reached_t) - v4 * (each(own_t) * own + own * each(own_t))) / v3 * ratio + v4 * each(ratio_t)) * ratio + v5 * each(ratio_t);
         curvature = v5 * ratio;
     }
     *curvature_out = curvature;
-    EACH_LANE each(*curvature_t_out) = each(curvature_t);
+    EACH_DIRECTION each(*curvature_t_out) = each(curvature_t);
 }
 
 /* Derivative of ``width_rule``. */
-static inline void derivative_widths__width_rule_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
+static inline void derivative_widths__width_rule_t(double* width_out, directional_rate* width_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double direction, directional_rate direction_t, double level, directional_rate level_t, double estimate, directional_rate estimate_t)
 {
     double v1, width, v2, limit, inner, v3, tolerance, gap, rate, x, y;
-    lanes v1_t, width_t, v2_t, limit_t, v3_t, tolerance_t, gap_t, rate_t, rail_rate, wheel_rate, missing, moved, x_t, y_t, out;
+    directional_rate v1_t, width_t, v2_t, limit_t, v3_t, tolerance_t, gap_t, rate_t, rail_rate, wheel_rate, missing, moved, x_t, y_t, out;
     derivative_widths__zone_width_t(&v1, &v1_t, tables, work, work_t, pair, region, direction, direction_t, level, level_t, estimate, estimate_t);
-    EACH_LANE each(width_t) = each(v1_t);
+    EACH_DIRECTION each(width_t) = each(v1_t);
     width = v1;
     derivative_widths__width_limit_t(&v2, &v2_t, work, work_t, region, direction, direction_t);
-    EACH_LANE each(limit_t) = each(v2_t);
+    EACH_DIRECTION each(limit_t) = each(v2_t);
     limit = v2;
     if (width < limit && AT(work, region + layout__REGION_REACHED) != level)
     {
         inner = width * (1.0 - 10.0 * widths__HALVED_SHARP);
-        derivative_widths__width_tolerance_t(&v3, &v3_t, estimate, all_lanes(0.0));
-        EACH_LANE each(tolerance_t) = each(v3_t);
+        derivative_widths__width_tolerance_t(&v3, &v3_t, estimate, along_all(0.0));
+        EACH_DIRECTION each(tolerance_t) = each(v3_t);
         tolerance = v3;
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, all_lanes(0.0), tolerance, tolerance_t);
-        EACH_LANE each(rail_rate) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        EACH_LANE each(wheel_rate) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-        EACH_LANE each(missing) = each(level_t) - each(gap_t) + each(RATE_AT(work_t, region + layout__REGION_GAP));
-        moved = all_lanes(0.0);
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, along_all(0.0), tolerance, tolerance_t);
+        EACH_DIRECTION each(rail_rate) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        EACH_DIRECTION each(wheel_rate) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        EACH_DIRECTION each(missing) = each(level_t) - each(gap_t) + each(RATE_AT(work_t, region + layout__REGION_GAP));
+        moved = along_all(0.0);
         if (rate * direction > 0.0)
         {
-            EACH_LANE each(moved) = each(missing) / (rate * direction);
+            EACH_DIRECTION each(moved) = each(missing) / (rate * direction);
         }
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, all_lanes(1.0), tolerance, tolerance_t);
-        EACH_LANE each(x_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, along_all(1.0), tolerance, tolerance_t);
+        EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
         x = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA);
-        EACH_LANE each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
-        EACH_LANE each(out) = each(x_t) - each(rail_rate);
+        EACH_DIRECTION each(out) = each(x_t) - each(rail_rate);
         if (derivative_rates__nonzero(out) && (x < AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START) + widths__WIDTH_TRACE || x > AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP) - widths__WIDTH_TRACE))
         {
-            EACH_LANE each(moved) = -each(rail_rate) / each(out);
+            EACH_DIRECTION each(moved) = -each(rail_rate) / each(out);
         }
-        EACH_LANE each(out) = each(y_t) - each(wheel_rate);
+        EACH_DIRECTION each(out) = each(y_t) - each(wheel_rate);
         if (derivative_rates__nonzero(out) && (y < AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL) + layout__PROFILE_START) + widths__WIDTH_TRACE || y > AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL) + layout__PROFILE_STOP) - widths__WIDTH_TRACE))
         {
-            EACH_LANE each(moved) = -each(wheel_rate) / each(out);
+            EACH_DIRECTION each(moved) = -each(wheel_rate) / each(out);
         }
         derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, moved, tolerance, tolerance_t);
-        EACH_LANE each(width_t) = each(moved);
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
+        EACH_DIRECTION each(width_t) = each(moved);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_REACHED)) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
     }
     *width_out = width;
-    EACH_LANE each(*width_t_out) = each(width_t);
+    EACH_DIRECTION each(*width_t_out) = each(width_t);
 }
 
 /* Derivative of ``width_jet``. */
-static inline void derivative_widths__width_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double width, lanes width_t, double tolerance, lanes tolerance_t)
+static inline void derivative_widths__width_jet_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double direction, directional_rate direction_t, double width, directional_rate width_t, double tolerance, directional_rate tolerance_t)
 {
-    lanes y_t, gap_t, rate_t, bend_t, rates;
+    directional_rate y_t, gap_t, rate_t, bend_t, rates;
     double y, gap, rate, bend;
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL));
     y = AT(work, region + layout__REGION_WHEEL);
     if ((int64_t)AT(tables, layout__TABLES_SEPARATION) == layout__SEPARATION_NORMAL)
     {
-        y_t = all_lanes(0.0);
+        y_t = along_all(0.0);
         y = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA) - direction * width * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     }
     derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), y, y_t);
-    EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + (each(direction_t) * width + direction * each(width_t));
     derivative_separation__separation_jet_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION) + direction * width, rates, tolerance, tolerance_t);
     *gap_out = gap;
-    EACH_LANE each(*gap_t_out) = each(gap_t);
+    EACH_DIRECTION each(*gap_t_out) = each(gap_t);
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
 }

@@ -8,140 +8,140 @@
  */
 
 /* Derivative of ``correct_force``. */
-static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double share, lanes share_t)
+static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, double share, directional_rate share_t)
 {
     int64_t table, ratio, at, beyond;
     double v1, bound, v2, v3, mean_axis, v5, v4, v6, on_ratio, along, across, turning, sign_x, sign_y, on_elevation, on_azimuth, on_radius, faint, scale, v7, v8, v9, v10, v11, v12, v13, v14, v15, v16, v17, v18, bend, v19, v20, v21, v22, v23, turned, v24, v25, v26, v27, v28, force_x, force_y;
-    lanes bound_t, mean_axis_t, v4_t, on_ratio_t, along_t, across_t, turning_t, on_elevation_t, on_azimuth_t, on_radius_t, faint_t, scale_t, v8_t, v11_t, v12_t, v16_t, v17_t, bend_t, v20_t, v22_t, v23_t, turned_t, v26_t, v27_t, v28_t, force_x_t, force_y_t, rates, rates_2;
+    directional_rate bound_t, mean_axis_t, v4_t, on_ratio_t, along_t, across_t, turning_t, on_elevation_t, on_azimuth_t, on_radius_t, faint_t, scale_t, v8_t, v11_t, v12_t, v16_t, v17_t, bend_t, v20_t, v22_t, v23_t, turned_t, v26_t, v27_t, v28_t, force_x_t, force_y_t, rates, rates_2;
     table = (int64_t)AT(tables, layout__TABLES_ROLLING);
     v1 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-    EACH_LANE each(bound_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * share + v1 * each(share_t);
+    EACH_DIRECTION each(bound_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * share + v1 * each(share_t);
     bound = v1 * share;
     v2 = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
     v3 = sqrt(v2);
-    EACH_LANE each(mean_axis_t) = derivative_rates__root_rate(v3, each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + AT(work, patch + layout__PATCH_HALF_LENGTH) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)));
+    EACH_DIRECTION each(mean_axis_t) = derivative_rates__root_rate(v3, each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + AT(work, patch + layout__PATCH_HALF_LENGTH) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)));
     mean_axis = v3;
     v5 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(rates) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v5 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_DIRECTION each(rates) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v5 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     derivative_powers__log_rule_t(&v4, &v4_t, v5, rates);
     v6 = v4 - correction__LN_FIRST_RATIO;
-    EACH_LANE each(rates_2) = each(v4_t) * correction__PER_DOUBLING;
-    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v6 * correction__PER_DOUBLING, rates_2, (double)(layout__CORRECTION_RATIOS - 1), all_lanes(0.0));
+    EACH_DIRECTION each(rates_2) = each(v4_t) * correction__PER_DOUBLING;
+    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v6 * correction__PER_DOUBLING, rates_2, (double)(layout__CORRECTION_RATIOS - 1), along_all(0.0));
     derivative_correction__saturation_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch, ratio, on_ratio, on_ratio_t);
     sign_x = 1.0;
     if (along < 0.0)
     {
         sign_x = -1.0;
-        EACH_LANE each(along_t) = -each(along_t);
+        EACH_DIRECTION each(along_t) = -each(along_t);
         along = -along;
     }
     sign_y = 1.0;
     if (turning < 0.0)
     {
         sign_y = -1.0;
-        EACH_LANE each(across_t) = -each(across_t);
+        EACH_DIRECTION each(across_t) = -each(across_t);
         across = -across;
-        EACH_LANE each(turning_t) = -each(turning_t);
+        EACH_DIRECTION each(turning_t) = -each(turning_t);
         turning = -turning;
     }
     derivative_correction__node_at_t(&at, &on_elevation, &on_elevation_t, &on_azimuth, &on_azimuth_t, &on_radius, &on_radius_t, &faint, &faint_t, tables, table, along, along_t, across, across_t, turning, turning_t);
     if (faint > 0.0)
     {
-        EACH_LANE each(scale_t) = each(faint_t) * bound + faint * each(bound_t);
+        EACH_DIRECTION each(scale_t) = each(faint_t) * bound + faint * each(bound_t);
         scale = faint * bound;
         v7 = scale * sign_x;
         derivative_correction__slope_at_t(&v8, &v8_t, tables, table, 0, ratio, on_ratio, on_ratio_t);
         v9 = v7 * v8;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + ((each(scale_t) * sign_x * v8 + v7 * each(v8_t)) * along + v9 * each(along_t));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + ((each(scale_t) * sign_x * v8 + v7 * each(v8_t)) * along + v9 * each(along_t));
         AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + v9 * along;
         v10 = scale * sign_y;
         derivative_correction__slope_at_t(&v11, &v11_t, tables, table, 1, ratio, on_ratio, on_ratio_t);
         derivative_correction__slope_at_t(&v12, &v12_t, tables, table, 2, ratio, on_ratio, on_ratio_t);
         v13 = v11 * across + v12 * turning;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(scale_t) * sign_y * v13 + v10 * (each(v11_t) * across + v11 * each(across_t) + (each(v12_t) * turning + v12 * each(turning_t))));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(scale_t) * sign_y * v13 + v10 * (each(v11_t) * across + v11 * each(across_t) + (each(v12_t) * turning + v12 * each(turning_t))));
         AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v10 * v13;
         v14 = scale * sign_y;
         v15 = v14 * mean_axis;
         derivative_correction__slope_at_t(&v16, &v16_t, tables, table, 3, ratio, on_ratio, on_ratio_t);
         derivative_correction__slope_at_t(&v17, &v17_t, tables, table, 4, ratio, on_ratio, on_ratio_t);
         v18 = v16 * across + v17 * turning;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((each(scale_t) * sign_y * mean_axis + v14 * each(mean_axis_t)) * v18 + v15 * (each(v16_t) * across + v16 * each(across_t) + (each(v17_t) * turning + v17 * each(turning_t))));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((each(scale_t) * sign_y * mean_axis + v14 * each(mean_axis_t)) * v18 + v15 * (each(v16_t) * across + v16 * each(across_t) + (each(v17_t) * turning + v17 * each(turning_t))));
         AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v15 * v18;
     }
     at = at + ratio * correction__RATIO_STRIDE;
     derivative_correction__middle_bend_t(&beyond, &bend, &bend_t, at, on_azimuth, on_azimuth_t);
     v19 = sign_x * bound;
     derivative_correction__missing_t(&v20, &v20_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * each(bound_t) * v20 + v19 * each(v20_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * each(bound_t) * v20 + v19 * each(v20_t));
     AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + v19 * v20;
     if (modulo(at, correction__RATIO_STRIDE) < correction__ELEVATION_STRIDE)
     {
-        EACH_LANE each(on_elevation_t) = each(on_elevation_t) * on_elevation + on_elevation * each(on_elevation_t);
+        EACH_DIRECTION each(on_elevation_t) = each(on_elevation_t) * on_elevation + on_elevation * each(on_elevation_t);
         on_elevation = on_elevation * on_elevation;
     }
     v21 = sign_y * bound;
     derivative_correction__missing_t(&v22, &v22_t, tables, table, at + 1, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * each(bound_t) * v22 + v21 * each(v22_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * each(bound_t) * v22 + v21 * each(v22_t));
     AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v21 * v22;
     derivative_correction__missing_t(&v23, &v23_t, tables, table, at + 2, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
-    EACH_LANE each(turned_t) = each(v23_t);
+    EACH_DIRECTION each(turned_t) = each(v23_t);
     turned = v23;
     v24 = sign_y * bound;
     v25 = v24 * mean_axis;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * each(bound_t) * mean_axis + v24 * each(mean_axis_t)) * turned + v25 * each(turned_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * each(bound_t) * mean_axis + v24 * each(mean_axis_t)) * turned + v25 * each(turned_t));
     AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v25 * turned;
     derivative_correction__missing_t(&v26, &v26_t, tables, table, at + 3, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) + each(v26_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) + each(v26_t);
     AT(work, patch + layout__PATCH_STICK_SHARE) = AT(work, patch + layout__PATCH_STICK_SHARE) + v26;
     v27 = AT(work, patch + layout__PATCH_STICK_SHARE);
-    EACH_LANE each(v27_t) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE));
+    EACH_DIRECTION each(v27_t) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE));
     if (0.0 > v27)
     {
         v27 = 0.0;
-        v27_t = all_lanes(0.0);
+        v27_t = along_all(0.0);
     }
     v28 = v27;
-    EACH_LANE each(v28_t) = each(v27_t);
+    EACH_DIRECTION each(v28_t) = each(v27_t);
     if (1.0 < v28)
     {
         v28 = 1.0;
-        v28_t = all_lanes(0.0);
+        v28_t = along_all(0.0);
     }
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(v28_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(v28_t);
     AT(work, patch + layout__PATCH_STICK_SHARE) = v28;
     derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, AT(work, patch + layout__PATCH_CREEP_X), RATE_AT(work_t, patch + layout__PATCH_CREEP_X), AT(work, patch + layout__PATCH_CREEP_Y), RATE_AT(work_t, patch + layout__PATCH_CREEP_Y), bound, bound_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(force_x_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(force_x_t);
     AT(work, patch + layout__PATCH_CREEP_X) = force_x;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(force_y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(force_y_t);
     AT(work, patch + layout__PATCH_CREEP_Y) = force_y;
     return 0;
 }
 
 /* Derivative of ``saturation``. */
-static inline void derivative_correction__saturation_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, lanes share_t)
+static inline void derivative_correction__saturation_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, directional_rate share_t)
 {
     double v1, ratio, area, first, second, third, v2, v3, v4, v5, scale, v7, v8, v6, v9, v10, wide, v11, v12, v13, v14, v15, v16, v17, v18, v19, v20, v21, v22;
-    lanes ratio_t, area_t, first_t, second_t, third_t, scale_t, v8_t, v6_t, wide_t, v12_t, v15_t, v20_t, rates;
+    directional_rate ratio_t, area_t, first_t, second_t, third_t, scale_t, v8_t, v6_t, wide_t, v12_t, v15_t, v20_t, rates;
     int64_t at;
     v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_DIRECTION each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
-    EACH_LANE each(area_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + AT(work, patch + layout__PATCH_HALF_LENGTH) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
+    EACH_DIRECTION each(area_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + AT(work, patch + layout__PATCH_HALF_LENGTH) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
     area = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
     derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio, ratio_t);
     v2 = -area;
     v3 = v2 * AT(tables, layout__TABLES_SHEAR_MODULUS);
     v4 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     v5 = v3 / v4;
-    EACH_LANE each(scale_t) = (-each(area_t) * AT(tables, layout__TABLES_SHEAR_MODULUS) - v5 * (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v4;
+    EACH_DIRECTION each(scale_t) = (-each(area_t) * AT(tables, layout__TABLES_SHEAR_MODULUS) - v5 * (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v4;
     scale = v5;
     v7 = -2.7;
     derivative_powers__log_rule_t(&v8, &v8_t, ratio, ratio_t);
-    EACH_LANE each(rates) = v7 * each(v8_t);
+    EACH_DIRECTION each(rates) = v7 * each(v8_t);
     derivative_powers__exp_rule_t(&v6, &v6_t, v7 * v8, rates);
     v9 = 1.0 + 0.66 * v6;
     v10 = sqrt(v9);
-    EACH_LANE each(wide_t) = derivative_rates__root_rate(v10, 0.66 * each(v6_t));
+    EACH_DIRECTION each(wide_t) = derivative_rates__root_rate(v10, 0.66 * each(v6_t));
     wide = v10;
     at = 3 * cell;
     v11 = scale * first;
@@ -157,95 +157,95 @@ static inline void derivative_correction__saturation_t(double* out_0, lanes* out
     v21 = v19 * v20;
     v22 = v21 * AT(work, patch + layout__PATCH_SPIN);
     *out_0 = v13 * AT(work, patch + layout__PATCH_CREEPAGE_X);
-    EACH_LANE each(*out_1) = ((each(scale_t) * first + scale * each(first_t)) * v12 + v11 * each(v12_t)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v13 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    EACH_DIRECTION each(*out_1) = ((each(scale_t) * first + scale * each(first_t)) * v12 + v11 * each(v12_t)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v13 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
     *out_2 = v16 * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    EACH_LANE each(*out_3) = ((each(scale_t) * second + scale * each(second_t)) * v15 + v14 * each(v15_t)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + v16 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+    EACH_DIRECTION each(*out_3) = ((each(scale_t) * second + scale * each(second_t)) * v15 + v14 * each(v15_t)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + v16 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
     *out_4 = v22 * wide;
-    EACH_LANE each(*out_5) = ((((each(scale_t) * v17 + scale * derivative_rates__root_rate(v17, each(area_t))) * third + v18 * each(third_t)) * v20 + v19 * each(v20_t)) * AT(work, patch + layout__PATCH_SPIN) + v21 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) * wide + v22 * each(wide_t);
+    EACH_DIRECTION each(*out_5) = ((((each(scale_t) * v17 + scale * derivative_rates__root_rate(v17, each(area_t))) * third + v18 * each(third_t)) * v20 + v19 * each(v20_t)) * AT(work, patch + layout__PATCH_SPIN) + v21 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) * wide + v22 * each(wide_t);
 }
 
 /* Derivative of ``scale_at``. */
-static inline void derivative_correction__scale_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double share, lanes share_t)
+static inline void derivative_correction__scale_at_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double share, directional_rate share_t)
 {
     double v1;
     v1 = AT(tables, table + layout__ROLLING_TABLE_SCALES + (at + 3)) - AT(tables, table + layout__ROLLING_TABLE_SCALES + at);
     *out_0 = AT(tables, table + layout__ROLLING_TABLE_SCALES + at) + share * v1;
-    EACH_LANE each(*out_1) = each(share_t) * v1;
+    EACH_DIRECTION each(*out_1) = each(share_t) * v1;
 }
 
 /* Derivative of ``node_at``. */
-static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, lanes* on_elevation_t_out, double* on_azimuth_out, lanes* on_azimuth_t_out, double* on_radius_out, lanes* on_radius_t_out, double* faint_out, lanes* faint_t_out, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t)
+static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, directional_rate* on_elevation_t_out, double* on_azimuth_out, directional_rate* on_azimuth_t_out, double* on_radius_out, directional_rate* on_radius_t_out, double* faint_out, directional_rate* faint_t_out, array_double_1d tables, int64_t table, double along, directional_rate along_t, double across, directional_rate across_t, double turning, directional_rate turning_t)
 {
     double v1, v2, flat, v3, v4, radius, v5, place, v6, on_elevation, v7, v8, v9, on_azimuth, v10, v11, on_radius, faint, v12, v13, v14;
-    lanes flat_t, radius_t, v5_t, place_t, v6_t, on_elevation_t, v7_t, on_azimuth_t, on_radius_t, faint_t, rates, rates_2, rates_3, rates_4;
+    directional_rate flat_t, radius_t, v5_t, place_t, v6_t, on_elevation_t, v7_t, on_azimuth_t, on_radius_t, faint_t, rates, rates_2, rates_3, rates_4;
     int64_t elevation, azimuth, cell, at;
     v1 = across * across + turning * turning;
     v2 = sqrt(v1);
-    EACH_LANE each(flat_t) = derivative_rates__root_rate(v2, each(across_t) * across + across * each(across_t) + (each(turning_t) * turning + turning * each(turning_t)));
+    EACH_DIRECTION each(flat_t) = derivative_rates__root_rate(v2, each(across_t) * across + across * each(across_t) + (each(turning_t) * turning + turning * each(turning_t)));
     flat = v2;
     v3 = flat * flat + along * along;
     v4 = sqrt(v3);
-    EACH_LANE each(radius_t) = derivative_rates__root_rate(v4, each(flat_t) * flat + flat * each(flat_t) + (each(along_t) * along + along * each(along_t)));
+    EACH_DIRECTION each(radius_t) = derivative_rates__root_rate(v4, each(flat_t) * flat + flat * each(flat_t) + (each(along_t) * along + along * each(along_t)));
     radius = v4;
     derivative_circle__atan2_rule_t(&v5, &v5_t, along, along_t, flat, flat_t);
-    EACH_LANE each(place_t) = each(v5_t) * correction__PER_RADIAN;
+    EACH_DIRECTION each(place_t) = each(v5_t) * correction__PER_RADIAN;
     place = v5 * correction__PER_RADIAN;
     v6 = place;
-    EACH_LANE each(v6_t) = each(place_t);
+    EACH_DIRECTION each(v6_t) = each(place_t);
     if (1.0 < v6)
     {
         v6 = 1.0;
-        v6_t = all_lanes(0.0);
+        v6_t = along_all(0.0);
     }
-    EACH_LANE each(rates) = each(place_t) + each(v6_t);
-    derivative_tables__table_cell_t(&elevation, &on_elevation, &on_elevation_t, place + v6, rates, (double)(layout__CORRECTION_ELEVATIONS - 1), all_lanes(0.0));
-    EACH_LANE each(rates_2) = derivative_rates__size_rate(turning, each(turning_t));
+    EACH_DIRECTION each(rates) = each(place_t) + each(v6_t);
+    derivative_tables__table_cell_t(&elevation, &on_elevation, &on_elevation_t, place + v6, rates, (double)(layout__CORRECTION_ELEVATIONS - 1), along_all(0.0));
+    EACH_DIRECTION each(rates_2) = derivative_rates__size_rate(turning, each(turning_t));
     derivative_circle__atan2_rule_t(&v7, &v7_t, fabs(turning), rates_2, across, across_t);
     v8 = v7 / M_PI;
     v9 = (double)(layout__CORRECTION_AZIMUTHS - 1);
-    EACH_LANE each(rates_3) = each(v7_t) / M_PI * v9;
-    derivative_tables__table_cell_t(&azimuth, &on_azimuth, &on_azimuth_t, v8 * v9, rates_3, (double)(layout__CORRECTION_AZIMUTHS - 1), all_lanes(0.0));
+    EACH_DIRECTION each(rates_3) = each(v7_t) / M_PI * v9;
+    derivative_tables__table_cell_t(&azimuth, &on_azimuth, &on_azimuth_t, v8 * v9, rates_3, (double)(layout__CORRECTION_AZIMUTHS - 1), along_all(0.0));
     v10 = 1.0 + radius;
     v11 = radius / v10;
-    EACH_LANE each(rates_4) = (each(radius_t) - v11 * each(radius_t)) / v10;
+    EACH_DIRECTION each(rates_4) = (each(radius_t) - v11 * each(radius_t)) / v10;
     derivative_correction__radius_cell_t(&cell, &on_radius, &on_radius_t, tables, table, v11, rates_4);
-    faint_t = all_lanes(0.0);
+    faint_t = along_all(0.0);
     faint = 0.0;
     if (cell == 0)
     {
         v12 = 1.0 - on_radius;
         v13 = 1.0 + radius;
         v14 = v12 / v13;
-        EACH_LANE each(faint_t) = (-each(on_radius_t) - v14 * each(radius_t)) / v13;
+        EACH_DIRECTION each(faint_t) = (-each(on_radius_t) - v14 * each(radius_t)) / v13;
         faint = v14;
-        EACH_LANE each(on_radius_t) = each(on_radius_t) * on_radius + on_radius * each(on_radius_t);
+        EACH_DIRECTION each(on_radius_t) = each(on_radius_t) * on_radius + on_radius * each(on_radius_t);
         on_radius = on_radius * on_radius;
     }
     at = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     *at_out = at;
     *on_elevation_out = on_elevation;
-    EACH_LANE each(*on_elevation_t_out) = each(on_elevation_t);
+    EACH_DIRECTION each(*on_elevation_t_out) = each(on_elevation_t);
     *on_azimuth_out = on_azimuth;
-    EACH_LANE each(*on_azimuth_t_out) = each(on_azimuth_t);
+    EACH_DIRECTION each(*on_azimuth_t_out) = each(on_azimuth_t);
     *on_radius_out = on_radius;
-    EACH_LANE each(*on_radius_t_out) = each(on_radius_t);
+    EACH_DIRECTION each(*on_radius_t_out) = each(on_radius_t);
     *faint_out = faint;
-    EACH_LANE each(*faint_t_out) = each(faint_t);
+    EACH_DIRECTION each(*faint_t_out) = each(faint_t);
 }
 
 /* Derivative of ``slope_at``. */
-static inline void derivative_correction__slope_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share, lanes share_t)
+static inline void derivative_correction__slope_at_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share, directional_rate share_t)
 {
     int64_t at;
     double v1;
     at = layout__CORRECTION_AXES * ratio + axis;
     v1 = AT(tables, table + layout__ROLLING_TABLE_SLOPES + (at + layout__CORRECTION_AXES)) - AT(tables, table + layout__ROLLING_TABLE_SLOPES + at);
     *out_0 = AT(tables, table + layout__ROLLING_TABLE_SLOPES + at) + share * v1;
-    EACH_LANE each(*out_1) = each(share_t) * v1;
+    EACH_DIRECTION each(*out_1) = each(share_t) * v1;
 }
 
 /* Derivative of ``radius_cell``. */
-static inline void derivative_correction__radius_cell_t(int64_t* cell_out, double* out_1, lanes* out_2, array_double_1d tables, int64_t table, double place, lanes place_t)
+static inline void derivative_correction__radius_cell_t(int64_t* cell_out, double* out_1, directional_rate* out_2, array_double_1d tables, int64_t table, double place, directional_rate place_t)
 {
     int64_t cell;
     double v1, v2;
@@ -258,25 +258,25 @@ static inline void derivative_correction__radius_cell_t(int64_t* cell_out, doubl
     v2 = AT(tables, table + layout__ROLLING_TABLE_RADII + (cell + 1)) - AT(tables, table + layout__ROLLING_TABLE_RADII + cell);
     *cell_out = cell;
     *out_1 = v1 / v2;
-    EACH_LANE each(*out_2) = each(place_t) / v2;
+    EACH_DIRECTION each(*out_2) = each(place_t) / v2;
 }
 
 /* Derivative of ``middle_bend``. */
-static inline void derivative_correction__middle_bend_t(int64_t* beyond_out, double* bend_out, lanes* bend_t_out, int64_t at, double on_azimuth, lanes on_azimuth_t)
+static inline void derivative_correction__middle_bend_t(int64_t* beyond_out, double* bend_out, directional_rate* bend_t_out, int64_t at, double on_azimuth, directional_rate on_azimuth_t)
 {
     int64_t azimuth, beyond;
-    lanes bend_t;
+    directional_rate bend_t;
     double bend, v1, v2, v3, v4;
     azimuth = floor_div(modulo(at, correction__ELEVATION_STRIDE), layout__CORRECTION_LINE);
     beyond = 0;
-    bend_t = all_lanes(0.0);
+    bend_t = along_all(0.0);
     bend = 0.0;
     if (azimuth == correction__MIDDLE_AZIMUTH)
     {
         beyond = -layout__CORRECTION_LINE;
         v1 = 0.5 * on_azimuth;
         v2 = on_azimuth - 1.0;
-        EACH_LANE each(bend_t) = 0.5 * each(on_azimuth_t) * v2 + v1 * each(on_azimuth_t);
+        EACH_DIRECTION each(bend_t) = 0.5 * each(on_azimuth_t) * v2 + v1 * each(on_azimuth_t);
         bend = v1 * v2;
     }
     else if (azimuth == correction__MIDDLE_AZIMUTH - 1)
@@ -284,86 +284,86 @@ static inline void derivative_correction__middle_bend_t(int64_t* beyond_out, dou
         beyond = 2 * layout__CORRECTION_LINE;
         v3 = 0.5 * on_azimuth;
         v4 = on_azimuth - 1.0;
-        EACH_LANE each(bend_t) = 0.5 * each(on_azimuth_t) * v4 + v3 * each(on_azimuth_t);
+        EACH_DIRECTION each(bend_t) = 0.5 * each(on_azimuth_t) * v4 + v3 * each(on_azimuth_t);
         bend = v3 * v4;
     }
     *beyond_out = beyond;
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``missing``. */
-static inline void derivative_correction__missing_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__missing_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, directional_rate on_ratio_t, double on_elevation, directional_rate on_elevation_t, double on_azimuth, directional_rate on_azimuth_t, double bend, directional_rate bend_t, int64_t beyond, double on_radius, directional_rate on_radius_t)
 {
     double v1, low, v2, high, v3;
-    lanes v1_t, low_t, v2_t, high_t;
+    directional_rate v1_t, low_t, v2_t, high_t;
     derivative_correction__on_plane_t(&v1, &v1_t, tables, table, at, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
-    EACH_LANE each(low_t) = each(v1_t);
+    EACH_DIRECTION each(low_t) = each(v1_t);
     low = v1;
     derivative_correction__on_plane_t(&v2, &v2_t, tables, table, at + correction__RATIO_STRIDE, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
-    EACH_LANE each(high_t) = each(v2_t);
+    EACH_DIRECTION each(high_t) = each(v2_t);
     high = v2;
     v3 = high - low;
     *out_0 = low + on_ratio * v3;
-    EACH_LANE each(*out_1) = each(low_t) + (each(on_ratio_t) * v3 + on_ratio * (each(high_t) - each(low_t)));
+    EACH_DIRECTION each(*out_1) = each(low_t) + (each(on_ratio_t) * v3 + on_ratio * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``on_plane``. */
-static inline void derivative_correction__on_plane_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__on_plane_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, directional_rate on_elevation_t, double on_azimuth, directional_rate on_azimuth_t, double bend, directional_rate bend_t, int64_t beyond, double on_radius, directional_rate on_radius_t)
 {
     double v1, low, v2, high, v3;
-    lanes v1_t, low_t, v2_t, high_t;
+    directional_rate v1_t, low_t, v2_t, high_t;
     derivative_correction__on_cone_t(&v1, &v1_t, tables, table, at, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
-    EACH_LANE each(low_t) = each(v1_t);
+    EACH_DIRECTION each(low_t) = each(v1_t);
     low = v1;
     derivative_correction__on_cone_t(&v2, &v2_t, tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
-    EACH_LANE each(high_t) = each(v2_t);
+    EACH_DIRECTION each(high_t) = each(v2_t);
     high = v2;
     v3 = high - low;
     *out_0 = low + on_elevation * v3;
-    EACH_LANE each(*out_1) = each(low_t) + (each(on_elevation_t) * v3 + on_elevation * (each(high_t) - each(low_t)));
+    EACH_DIRECTION each(*out_1) = each(low_t) + (each(on_elevation_t) * v3 + on_elevation * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``on_cone``. */
-static inline void derivative_correction__on_cone_t(double* found_out, lanes* found_t_out, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__on_cone_t(double* found_out, directional_rate* found_t_out, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, directional_rate on_azimuth_t, double bend, directional_rate bend_t, int64_t beyond, double on_radius, directional_rate on_radius_t)
 {
     double v1, low, v2, high, v3, found, v4, v5, v6, v7;
-    lanes v1_t, low_t, v2_t, high_t, found_t, v4_t, v6_t;
+    directional_rate v1_t, low_t, v2_t, high_t, found_t, v4_t, v6_t;
     derivative_correction__on_line_t(&v1, &v1_t, tables, table, at, on_radius, on_radius_t);
-    EACH_LANE each(low_t) = each(v1_t);
+    EACH_DIRECTION each(low_t) = each(v1_t);
     low = v1;
     derivative_correction__on_line_t(&v2, &v2_t, tables, table, at + layout__CORRECTION_LINE, on_radius, on_radius_t);
-    EACH_LANE each(high_t) = each(v2_t);
+    EACH_DIRECTION each(high_t) = each(v2_t);
     high = v2;
     v3 = high - low;
-    EACH_LANE each(found_t) = each(low_t) + (each(on_azimuth_t) * v3 + on_azimuth * (each(high_t) - each(low_t)));
+    EACH_DIRECTION each(found_t) = each(low_t) + (each(on_azimuth_t) * v3 + on_azimuth * (each(high_t) - each(low_t)));
     found = low + on_azimuth * v3;
     if (beyond < 0)
     {
         derivative_correction__on_line_t(&v4, &v4_t, tables, table, at + beyond, on_radius, on_radius_t);
         v5 = v4 - low - (low - high);
-        EACH_LANE each(found_t) = each(found_t) + (each(bend_t) * v5 + bend * (each(v4_t) - each(low_t) - (each(low_t) - each(high_t))));
+        EACH_DIRECTION each(found_t) = each(found_t) + (each(bend_t) * v5 + bend * (each(v4_t) - each(low_t) - (each(low_t) - each(high_t))));
         found = found + bend * v5;
     }
     else if (beyond > 0)
     {
         derivative_correction__on_line_t(&v6, &v6_t, tables, table, at + beyond, on_radius, on_radius_t);
         v7 = v6 - high - (high - low);
-        EACH_LANE each(found_t) = each(found_t) + (each(bend_t) * v7 + bend * (each(v6_t) - each(high_t) - (each(high_t) - each(low_t))));
+        EACH_DIRECTION each(found_t) = each(found_t) + (each(bend_t) * v7 + bend * (each(v6_t) - each(high_t) - (each(high_t) - each(low_t))));
         found = found + bend * v7;
     }
     *found_out = found;
-    EACH_LANE each(*found_t_out) = each(found_t);
+    EACH_DIRECTION each(*found_t_out) = each(found_t);
 }
 
 /* Derivative of ``on_line``. */
-static inline void derivative_correction__on_line_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__on_line_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, directional_rate on_radius_t)
 {
     double low, v1;
     low = AT(tables, table + layout__ROLLING_TABLE_CORRECTIONS + at);
     v1 = AT(tables, table + layout__ROLLING_TABLE_CORRECTIONS + (at + layout__CORRECTION_COLUMNS)) - low;
     *out_0 = low + on_radius * v1;
-    EACH_LANE each(*out_1) = each(on_radius_t) * v1;
+    EACH_DIRECTION each(*out_1) = each(on_radius_t) * v1;
 }
 
 
@@ -373,217 +373,217 @@ static inline void derivative_correction__on_line_t(double* out_0, lanes* out_1,
  */
 
 /* Derivative of ``open_stick_zone``. */
-static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double shift, lanes shift_t, double width, lanes width_t, double ratio, lanes ratio_t)
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double shift, directional_rate shift_t, double width, directional_rate width_t, double ratio, directional_rate ratio_t)
 {
-    lanes a_t, inverse_t, v9_t, depth_t, weight_t, rates, rates_2;
+    directional_rate a_t, inverse_t, v9_t, depth_t, weight_t, rates, rates_2;
     double a, v1, inverse, v2, v3, v4, v5, v6, v7, v8, v9, depth, weight, v10, v11, v12, v13, v14;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    EACH_DIRECTION each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
     a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     v1 = 1.0 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
-    EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_DIRECTION each(inverse_t) = -v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     inverse = v1;
     v2 = -AT(work, integration + layout__STRIP_INTEGRATION_ALONG);
     v3 = AT(work, integration + layout__STRIP_INTEGRATION_SLIP) + shift;
     v4 = v2 * v3;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * v3 + v2 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) + each(shift_t))) * inverse + v4 * each(inverse_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * v3 + v2 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) + each(shift_t))) * inverse + v4 * each(inverse_t);
     AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = v4 * inverse;
     v5 = -AT(work, integration + layout__STRIP_INTEGRATION_ACROSS);
     v6 = v5 * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) + v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL))) * inverse + v6 * each(inverse_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) + v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL))) * inverse + v6 * each(inverse_t);
     AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = v6 * inverse;
     v7 = -AT(work, integration + layout__STRIP_INTEGRATION_TURNING);
     v8 = v7 * AT(work, integration + layout__STRIP_INTEGRATION_SPIN);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + v7 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN))) * inverse + v8 * each(inverse_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + v7 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN))) * inverse + v8 * each(inverse_t);
     AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = v8 * inverse;
-    EACH_LANE each(rates) = each(width_t) * inverse + width * each(inverse_t);
+    EACH_DIRECTION each(rates) = each(width_t) * inverse + width * each(inverse_t);
     derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, integration, width * inverse, rates, AT(work, integration + layout__STRIP_INTEGRATION_TWIST), RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST), ratio, ratio_t);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD)) = each(v9_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD)) = each(v9_t);
     AT(work, integration + layout__STRIP_INTEGRATION_SPREAD) = v9;
-    EACH_LANE each(rates_2) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD));
+    EACH_DIRECTION each(rates_2) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD));
     derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + AT(work, integration + layout__STRIP_INTEGRATION_SPREAD), rates_2, AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y), RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y), AT(work, integration + layout__STRIP_INTEGRATION_TWIST), RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST), a, a_t);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
     AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) = each(weight_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) = each(weight_t);
     AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = weight;
     if (depth < a)
     {
         v10 = 0.5 * depth;
         v11 = v10 / a;
         v12 = 1.0 - v11;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) = each(weight_t) * v12 + weight * -((0.5 * each(depth_t) - v11 * each(a_t)) / a);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) = each(weight_t) * v12 + weight * -((0.5 * each(depth_t) - v11 * each(a_t)) / a);
         AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) = weight * v12;
     }
     else
     {
         v13 = 0.5 * a;
         v14 = v13 / depth;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) = each(weight_t) * v14 + weight * ((0.5 * each(a_t) - v14 * each(depth_t)) / depth);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) = each(weight_t) * v14 + weight * ((0.5 * each(a_t) - v14 * each(depth_t)) / depth);
         AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) = weight * v14;
     }
     return 0;
 }
 
 /* Derivative of ``find_stick_zone``. */
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double mean, lanes mean_t, double ratio, lanes ratio_t)
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double mean, directional_rate mean_t, double ratio, directional_rate ratio_t)
 {
-    lanes a_t, v1_t, share_t, yielding_t, v8_t, push_t, u_t, v_t, k_t, depth_t, weight_t, v13_t, v18_t, v22_t, rates, rates_2, rates_3;
+    directional_rate a_t, v1_t, share_t, yielding_t, v8_t, push_t, u_t, v_t, k_t, depth_t, weight_t, v13_t, v18_t, v22_t, rates, rates_2, rates_3;
     double a, v2, v1, share, v3, v4, v5, yielding, v6, v7, v8, v9, v10, v11, push, u, v, k, v12, depth, weight, v13, v14, v15, v16, v17, v19, v20, v18, v21, v22;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    EACH_DIRECTION each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
     a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     v2 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / a;
-    EACH_LANE each(rates) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v2 * each(a_t)) / a;
+    EACH_DIRECTION each(rates) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v2 * each(a_t)) / a;
     derivative_coupled_strips__later_share_t(&v1, &v1_t, v2, rates, ratio, ratio_t);
-    EACH_LANE each(share_t) = each(v1_t);
+    EACH_DIRECTION each(share_t) = each(v1_t);
     share = v1;
     v3 = coupled_strips__YIELD_TWIST * AT(work, integration + layout__STRIP_INTEGRATION_TWIST);
     v4 = 1.0 + v3 * AT(work, integration + layout__STRIP_INTEGRATION_TWIST);
     v5 = coupled_strips__YIELD / v4;
-    EACH_LANE each(yielding_t) = -v5 * (coupled_strips__YIELD_TWIST * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) + v3 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST))) / v4;
+    EACH_DIRECTION each(yielding_t) = -v5 * (coupled_strips__YIELD_TWIST * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) + v3 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST))) / v4;
     yielding = v5;
     v6 = AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) - mean;
     v7 = yielding * v6;
     v8 = AT(work, integration + layout__STRIP_INTEGRATION_CARRIED);
-    EACH_LANE each(v8_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED));
+    EACH_DIRECTION each(v8_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED));
     if (mean > v8)
     {
         v8 = mean;
-        EACH_LANE each(v8_t) = each(mean_t);
+        EACH_DIRECTION each(v8_t) = each(mean_t);
     }
     v9 = v8 + traction_integration__NOTHING;
     v10 = v7 / v9;
     v11 = 1.0 + v10;
-    EACH_LANE each(push_t) = each(share_t) * v11 + share * ((each(yielding_t) * v6 + yielding * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) - each(mean_t)) - v10 * each(v8_t)) / v9);
+    EACH_DIRECTION each(push_t) = each(share_t) * v11 + share * ((each(yielding_t) * v6 + yielding * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)) - each(mean_t)) - v10 * each(v8_t)) / v9);
     push = share * v11;
-    EACH_LANE each(u_t) = each(push_t) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + push * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X));
+    EACH_DIRECTION each(u_t) = each(push_t) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) + push * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X));
     u = push * AT(work, integration + layout__STRIP_INTEGRATION_STICK_X);
-    EACH_LANE each(v_t) = each(push_t) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) + push * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y));
+    EACH_DIRECTION each(v_t) = each(push_t) * AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) + push * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y));
     v = push * AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y);
-    EACH_LANE each(k_t) = each(share_t) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) + share * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST));
+    EACH_DIRECTION each(k_t) = each(share_t) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) + share * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST));
     k = share * AT(work, integration + layout__STRIP_INTEGRATION_TWIST);
     v12 = share * share;
-    EACH_LANE each(rates_2) = each(u_t) * u + u * each(u_t) + ((each(share_t) * share + share * each(share_t)) * AT(work, integration + layout__STRIP_INTEGRATION_SPREAD) + v12 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD)));
+    EACH_DIRECTION each(rates_2) = each(u_t) * u + u * each(u_t) + ((each(share_t) * share + share * each(share_t)) * AT(work, integration + layout__STRIP_INTEGRATION_SPREAD) + v12 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPREAD)));
     derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v12 * AT(work, integration + layout__STRIP_INTEGRATION_SPREAD), rates_2, v, v_t, k, k_t, a, a_t);
     v13 = weight;
-    EACH_LANE each(v13_t) = each(weight_t);
+    EACH_DIRECTION each(v13_t) = each(weight_t);
     if (AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) < v13)
     {
         v13 = AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT);
-        EACH_LANE each(v13_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT));
+        EACH_DIRECTION each(v13_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT));
     }
-    EACH_LANE each(weight_t) = each(v13_t);
+    EACH_DIRECTION each(weight_t) = each(v13_t);
     weight = v13;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(a_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(a_t);
     AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = a;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = each(k_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = each(k_t);
     AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = k;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = 0.0;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) = each(u_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) = each(u_t);
     AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) = u;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) = each(v_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) = each(v_t);
     AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) = v;
     if (weight > 0.0 && depth < a)
     {
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
         AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
         v14 = depth + traction_integration__NOTHING;
         v15 = u / v14;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (each(u_t) - v15 * each(depth_t)) / v14;
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (each(u_t) - v15 * each(depth_t)) / v14;
         AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = v15;
         v16 = depth + traction_integration__NOTHING;
         v17 = v / v16;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (each(v_t) - v17 * each(depth_t)) / v16 + each(k_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (each(v_t) - v17 * each(depth_t)) / v16 + each(k_t);
         AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = v17 + k;
         v19 = depth / a;
         v20 = 1.0 - v19;
-        EACH_LANE each(rates_3) = -((each(depth_t) - v19 * each(a_t)) / a) / coupled_strips__FADE;
+        EACH_DIRECTION each(rates_3) = -((each(depth_t) - v19 * each(a_t)) / a) / coupled_strips__FADE;
         derivative_coupled_strips__smooth_step_t(&v18, &v18_t, v20 / coupled_strips__FADE, rates_3);
         v21 = weight * v18;
         derivative_coupled_strips__edge_weight_t(&v22, &v22_t, work, work_t, integration);
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) = (each(weight_t) * v18 + weight * each(v18_t)) * v22 + v21 * each(v22_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) = (each(weight_t) * v18 + weight * each(v18_t)) * v22 + v21 * each(v22_t);
         AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) = v21 * v22;
     }
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_EDGE)) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - each(a_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_EDGE)) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - each(a_t);
     AT(work, integration + layout__STRIP_INTEGRATION_EDGE) = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) - a;
     return 0;
 }
 
 /* Derivative of ``spread_square``. */
-static inline void derivative_coupled_strips__spread_square_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t integration, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t)
+static inline void derivative_coupled_strips__spread_square_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double scale, directional_rate scale_t, double k, directional_rate k_t, double ratio, directional_rate ratio_t)
 {
     double v1, over_width, v2, twist, v3, long_, v4, v5, v6, floor, v7;
-    lanes over_width_t, v2_t, twist_t, v3_t, long_t, floor_t;
+    directional_rate over_width_t, v2_t, twist_t, v3_t, long_t, floor_t;
     v1 = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN);
-    EACH_LANE each(over_width_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN))) * scale + v1 * each(scale_t);
+    EACH_DIRECTION each(over_width_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN))) * scale + v1 * each(scale_t);
     over_width = v1 * scale;
     v2 = fabs(k);
-    EACH_LANE each(v2_t) = derivative_rates__size_rate(k, each(k_t));
+    EACH_DIRECTION each(v2_t) = derivative_rates__size_rate(k, each(k_t));
     if (coupled_strips__FLOOR_TWIST < v2)
     {
         v2 = coupled_strips__FLOOR_TWIST;
-        v2_t = all_lanes(0.0);
+        v2_t = along_all(0.0);
     }
-    EACH_LANE each(twist_t) = each(v2_t);
+    EACH_DIRECTION each(twist_t) = each(v2_t);
     twist = v2;
     v3 = ratio / coupled_strips__FLOOR_RATIO;
-    EACH_LANE each(v3_t) = each(ratio_t) / coupled_strips__FLOOR_RATIO;
+    EACH_DIRECTION each(v3_t) = each(ratio_t) / coupled_strips__FLOOR_RATIO;
     if (1.0 < v3)
     {
         v3 = 1.0;
-        v3_t = all_lanes(0.0);
+        v3_t = along_all(0.0);
     }
-    EACH_LANE each(long_t) = each(v3_t);
+    EACH_DIRECTION each(long_t) = each(v3_t);
     long_ = v3;
     v4 = coupled_strips__SPREAD_FLOOR * long_;
     v5 = v4 * twist;
     v6 = v5 * twist;
-    EACH_LANE each(floor_t) = ((coupled_strips__SPREAD_FLOOR * each(long_t) * twist + v4 * each(twist_t)) * twist + v5 * each(twist_t)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + v6 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    EACH_DIRECTION each(floor_t) = ((coupled_strips__SPREAD_FLOOR * each(long_t) * twist + v4 * each(twist_t)) * twist + v5 * each(twist_t)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + v6 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
     floor = v6 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     v7 = over_width * over_width;
     *out_0 = v7 / 6.0 + floor * floor;
-    EACH_LANE each(*out_1) = (each(over_width_t) * over_width + over_width * each(over_width_t)) / 6.0 + (each(floor_t) * floor + floor * each(floor_t));
+    EACH_DIRECTION each(*out_1) = (each(over_width_t) * over_width + over_width * each(over_width_t)) / 6.0 + (each(floor_t) * floor + floor * each(floor_t));
 }
 
 /* Derivative of ``slip_depth``. */
-static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, lanes* depth_t_out, double* weight_out, lanes* weight_t_out, double square, lanes square_t, double v, lanes v_t, double k, lanes k_t, double a, lanes a_t)
+static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, directional_rate* depth_t_out, double* weight_out, directional_rate* weight_t_out, double square, directional_rate square_t, double v, directional_rate v_t, double k, directional_rate k_t, double a, directional_rate a_t)
 {
-    lanes rest_t, cross_t, spread_t, depth_t, weight_t, root_t, v5_t, rates;
+    directional_rate rest_t, cross_t, spread_t, depth_t, weight_t, root_t, v5_t, rates;
     double rest, cross, spread, depth, weight, v1, root, v2, v3, v4, v6, v7, v5, v8, v9;
-    EACH_LANE each(rest_t) = -(each(k_t) * k + k * each(k_t));
+    EACH_DIRECTION each(rest_t) = -(each(k_t) * k + k * each(k_t));
     rest = 1.0 - k * k;
-    EACH_LANE each(cross_t) = each(v_t) * k + v * each(k_t);
+    EACH_DIRECTION each(cross_t) = each(v_t) * k + v * each(k_t);
     cross = v * k;
-    EACH_LANE each(spread_t) = each(v_t) * v + v * each(v_t) + (each(rest_t) * square + rest * each(square_t));
+    EACH_DIRECTION each(spread_t) = each(v_t) * v + v * each(v_t) + (each(rest_t) * square + rest * each(square_t));
     spread = v * v + rest * square;
-    EACH_LANE each(depth_t) = 2.0 * each(a_t);
+    EACH_DIRECTION each(depth_t) = 2.0 * each(a_t);
     depth = 2.0 * a;
-    weight_t = all_lanes(0.0);
+    weight_t = along_all(0.0);
     weight = 0.0;
     if (spread > 0.0 || (rest > 0.0 && spread == 0.0))
     {
         v1 = sqrt(spread);
-        EACH_LANE each(root_t) = derivative_rates__root_rate(v1, each(spread_t));
+        EACH_DIRECTION each(root_t) = derivative_rates__root_rate(v1, each(spread_t));
         root = v1;
         if (cross <= 0.0)
         {
             v2 = square + v * v;
             v3 = root - cross + traction_integration__NOTHING;
             v4 = v2 / v3;
-            EACH_LANE each(depth_t) = (each(square_t) + (each(v_t) * v + v * each(v_t)) - v4 * (each(root_t) - each(cross_t))) / v3;
+            EACH_DIRECTION each(depth_t) = (each(square_t) + (each(v_t) * v + v * each(v_t)) - v4 * (each(root_t) - each(cross_t))) / v3;
             depth = v4;
-            weight_t = all_lanes(0.0);
+            weight_t = along_all(0.0);
             weight = 1.0;
             if (rest < 0.0)
             {
                 v6 = v * v + traction_integration__NOTHING;
                 v7 = spread / v6;
-                EACH_LANE each(rates) = (each(spread_t) - v7 * (each(v_t) * v + v * each(v_t))) / v6;
+                EACH_DIRECTION each(rates) = (each(spread_t) - v7 * (each(v_t) * v + v * each(v_t))) / v6;
                 derivative_coupled_strips__smooth_step_t(&v5, &v5_t, v7, rates);
-                EACH_LANE each(weight_t) = each(v5_t);
+                EACH_DIRECTION each(weight_t) = each(v5_t);
                 weight = v5;
             }
         }
@@ -591,31 +591,31 @@ static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, la
         {
             v8 = cross + root;
             v9 = v8 / rest;
-            EACH_LANE each(depth_t) = (each(cross_t) + each(root_t) - v9 * each(rest_t)) / rest;
+            EACH_DIRECTION each(depth_t) = (each(cross_t) + each(root_t) - v9 * each(rest_t)) / rest;
             depth = v9;
-            weight_t = all_lanes(0.0);
+            weight_t = along_all(0.0);
             weight = 1.0;
         }
     }
     *depth_out = depth;
-    EACH_LANE each(*depth_t_out) = each(depth_t);
+    EACH_DIRECTION each(*depth_t_out) = each(depth_t);
     *weight_out = weight;
-    EACH_LANE each(*weight_t_out) = each(weight_t);
+    EACH_DIRECTION each(*weight_t_out) = each(weight_t);
 }
 
 /* Derivative of ``later_share``. */
-static inline void derivative_coupled_strips__later_share_t(double* share_out, lanes* share_t_out, double depth, lanes depth_t, double ratio, lanes ratio_t)
+static inline void derivative_coupled_strips__later_share_t(double* share_out, directional_rate* share_t_out, double depth, directional_rate depth_t, double ratio, directional_rate ratio_t)
 {
-    lanes filled_t, share_t;
+    directional_rate filled_t, share_t;
     double filled, share, v1, v2, v3, v4, v5, v6, v7;
-    filled_t = all_lanes(0.0);
+    filled_t = along_all(0.0);
     filled = 1.0;
-    share_t = all_lanes(0.0);
+    share_t = along_all(0.0);
     share = 1.0;
     if (depth < 1.0)
     {
         v1 = 2.0 - depth;
-        EACH_LANE each(filled_t) = each(depth_t) * v1 + depth * -each(depth_t);
+        EACH_DIRECTION each(filled_t) = each(depth_t) * v1 + depth * -each(depth_t);
         filled = depth * v1;
     }
     if (depth > 0.0)
@@ -626,106 +626,106 @@ static inline void derivative_coupled_strips__later_share_t(double* share_out, l
         v5 = v3 / v4;
         v6 = v5 * filled;
         v7 = filled / depth;
-        EACH_LANE each(share_t) = -(((v2 * each(ratio_t) - v5 * each(ratio_t)) / v4 * filled + v5 * each(filled_t)) * v7 + v6 * ((each(filled_t) - v7 * each(depth_t)) / depth));
+        EACH_DIRECTION each(share_t) = -(((v2 * each(ratio_t) - v5 * each(ratio_t)) / v4 * filled + v5 * each(filled_t)) * v7 + v6 * ((each(filled_t) - v7 * each(depth_t)) / depth));
         share = 1.0 - v6 * v7;
     }
     *share_out = share;
-    EACH_LANE each(*share_t_out) = each(share_t);
+    EACH_DIRECTION each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``edge_weight``. */
-static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, lanes* weight_t_out, array_double_1d work, array_lanes_1d work_t, int64_t integration)
+static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, directional_rate* weight_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t integration)
 {
-    lanes weight_t, t_t, along_t, across_t, v6_t, rates;
+    directional_rate weight_t, t_t, along_t, across_t, v6_t, rates;
     double weight, v1, v2, v3, t, v4, along, v5, across, v7, v8, v6;
-    weight_t = all_lanes(0.0);
+    weight_t = along_all(0.0);
     weight = 1.0;
     if (AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) > 1.0)
     {
         v1 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
         v2 = 1.0 - v1;
         v3 = sqrt(v2);
-        EACH_LANE each(t_t) = derivative_rates__root_rate(v3, -((each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)));
+        EACH_DIRECTION each(t_t) = derivative_rates__root_rate(v3, -((each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)));
         t = v3;
         v4 = 1.0 - t;
-        EACH_LANE each(along_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * v4 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * -each(t_t);
+        EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * v4 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * -each(t_t);
         along = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * v4;
         v5 = 1.0 - t;
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * -each(t_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * t + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(t_t));
+        EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * -each(t_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * t + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(t_t));
         across = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * t;
         v7 = along * along + across * across;
         v8 = sqrt(v7);
-        EACH_LANE each(rates) = derivative_rates__root_rate(v8, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+        EACH_DIRECTION each(rates) = derivative_rates__root_rate(v8, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
         derivative_coupled_strips__smooth_step_t(&v6, &v6_t, v8 - 1.0, rates);
-        EACH_LANE each(weight_t) = -each(v6_t);
+        EACH_DIRECTION each(weight_t) = -each(v6_t);
         weight = 1.0 - v6;
     }
     *weight_out = weight;
-    EACH_LANE each(*weight_t_out) = each(weight_t);
+    EACH_DIRECTION each(*weight_t_out) = each(weight_t);
 }
 
 /* Derivative of ``smooth_step``. */
-static inline void derivative_coupled_strips__smooth_step_t(double* value_out, lanes* value_t_out, double z, lanes z_t)
+static inline void derivative_coupled_strips__smooth_step_t(double* value_out, directional_rate* value_t_out, double z, directional_rate z_t)
 {
-    lanes value_t;
+    directional_rate value_t;
     double value, v1, v2;
-    value_t = all_lanes(0.0);
+    value_t = along_all(0.0);
     value = 0.0;
     if (z >= 1.0)
     {
-        value_t = all_lanes(0.0);
+        value_t = along_all(0.0);
         value = 1.0;
     }
     else if (z > 0.0)
     {
         v1 = z * z;
         v2 = 3.0 - 2.0 * z;
-        EACH_LANE each(value_t) = (each(z_t) * z + z * each(z_t)) * v2 + v1 * -(2.0 * each(z_t));
+        EACH_DIRECTION each(value_t) = (each(z_t) * z + z * each(z_t)) * v2 + v1 * -(2.0 * each(z_t));
         value = v1 * v2;
     }
     *value_out = value;
-    EACH_LANE each(*value_t_out) = each(value_t);
+    EACH_DIRECTION each(*value_t_out) = each(value_t);
 }
 
 /* Derivative of ``solve_coupled_strips``. */
-static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
     double v1, share;
-    lanes v1_t, share_t;
+    directional_rate v1_t, share_t;
     derivative_stiffness__patch_stiffnesses_t(work, work_t, tables, patch);
     derivative_coupled_strips__add_strips_t(&v1, &v1_t, work, work_t, tables, patch);
-    EACH_LANE each(share_t) = each(v1_t);
+    EACH_DIRECTION each(share_t) = each(v1_t);
     share = v1;
     if (!(AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) == 1.0))
     {
         derivative_correction__correct_force_t(work, work_t, tables, patch, share, share_t);
     }
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * share + AT(work, patch + layout__PATCH_FRICTION) * each(share_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * share + AT(work, patch + layout__PATCH_FRICTION) * each(share_t);
     AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * share;
     return 0;
 }
 
 /* Derivative of ``add_strips``. */
-static inline void derivative_coupled_strips__add_strips_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline void derivative_coupled_strips__add_strips_t(double* share_out, directional_rate* share_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
     double v1, ratio, plane, spinning, v2, mean, stuck, v3, v4, v5, v6, v7, share, v8, v9, v10;
-    lanes ratio_t, plane_t, spinning_t, v2_t, mean_t, stuck_t, v6_t, share_t, v8_t;
+    directional_rate ratio_t, plane_t, spinning_t, v2_t, mean_t, stuck_t, v6_t, share_t, v8_t;
     bool falls;
     int64_t i, integration;
     v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_DIRECTION each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
     derivative_coupled_strips__flexibilities_t(&plane, &plane_t, &spinning, &spinning_t, work, work_t, patch);
     derivative_traction_integration__open_integrations_t(work, work_t, ratio, ratio_t);
     derivative_coupled_strips__open_stick_zones_t(&v2, &v2_t, work, work_t, patch, ratio, ratio_t);
-    EACH_LANE each(mean_t) = each(v2_t);
+    EACH_DIRECTION each(mean_t) = each(v2_t);
     mean = v2;
     falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
     if (falls)
     {
         derivative_falling__open_falling_t(work, work_t, patch);
     }
-    stuck_t = all_lanes(0.0);
+    stuck_t = along_all(0.0);
     stuck = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
@@ -738,7 +738,7 @@ static inline void derivative_coupled_strips__add_strips_t(double* share_out, la
             v3 = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
             v4 = 2.0 * v3;
             v5 = v4 * AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT);
-            EACH_LANE each(stuck_t) = each(stuck_t) + ((2.0 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))) * AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) + v4 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT))) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + v5 * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            EACH_DIRECTION each(stuck_t) = each(stuck_t) + ((2.0 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))) * AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) + v4 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT))) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + v5 * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
             stuck = stuck + v5 * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
     }
@@ -746,81 +746,81 @@ static inline void derivative_coupled_strips__add_strips_t(double* share_out, la
     derivative_coupled_strips__finish_integrations_t(work, work_t, patch);
     derivative_tractions__patch_area_t(&v6, &v6_t, work, work_t, patch);
     v7 = stuck / v6;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v7 * each(v6_t)) / v6;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v7 * each(v6_t)) / v6;
     AT(work, patch + layout__PATCH_STICK_SHARE) = v7;
-    share_t = all_lanes(0.0);
+    share_t = along_all(0.0);
     share = 1.0;
     if (falls)
     {
         derivative_coupled_strips__lost_friction_t(&v8, &v8_t, work, work_t, patch);
         v9 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
         v10 = v8 / v9;
-        EACH_LANE each(share_t) = -((each(v8_t) - v10 * (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v9);
+        EACH_DIRECTION each(share_t) = -((each(v8_t) - v10 * (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v9);
         share = 1.0 - v10;
     }
     *share_out = share;
-    EACH_LANE each(*share_t_out) = each(share_t);
+    EACH_DIRECTION each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``open_stick_zones``. */
-static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double ratio, lanes ratio_t)
+static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double ratio, directional_rate ratio_t)
 {
-    lanes carried_t, whole_t, v1_t, weight_t;
+    directional_rate carried_t, whole_t, v1_t, weight_t;
     double carried, whole, v1, v2, weight, v3, v4;
     int64_t i, strip, integration;
-    carried_t = all_lanes(0.0);
+    carried_t = along_all(0.0);
     carried = 0.0;
-    whole_t = all_lanes(0.0);
+    whole_t = along_all(0.0);
     whole = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         integration = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__STRIP_INTEGRATION_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) = each(v1_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) = each(v1_t);
         AT(work, integration + layout__STRIP_INTEGRATION_RATE) = v1;
         if (AT(work, integration + layout__STRIP_INTEGRATION_RATE) > 0.0)
         {
             derivative_coupled_strips__begin_integration_t(work, work_t, integration, strip, i);
             derivative_coupled_strips__open_stick_zone_t(work, work_t, integration, AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT), AT(work, strip + layout__ROLLING_STRIP_WIDTH), RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH), ratio, ratio_t);
             v2 = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-            EACH_LANE each(weight_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+            EACH_DIRECTION each(weight_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
             weight = v2 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-            EACH_LANE each(whole_t) = each(whole_t) + each(weight_t);
+            EACH_DIRECTION each(whole_t) = each(whole_t) + each(weight_t);
             whole = whole + weight;
-            EACH_LANE each(carried_t) = each(carried_t) + (each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)));
+            EACH_DIRECTION each(carried_t) = each(carried_t) + (each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_CARRIED) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_CARRIED)));
             carried = carried + weight * AT(work, integration + layout__STRIP_INTEGRATION_CARRIED);
         }
     }
     v3 = whole + traction_integration__NOTHING;
     v4 = carried / v3;
     *v4_out = v4;
-    EACH_LANE each(*out_1) = (each(carried_t) - v4 * each(whole_t)) / v3;
+    EACH_DIRECTION each(*out_1) = (each(carried_t) - v4 * each(whole_t)) / v3;
 }
 
 /* Derivative of ``flexibilities``. */
-static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, lanes* out_1, double* v7_out, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, directional_rate* out_1, double* v7_out, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes first_t, second_t, third_t, area_t;
+    directional_rate first_t, second_t, third_t, area_t;
     double first, second, third, area, v1, v2, v3, v4, v5, v6, v7;
     int64_t i, strip;
-    first_t = all_lanes(0.0);
+    first_t = along_all(0.0);
     first = 0.0;
-    second_t = all_lanes(0.0);
+    second_t = along_all(0.0);
     second = 0.0;
-    third_t = all_lanes(0.0);
+    third_t = along_all(0.0);
     third = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(area_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_DIRECTION each(area_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
         area = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-        EACH_LANE each(first_t) = each(first_t) + each(area_t);
+        EACH_DIRECTION each(first_t) = each(first_t) + each(area_t);
         first = first + area;
-        EACH_LANE each(second_t) = each(second_t) + (each(area_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + area * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        EACH_DIRECTION each(second_t) = each(second_t) + (each(area_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + area * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
         second = second + area * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
         v1 = area * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-        EACH_LANE each(third_t) = each(third_t) + ((each(area_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + area * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        EACH_DIRECTION each(third_t) = each(third_t) + ((each(area_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + area * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
         third = third + v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
     }
     v2 = 0.5 * M_PI;
@@ -830,85 +830,85 @@ static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, la
     v6 = v5 * second;
     v7 = v6 / third;
     *v4_out = v4;
-    EACH_LANE each(*out_1) = (v2 * each(first_t) - v4 * each(second_t)) / second;
+    EACH_DIRECTION each(*out_1) = (v2 * each(first_t) - v4 * each(second_t)) / second;
     *v7_out = v7;
-    EACH_LANE each(*out_3) = (v5 * each(second_t) - v7 * each(third_t)) / third;
+    EACH_DIRECTION each(*out_3) = (v5 * each(second_t) - v7 * each(third_t)) / third;
 }
 
 /* Derivative of ``begin_integration``. */
-static inline int64_t derivative_coupled_strips__begin_integration_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, int64_t strip, int64_t index)
+static inline int64_t derivative_coupled_strips__begin_integration_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, int64_t strip, int64_t index)
 {
     double along, across, turning;
-    lanes along_t, across_t, turning_t;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    directional_rate along_t, across_t, turning_t;
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
     AT(work, integration + layout__STRIP_INTEGRATION_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
     AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
     AT(work, integration + layout__STRIP_INTEGRATION_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
     derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, index, AT(work, strip + layout__ROLLING_STRIP_STATION), RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) = each(along_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) = each(along_t);
     AT(work, integration + layout__STRIP_INTEGRATION_ALONG) = along;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) = each(across_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) = each(across_t);
     AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) = across;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) = each(turning_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) = each(turning_t);
     AT(work, integration + layout__STRIP_INTEGRATION_TURNING) = turning;
     return 0;
 }
 
 /* Derivative of ``finish_integrations``. */
-static inline int64_t derivative_coupled_strips__finish_integrations_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_coupled_strips__finish_integrations_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes largest_t, v1_t, unit_t, square_t, v3_t, v4_t, rates, rates_2, rates_3;
+    directional_rate largest_t, v1_t, unit_t, square_t, v3_t, v4_t, rates, rates_2, rates_3;
     double largest, v1, unit, v2, square, v3, v4, v5, v6;
     int64_t i, strip;
-    largest_t = all_lanes(0.0);
+    largest_t = along_all(0.0);
     largest = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        EACH_LANE each(unit_t) = each(v1_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        EACH_DIRECTION each(unit_t) = each(v1_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
         unit = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
         v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) * unit;
-        EACH_LANE each(square_t) = (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) * unit + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) * each(unit_t)) * unit + v2 * each(unit_t);
+        EACH_DIRECTION each(square_t) = (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) * unit + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) * each(unit_t)) * unit + v2 * each(unit_t);
         square = v2 * unit;
         v3 = largest;
-        EACH_LANE each(v3_t) = each(largest_t);
+        EACH_DIRECTION each(v3_t) = each(largest_t);
         if (square > v3)
         {
             v3 = square;
-            EACH_LANE each(v3_t) = each(square_t);
+            EACH_DIRECTION each(v3_t) = each(square_t);
         }
-        EACH_LANE each(largest_t) = each(v3_t);
+        EACH_DIRECTION each(largest_t) = each(v3_t);
         largest = v3;
         if (unit > 0.0)
         {
             derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
-            EACH_LANE each(unit_t) = each(unit_t) * v4 + unit * each(v4_t);
+            EACH_DIRECTION each(unit_t) = each(unit_t) * v4 + unit * each(v4_t);
             unit = unit * v4;
             v5 = unit * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-            EACH_LANE each(rates) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i));
-            EACH_LANE each(rates_2) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i));
-            EACH_LANE each(rates_3) = (each(unit_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + unit * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + v5 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i));
+            EACH_DIRECTION each(rates) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i));
+            EACH_DIRECTION each(rates_2) = each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i));
+            EACH_DIRECTION each(rates_3) = (each(unit_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + unit * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + v5 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i));
             derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i), rates, unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i), rates_2, v5 * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i), rates_3);
         }
     }
     v6 = sqrt(largest);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v6, each(largest_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v6, each(largest_t));
     AT(work, patch + layout__PATCH_MAX_SHEAR) = v6;
     return 0;
 }
 
 /* Derivative of ``lost_friction``. */
-static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, lanes* lost_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, directional_rate* lost_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes lost_t, v1_t, v3_t, unit_t;
+    directional_rate lost_t, v1_t, v3_t, unit_t;
     double lost, v1, v2, v3, v4, unit;
     int64_t i, strip;
-    lost_t = all_lanes(0.0);
+    lost_t = along_all(0.0);
     lost = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
@@ -917,13 +917,13 @@ static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, 
         v2 = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
         derivative_tractions__point_weight_t(&v3, &v3_t, work, work_t, strip);
         v4 = v2 * v3;
-        EACH_LANE each(unit_t) = ((each(v1_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * v3 + v2 * each(v3_t)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_DIRECTION each(unit_t) = ((each(v1_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * v3 + v2 * each(v3_t)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
         unit = v4 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-        EACH_LANE each(lost_t) = each(lost_t) + (each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)));
+        EACH_DIRECTION each(lost_t) = each(lost_t) + (each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)));
         lost = lost + unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i);
     }
     *lost_out = lost;
-    EACH_LANE each(*lost_t_out) = each(lost_t);
+    EACH_DIRECTION each(*lost_t_out) = each(lost_t);
 }
 
 
@@ -933,7 +933,7 @@ static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, 
  */
 
 /* Derivative of ``solve_creep_force``. */
-static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
     derivative_rolling_strips__clear_creep_t(work, work_t, patch);
     if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0 && AT(work, patch + layout__PATCH_FRICTION) > 0.0 && AT(work, patch + layout__PATCH_HALF_LENGTH) > 0.0)
@@ -971,29 +971,29 @@ static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1
 }
 
 /* Derivative of ``mirror_rolling``. */
-static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t i, strip;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
     AT(work, patch + layout__PATCH_CREEPAGE_X) = -AT(work, patch + layout__PATCH_CREEPAGE_X);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = -each(RATE_AT(work_t, patch + layout__PATCH_SPIN));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = -each(RATE_AT(work_t, patch + layout__PATCH_SPIN));
     AT(work, patch + layout__PATCH_SPIN) = -AT(work, patch + layout__PATCH_SPIN);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
     AT(work, patch + layout__PATCH_CREEP_X) = -AT(work, patch + layout__PATCH_CREEP_X);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = -each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT));
     AT(work, patch + layout__PATCH_CREEP_MOMENT) = -AT(work, patch + layout__PATCH_CREEP_MOMENT);
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
         AT(work, strip + layout__ROLLING_STRIP_X) = -AT(work, strip + layout__ROLLING_STRIP_X);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
         AT(work, strip + layout__ROLLING_STRIP_SLIP) = -AT(work, strip + layout__ROLLING_STRIP_SLIP);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
         AT(work, strip + layout__ROLLING_STRIP_SPIN) = -AT(work, strip + layout__ROLLING_STRIP_SPIN);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X));
         AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = -AT(work, strip + layout__ROLLING_STRIP_FORCE_X);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) = -each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT));
         AT(work, strip + layout__ROLLING_STRIP_MOMENT) = -AT(work, strip + layout__ROLLING_STRIP_MOMENT);
     }
     return 0;
@@ -1006,65 +1006,58 @@ static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d w
  */
 
 /* Derivative of ``move_patch``. */
-static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch)
 {
-    lanes x_t, y_t, z_t, rolling_x_t, rolling_y_t, rolling_z_t, share_t, v1_t, along_t, lateral_t, vertical_t, normal_y_t, normal_z_t, v4_t, speed_t;
-    double x, y, z, rolling_x, rolling_y, rolling_z, share, v1, along, v2, lateral, v3, vertical, normal_y, normal_z, v4, speed, v5, v6, v7, v8, v9, v10, v11;
-    int64_t rail;
-    EACH_LANE each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK));
+    directional_rate x_t, y_t, z_t, rolling_x_t, rolling_y_t, rolling_z_t, share_t, v1_t, along_t, lateral_t, vertical_t, normal_y_t, normal_z_t, v2_t, speed_t;
+    double x, y, z, rolling_x, rolling_y, rolling_z, share, v1, along, lateral, vertical, normal_y, normal_z, v2, speed, v3, v4, v5, v6, v7, v8, v9;
+    EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK));
     x = AT(work, patch + layout__PATCH_X_TRACK);
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
     y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
-    EACH_LANE each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_DIRECTION each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
     z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
-    rail = motion + layout__MOTION_RAIL;
     derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, AT(work, patch + layout__PATCH_ROLLING_RADIUS), RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS));
     derivative_creepage__velocity_along_t(&v1, &v1_t, work, work_t, motion, y, y_t, z, z_t, rolling_x, rolling_x_t);
-    EACH_LANE each(along_t) = each(v1_t);
+    EACH_DIRECTION each(along_t) = each(v1_t);
     along = v1;
-    v2 = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, rail + layout__RAIL_MOTION_Z);
-    EACH_LANE each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * x + AT(work, motion + layout__MOTION_TRACK_RATE) * each(x_t)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * x + AT(work, motion + layout__MOTION_TURN_Z) * each(x_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * z + AT(work, motion + layout__MOTION_TURN_X) * each(z_t)) - each(rolling_y_t) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))));
-    lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TRACK_RATE) * x + AT(work, motion + layout__MOTION_TURN_Z) * x - AT(work, motion + layout__MOTION_TURN_X) * z - rolling_y - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * v2;
-    v3 = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, rail + layout__RAIL_MOTION_Y);
-    EACH_LANE each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * y + AT(work, motion + layout__MOTION_TURN_X) * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * x + AT(work, motion + layout__MOTION_TURN_Y) * each(x_t)) - each(rolling_z_t) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v3 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))));
-    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * v3;
-    EACH_LANE each(normal_y_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN));
+    derivative_creepage__velocity_across_t(&lateral, &lateral_t, &vertical, &vertical_t, work, work_t, motion, x, x_t, AT(work, patch + layout__PATCH_Y_TRACK), RATE_AT(work_t, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK), RATE_AT(work_t, patch + layout__PATCH_Z_TRACK), rolling_y, rolling_y_t, rolling_z, rolling_z_t);
+    EACH_DIRECTION each(normal_y_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN));
     normal_y = -AT(work, patch + layout__PATCH_ANGLE_SIN);
-    EACH_LANE each(normal_z_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS));
+    EACH_DIRECTION each(normal_z_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS));
     normal_z = -AT(work, patch + layout__PATCH_ANGLE_COS);
-    derivative_creepage__reference_speed_t(&v4, &v4_t, work, work_t, motion, rolling_x, rolling_x_t);
-    EACH_LANE each(speed_t) = each(v4_t);
-    speed = v4;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) = each(speed_t);
+    derivative_creepage__reference_speed_t(&v2, &v2_t, AT(work, motion + layout__MOTION_SPEED), RATE_AT(work_t, motion + layout__MOTION_SPEED), rolling_x, rolling_x_t);
+    EACH_DIRECTION each(speed_t) = each(v2_t);
+    speed = v2;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) = each(speed_t);
     AT(work, patch + layout__PATCH_SPEED) = speed;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_RADIUS_SHARE)) = each(share_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_RADIUS_SHARE)) = each(share_t);
     AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
-    RATE_AT(work_t, patch + layout__PATCH_BACKWARDS) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_BACKWARDS) = along_all(0.0);
     AT(work, patch + layout__PATCH_BACKWARDS) = (double)(AT(work, motion + layout__MOTION_SPEED) + rolling_x < 0.0);
-    v5 = along / speed;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = (each(along_t) - v5 * each(speed_t)) / speed;
-    AT(work, patch + layout__PATCH_CREEPAGE_X) = v5;
-    v6 = -(normal_z * lateral - normal_y * vertical);
-    v7 = v6 / speed;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = (-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t))) - v7 * each(speed_t)) / speed;
-    AT(work, patch + layout__PATCH_CREEPAGE_Y) = v7;
-    v8 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
-    v9 = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
-    v10 = -(v8 * normal_y + v9 * normal_z);
-    v11 = v10 / speed;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = (-((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))) * normal_y + v8 * each(normal_y_t) + ((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) * normal_z + v9 * each(normal_z_t))) - v11 * each(speed_t)) / speed;
-    AT(work, patch + layout__PATCH_SPIN) = v11;
+    v3 = along / speed;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = (each(along_t) - v3 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = v3;
+    v4 = -(normal_z * lateral - normal_y * vertical);
+    v5 = v4 / speed;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = (-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t))) - v5 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = v5;
+    v6 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
+    v7 = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
+    v8 = -(v6 * normal_y + v7 * normal_z);
+    v9 = v8 / speed;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = (-((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))) * normal_y + v6 * each(normal_y_t) + ((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) * normal_z + v7 * each(normal_z_t))) - v9 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_SPIN) = v9;
     return 0;
 }
 
 /* Derivative of ``move_strips``. */
-static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch)
 {
     double v1, inverse;
-    lanes inverse_t;
+    directional_rate inverse_t;
     int64_t index;
     v1 = 1.0 / AT(work, patch + layout__PATCH_SPEED);
-    EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) / AT(work, patch + layout__PATCH_SPEED);
+    EACH_DIRECTION each(inverse_t) = -v1 * each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) / AT(work, patch + layout__PATCH_SPEED);
     inverse = v1;
     for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
     {
@@ -1074,118 +1067,141 @@ static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, a
 }
 
 /* Derivative of ``move_strip``. */
-static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t strip, double x_track, lanes x_track_t, double inverse, lanes inverse_t)
+static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t strip, double x_track, directional_rate x_track_t, double inverse, directional_rate inverse_t)
 {
     int64_t rail;
-    lanes x_t, y_t, z_t, rolling_x_t, rolling_y_t, rolling_z_t, share_t, turn_z_t, along_t, roll_t, lateral_t, vertical_t;
+    directional_rate x_t, y_t, z_t, rolling_x_t, rolling_y_t, rolling_z_t, share_t, turn_z_t, along_t, roll_t, lateral_t, vertical_t;
     double x, y, z, rolling_x, rolling_y, rolling_z, share, turn_z, along, roll, v1, lateral, v2, vertical, v3, v4, v5, v6;
     rail = motion + layout__MOTION_RAIL;
-    EACH_LANE each(x_t) = each(x_track_t) + each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+    EACH_DIRECTION each(x_t) = each(x_track_t) + each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
     x = x_track + AT(work, strip + layout__ROLLING_STRIP_X);
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
     y = AT(work, strip + layout__ROLLING_STRIP_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
-    EACH_LANE each(z_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_DIRECTION each(z_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
     z = AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
     derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS), RATE_AT(work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS));
-    EACH_LANE each(turn_z_t) = each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE));
+    EACH_DIRECTION each(turn_z_t) = each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE));
     turn_z = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE);
-    EACH_LANE each(along_t) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) - (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * AT(work, motion + layout__MOTION_CENTRE_Y) + AT(work, motion + layout__MOTION_TRACK_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y))) - (each(turn_z_t) * y + turn_z * each(y_t)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * z + AT(work, motion + layout__MOTION_TURN_Y) * each(z_t)) - each(rolling_x_t);
+    EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) - (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * AT(work, motion + layout__MOTION_CENTRE_Y) + AT(work, motion + layout__MOTION_TRACK_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y))) - (each(turn_z_t) * y + turn_z * each(y_t)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * z + AT(work, motion + layout__MOTION_TURN_Y) * each(z_t)) - each(rolling_x_t);
     along = AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * AT(work, motion + layout__MOTION_CENTRE_Y) - turn_z * y + AT(work, motion + layout__MOTION_TURN_Y) * z - rolling_x;
-    EACH_LANE each(roll_t) = each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL));
+    EACH_DIRECTION each(roll_t) = each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL));
     roll = AT(work, motion + layout__MOTION_TURN_X) - AT(work, rail + layout__RAIL_MOTION_ROLL);
     v1 = AT(work, motion + layout__MOTION_CENTRE_Z) - AT(work, rail + layout__RAIL_MOTION_Z);
-    EACH_LANE each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)))) + (each(turn_z_t) * x + turn_z * each(x_t)) - (each(roll_t) * z + roll * each(z_t)) - each(rolling_y_t);
+    EACH_DIRECTION each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)))) + (each(turn_z_t) * x + turn_z * each(x_t)) - (each(roll_t) * z + roll * each(z_t)) - each(rolling_y_t);
     lateral = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * v1 + turn_z * x - roll * z - rolling_y;
     v2 = AT(work, motion + layout__MOTION_CENTRE_Y) - AT(work, rail + layout__RAIL_MOTION_Y);
-    EACH_LANE each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)))) + (each(roll_t) * y + roll * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * x + AT(work, motion + layout__MOTION_TURN_Y) * each(x_t)) - each(rolling_z_t);
+    EACH_DIRECTION each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)))) + (each(roll_t) * y + roll * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * x + AT(work, motion + layout__MOTION_TURN_Y) * each(x_t)) - each(rolling_z_t);
     vertical = AT(work, motion + layout__MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * v2 + roll * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(along_t) * inverse + along * each(inverse_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(along_t) * inverse + along * each(inverse_t);
     AT(work, strip + layout__ROLLING_STRIP_SLIP) = along * inverse;
     v3 = AT(work, strip + layout__ROLLING_STRIP_COS) * lateral + AT(work, strip + layout__ROLLING_STRIP_SIN) * vertical;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * lateral + AT(work, strip + layout__ROLLING_STRIP_COS) * each(lateral_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * vertical + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(vertical_t))) * inverse + v3 * each(inverse_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * lateral + AT(work, strip + layout__ROLLING_STRIP_COS) * each(lateral_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * vertical + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(vertical_t))) * inverse + v3 * each(inverse_t);
     AT(work, strip + layout__ROLLING_STRIP_LATERAL) = v3 * inverse;
     v4 = turn_z - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
     v5 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
     v6 = AT(work, strip + layout__ROLLING_STRIP_COS) * v4 - AT(work, strip + layout__ROLLING_STRIP_SIN) * v5;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * v4 + AT(work, strip + layout__ROLLING_STRIP_COS) * (each(turn_z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * v5 + AT(work, strip + layout__ROLLING_STRIP_SIN) * (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))))) * inverse + v6 * each(inverse_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * v4 + AT(work, strip + layout__ROLLING_STRIP_COS) * (each(turn_z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * v5 + AT(work, strip + layout__ROLLING_STRIP_SIN) * (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))))) * inverse + v6 * each(inverse_t);
     AT(work, strip + layout__ROLLING_STRIP_SPIN) = v6 * inverse;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = each(share_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = each(share_t);
     AT(work, strip + layout__ROLLING_STRIP_RADIUS_SHARE) = share;
     return 0;
 }
 
 /* Derivative of ``rolling_velocity``. */
-static inline void derivative_creepage__rolling_velocity_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, double* v5_out, lanes* out_7, array_double_1d work, array_lanes_1d work_t, int64_t motion, double x, lanes x_t, double y, lanes y_t, double z, lanes z_t, double radius, lanes radius_t)
+static inline void derivative_creepage__rolling_velocity_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, double* v5_out, directional_rate* out_7, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, double x, directional_rate x_t, double y, directional_rate y_t, double z, directional_rate z_t, double radius, directional_rate radius_t)
 {
-    lanes around_x_t, around_y_t, around_z_t, distance_t, rolling_t;
+    directional_rate around_x_t, around_y_t, around_z_t, distance_t, rolling_t;
     double around_x, around_y, around_z, v1, v2, distance, v3, v4, rolling, v5;
-    EACH_LANE each(around_x_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) * z + AT(work, motion + layout__MOTION_AXLE_Y) * each(z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) * y + AT(work, motion + layout__MOTION_AXLE_Z) * each(y_t));
+    EACH_DIRECTION each(around_x_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) * z + AT(work, motion + layout__MOTION_AXLE_Y) * each(z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) * y + AT(work, motion + layout__MOTION_AXLE_Z) * each(y_t));
     around_x = AT(work, motion + layout__MOTION_AXLE_Y) * z - AT(work, motion + layout__MOTION_AXLE_Z) * y;
-    EACH_LANE each(around_y_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) * x + AT(work, motion + layout__MOTION_AXLE_Z) * each(x_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) * z + AT(work, motion + layout__MOTION_AXLE_X) * each(z_t));
+    EACH_DIRECTION each(around_y_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) * x + AT(work, motion + layout__MOTION_AXLE_Z) * each(x_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) * z + AT(work, motion + layout__MOTION_AXLE_X) * each(z_t));
     around_y = AT(work, motion + layout__MOTION_AXLE_Z) * x - AT(work, motion + layout__MOTION_AXLE_X) * z;
-    EACH_LANE each(around_z_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) * y + AT(work, motion + layout__MOTION_AXLE_X) * each(y_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) * x + AT(work, motion + layout__MOTION_AXLE_Y) * each(x_t));
+    EACH_DIRECTION each(around_z_t) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) * y + AT(work, motion + layout__MOTION_AXLE_X) * each(y_t) - (each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) * x + AT(work, motion + layout__MOTION_AXLE_Y) * each(x_t));
     around_z = AT(work, motion + layout__MOTION_AXLE_X) * y - AT(work, motion + layout__MOTION_AXLE_Y) * x;
     v1 = around_x * around_x + around_y * around_y + around_z * around_z;
     v2 = sqrt(v1);
-    EACH_LANE each(distance_t) = derivative_rates__root_rate(v2, each(around_x_t) * around_x + around_x * each(around_x_t) + (each(around_y_t) * around_y + around_y * each(around_y_t)) + (each(around_z_t) * around_z + around_z * each(around_z_t)));
+    EACH_DIRECTION each(distance_t) = derivative_rates__root_rate(v2, each(around_x_t) * around_x + around_x * each(around_x_t) + (each(around_y_t) * around_y + around_y * each(around_y_t)) + (each(around_z_t) * around_z + around_z * each(around_z_t)));
     distance = v2;
     v3 = AT(work, motion + layout__MOTION_WHEEL_RATE) * radius;
     v4 = v3 / distance;
-    EACH_LANE each(rolling_t) = (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * radius + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(radius_t) - v4 * each(distance_t)) / distance;
+    EACH_DIRECTION each(rolling_t) = (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * radius + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(radius_t) - v4 * each(distance_t)) / distance;
     rolling = v4;
     v5 = radius / distance;
     *out_0 = rolling * around_x;
-    EACH_LANE each(*out_1) = each(rolling_t) * around_x + rolling * each(around_x_t);
+    EACH_DIRECTION each(*out_1) = each(rolling_t) * around_x + rolling * each(around_x_t);
     *out_2 = rolling * around_y;
-    EACH_LANE each(*out_3) = each(rolling_t) * around_y + rolling * each(around_y_t);
+    EACH_DIRECTION each(*out_3) = each(rolling_t) * around_y + rolling * each(around_y_t);
     *out_4 = rolling * around_z;
-    EACH_LANE each(*out_5) = each(rolling_t) * around_z + rolling * each(around_z_t);
+    EACH_DIRECTION each(*out_5) = each(rolling_t) * around_z + rolling * each(around_z_t);
     *v5_out = v5;
-    EACH_LANE each(*out_7) = (each(radius_t) - v5 * each(distance_t)) / distance;
+    EACH_DIRECTION each(*out_7) = (each(radius_t) - v5 * each(distance_t)) / distance;
 }
 
 /* Derivative of ``velocity_along``. */
-static inline void derivative_creepage__velocity_along_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double y, lanes y_t, double z, lanes z_t, double rolling_x, lanes rolling_x_t)
+static inline void derivative_creepage__velocity_along_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, double y, directional_rate y_t, double z, directional_rate z_t, double rolling_x, directional_rate rolling_x_t)
 {
     double v1;
     v1 = y + AT(work, motion + layout__MOTION_CENTRE_Y);
     *out_0 = AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * v1 + AT(work, motion + layout__MOTION_TURN_Y) * z - AT(work, motion + layout__MOTION_TURN_Z) * y - rolling_x;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) - (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * v1 + AT(work, motion + layout__MOTION_TRACK_RATE) * (each(y_t) + each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)))) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * z + AT(work, motion + layout__MOTION_TURN_Y) * each(z_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * y + AT(work, motion + layout__MOTION_TURN_Z) * each(y_t)) - each(rolling_x_t);
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) - (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * v1 + AT(work, motion + layout__MOTION_TRACK_RATE) * (each(y_t) + each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)))) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * z + AT(work, motion + layout__MOTION_TURN_Y) * each(z_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * y + AT(work, motion + layout__MOTION_TURN_Z) * each(y_t)) - each(rolling_x_t);
+}
+
+/* Derivative of ``velocity_across``. */
+static inline void derivative_creepage__velocity_across_t(double* lateral_out, directional_rate* lateral_t_out, double* vertical_out, directional_rate* vertical_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, double x, directional_rate x_t, double y_track, directional_rate y_track_t, double z_track, directional_rate z_track_t, double rolling_y, directional_rate rolling_y_t, double rolling_z, directional_rate rolling_z_t)
+{
+    int64_t rail;
+    directional_rate y_t, z_t, lateral_t, vertical_t;
+    double y, z, v1, lateral, v2, vertical;
+    rail = motion + layout__MOTION_RAIL;
+    EACH_DIRECTION each(y_t) = each(y_track_t) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    y = y_track - AT(work, motion + layout__MOTION_CENTRE_Y);
+    EACH_DIRECTION each(z_t) = each(z_track_t) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    z = z_track - AT(work, motion + layout__MOTION_CENTRE_Z);
+    v1 = z_track - AT(work, rail + layout__RAIL_MOTION_Z);
+    EACH_DIRECTION each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) * x + AT(work, motion + layout__MOTION_TRACK_RATE) * each(x_t)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * x + AT(work, motion + layout__MOTION_TURN_Z) * each(x_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * z + AT(work, motion + layout__MOTION_TURN_X) * each(z_t)) - each(rolling_y_t) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(z_track_t) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))));
+    lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TRACK_RATE) * x + AT(work, motion + layout__MOTION_TURN_Z) * x - AT(work, motion + layout__MOTION_TURN_X) * z - rolling_y - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * v1;
+    v2 = y_track - AT(work, rail + layout__RAIL_MOTION_Y);
+    EACH_DIRECTION each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * y + AT(work, motion + layout__MOTION_TURN_X) * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * x + AT(work, motion + layout__MOTION_TURN_Y) * each(x_t)) - each(rolling_z_t) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(y_track_t) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))));
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * x - rolling_z - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * v2;
+    *lateral_out = lateral;
+    EACH_DIRECTION each(*lateral_t_out) = each(lateral_t);
+    *vertical_out = vertical;
+    EACH_DIRECTION each(*vertical_t_out) = each(vertical_t);
 }
 
 /* Derivative of ``reference_speed``. */
-static inline void derivative_creepage__reference_speed_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t)
+static inline void derivative_creepage__reference_speed_t(double* v3_out, directional_rate* out_1, double running, directional_rate running_t, double rolling, directional_rate rolling_t)
 {
     double v1, speed, v2, v3;
-    lanes speed_t;
-    v1 = fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x);
-    EACH_LANE each(speed_t) = 0.5 * (derivative_rates__size_rate(AT(work, motion + layout__MOTION_SPEED), each(RATE_AT(work_t, motion + layout__MOTION_SPEED))) + derivative_rates__size_rate(rolling_x, each(rolling_x_t)));
+    directional_rate speed_t;
+    v1 = fabs(running) + fabs(rolling);
+    EACH_DIRECTION each(speed_t) = 0.5 * (derivative_rates__size_rate(running, each(running_t)) + derivative_rates__size_rate(rolling, each(rolling_t)));
     speed = 0.5 * v1;
     v2 = speed * speed + creepage__REST * creepage__REST;
     v3 = sqrt(v2);
     *v3_out = v3;
-    EACH_LANE each(*out_1) = derivative_rates__root_rate(v3, each(speed_t) * speed + speed * each(speed_t));
+    EACH_DIRECTION each(*out_1) = derivative_rates__root_rate(v3, each(speed_t) * speed + speed * each(speed_t));
 }
 
 /* Derivative of ``approach_rate``. */
-static inline void derivative_creepage__approach_rate_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline void derivative_creepage__approach_rate_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t rail;
-    lanes y_t, z_t, lateral_t, vertical_t;
+    directional_rate y_t, z_t, lateral_t, vertical_t;
     double y, z, v1, lateral, v2, vertical;
     rail = motion + layout__MOTION_RAIL;
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
     y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
-    EACH_LANE each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_DIRECTION each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
     z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
     v1 = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, rail + layout__RAIL_MOTION_Z);
-    EACH_LANE each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * AT(work, patch + layout__PATCH_X_TRACK) + AT(work, motion + layout__MOTION_TURN_Z) * each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK))) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * z + AT(work, motion + layout__MOTION_TURN_X) * each(z_t)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))));
+    EACH_DIRECTION each(lateral_t) = each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) * AT(work, patch + layout__PATCH_X_TRACK) + AT(work, motion + layout__MOTION_TURN_Z) * each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK))) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * z + AT(work, motion + layout__MOTION_TURN_X) * each(z_t)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))));
     lateral = AT(work, motion + layout__MOTION_LATERAL) + AT(work, motion + layout__MOTION_TURN_Z) * AT(work, patch + layout__PATCH_X_TRACK) - AT(work, motion + layout__MOTION_TURN_X) * z - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * v1;
     v2 = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, rail + layout__RAIL_MOTION_Y);
-    EACH_LANE each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * y + AT(work, motion + layout__MOTION_TURN_X) * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * AT(work, patch + layout__PATCH_X_TRACK) + AT(work, motion + layout__MOTION_TURN_Y) * each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK))) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))));
+    EACH_DIRECTION each(vertical_t) = each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) + (each(RATE_AT(work_t, motion + layout__MOTION_TURN_X)) * y + AT(work, motion + layout__MOTION_TURN_X) * each(y_t)) - (each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) * AT(work, patch + layout__PATCH_X_TRACK) + AT(work, motion + layout__MOTION_TURN_Y) * each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK))) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + AT(work, rail + layout__RAIL_MOTION_ROLL) * (each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))));
     vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * AT(work, patch + layout__PATCH_X_TRACK) - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * v2;
     *out_0 = AT(work, patch + layout__PATCH_ANGLE_SIN) * lateral + AT(work, patch + layout__PATCH_ANGLE_COS) * vertical;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN)) * lateral + AT(work, patch + layout__PATCH_ANGLE_SIN) * each(lateral_t) + (each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS)) * vertical + AT(work, patch + layout__PATCH_ANGLE_COS) * each(vertical_t));
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN)) * lateral + AT(work, patch + layout__PATCH_ANGLE_SIN) * each(lateral_t) + (each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS)) * vertical + AT(work, patch + layout__PATCH_ANGLE_COS) * each(vertical_t));
 }
 
 
@@ -1195,91 +1211,91 @@ static inline void derivative_creepage__approach_rate_t(double* out_0, lanes* ou
  */
 
 /* Derivative of ``open_falling``. */
-static inline int64_t derivative_falling__open_falling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_falling__open_falling_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t i, strip;
     double v1;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR) = AT(work, patch + layout__PATCH_FALL_FLOOR);
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_LATERAL);
         v1 = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SPIN);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i)) = (each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_SPIN) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN))) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i)) = (each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_SPIN) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN))) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = along_all(0.0);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = 0.0;
     }
     return 0;
 }
 
 /* Derivative of ``find_shares``. */
-static inline int64_t derivative_falling__find_shares_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t)
+static inline int64_t derivative_falling__find_shares_t(array_double_1d work, array_directional_rate_1d work_t, double x, directional_rate x_t)
 {
-    lanes floor_t, along_t, across_t, v2_t, rates;
+    directional_rate floor_t, along_t, across_t, v2_t, rates;
     double floor, along, across, v1, v3, v4, v2;
     int64_t i;
-    EACH_LANE each(floor_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR));
+    EACH_DIRECTION each(floor_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR));
     floor = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR);
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i));
+        EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i));
         along = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i);
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i)) * x + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * each(x_t));
+        EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i)) * x + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * each(x_t));
         across = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * x;
         v1 = 1.0 - floor;
         v3 = along * along + across * across;
         v4 = sqrt(v3);
-        EACH_LANE each(rates) = derivative_rates__root_rate(v4, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+        EACH_DIRECTION each(rates) = derivative_rates__root_rate(v4, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
         derivative_falling__decay_t(&v2, &v2_t, v4, rates);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i)) = each(floor_t) + (-each(floor_t) * v2 + v1 * each(v2_t));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i)) = each(floor_t) + (-each(floor_t) * v2 + v1 * each(v2_t));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i) = floor + v1 * v2;
     }
     return 0;
 }
 
 /* Derivative of ``point_share``. */
-static inline void derivative_falling__point_share_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double x, lanes x_t)
+static inline void derivative_falling__point_share_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip, double x, directional_rate x_t)
 {
-    lanes along_t, across_t, slide_t, v4_t;
+    directional_rate along_t, across_t, slide_t, v4_t;
     double along, across, v1, v2, slide, v3, v4;
-    EACH_LANE each(along_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
     along = AT(work, strip + layout__ROLLING_STRIP_SLIP);
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * x + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(x_t));
+    EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * x + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(x_t));
     across = AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * x;
     v1 = along * along + across * across;
     v2 = sqrt(v1);
-    EACH_LANE each(slide_t) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * v2 + AT(work, patch + layout__PATCH_FALL_RATE) * derivative_rates__root_rate(v2, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+    EACH_DIRECTION each(slide_t) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * v2 + AT(work, patch + layout__PATCH_FALL_RATE) * derivative_rates__root_rate(v2, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
     slide = AT(work, patch + layout__PATCH_FALL_RATE) * v2;
     v3 = 1.0 - AT(work, patch + layout__PATCH_FALL_FLOOR);
     derivative_falling__decay_t(&v4, &v4_t, slide, slide_t);
     *out_0 = AT(work, patch + layout__PATCH_FALL_FLOOR) + v3 * v4;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR)) + (-each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR)) * v4 + v3 * each(v4_t));
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR)) + (-each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR)) * v4 + v3 * each(v4_t));
 }
 
 /* Derivative of ``decay``. */
-static inline void derivative_falling__decay_t(double* out_0, lanes* out_1, double t, lanes t_t)
+static inline void derivative_falling__decay_t(double* out_0, directional_rate* out_1, double t, directional_rate t_t)
 {
     double v1, z, v2, v3, v4, v5, p, v6, v7, v8, v9, v10, v11, v12, v13;
-    lanes v1_t, z_t, p_t;
+    directional_rate v1_t, z_t, p_t;
     v1 = t;
-    EACH_LANE each(v1_t) = each(t_t);
+    EACH_DIRECTION each(v1_t) = each(t_t);
     if (falling__LARGEST < v1)
     {
         v1 = falling__LARGEST;
-        v1_t = all_lanes(0.0);
+        v1_t = along_all(0.0);
     }
-    EACH_LANE each(z_t) = each(v1_t) / falling__POWER;
+    EACH_DIRECTION each(z_t) = each(v1_t) / falling__POWER;
     z = v1 / falling__POWER;
     v2 = z / 6.0;
     v3 = z / 7.0;
     v4 = 1.0 - z / 8.0;
     v5 = 1.0 - v3 * v4;
-    EACH_LANE each(p_t) = -(each(z_t) / 6.0 * v5 + v2 * -(each(z_t) / 7.0 * v4 + v3 * -(each(z_t) / 8.0)));
+    EACH_DIRECTION each(p_t) = -(each(z_t) / 6.0 * v5 + v2 * -(each(z_t) / 7.0 * v4 + v3 * -(each(z_t) / 8.0)));
     p = 1.0 - v2 * v5;
     v6 = z / 2.0;
     v7 = z / 3.0;
@@ -1289,63 +1305,63 @@ static inline void derivative_falling__decay_t(double* out_0, lanes* out_1, doub
     v11 = 1.0 - v8 * v10;
     v12 = 1.0 - v7 * v11;
     v13 = 1.0 - v6 * v12;
-    EACH_LANE each(p_t) = -(each(z_t) * v13 + z * -(each(z_t) / 2.0 * v12 + v6 * -(each(z_t) / 3.0 * v11 + v7 * -(each(z_t) / 4.0 * v10 + v8 * -(each(z_t) / 5.0 * p + v9 * each(p_t))))));
+    EACH_DIRECTION each(p_t) = -(each(z_t) * v13 + z * -(each(z_t) / 2.0 * v12 + v6 * -(each(z_t) / 3.0 * v11 + v7 * -(each(z_t) / 4.0 * v10 + v8 * -(each(z_t) / 5.0 * p + v9 * each(p_t))))));
     p = 1.0 - z * v13;
-    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    EACH_DIRECTION each(p_t) = each(p_t) * p + p * each(p_t);
     p = p * p;
-    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    EACH_DIRECTION each(p_t) = each(p_t) * p + p * each(p_t);
     p = p * p;
-    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    EACH_DIRECTION each(p_t) = each(p_t) * p + p * each(p_t);
     p = p * p;
-    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    EACH_DIRECTION each(p_t) = each(p_t) * p + p * each(p_t);
     p = p * p;
-    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    EACH_DIRECTION each(p_t) = each(p_t) * p + p * each(p_t);
     p = p * p;
     *out_0 = p * p;
-    EACH_LANE each(*out_1) = each(p_t) * p + p * each(p_t);
+    EACH_DIRECTION each(*out_1) = each(p_t) * p + p * each(p_t);
 }
 
 /* Derivative of ``weigh_slips``. */
-static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, array_lanes_1d work_t, double bound, lanes bound_t)
+static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, array_directional_rate_1d work_t, double bound, directional_rate bound_t)
 {
     int64_t i;
-    lanes share_t, slips_t, noted_t;
+    directional_rate share_t, slips_t, noted_t;
     double share, slips, noted, v1, v2, v3, v4;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i));
+        EACH_DIRECTION each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i));
         share = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i);
-        EACH_LANE each(slips_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i));
+        EACH_DIRECTION each(slips_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i));
         slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
-        EACH_LANE each(noted_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i));
+        EACH_DIRECTION each(noted_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i));
         noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i)) = each(slips_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i)) = each(slips_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i) = slips;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i)) = each(noted_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i)) = each(noted_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i) = noted;
         v1 = bound * bound;
         v2 = v1 * slips;
         v3 = 1.0 - share;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) + (((each(bound_t) * bound + bound * each(bound_t)) * slips + v1 * each(slips_t)) * v3 + v2 * -each(share_t));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) + (((each(bound_t) * bound + bound * each(bound_t)) * slips + v1 * each(slips_t)) * v3 + v2 * -each(share_t));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) + v2 * v3;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(slips_t) * share + slips * each(share_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(slips_t) * share + slips * each(share_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = slips * share;
         v4 = noted * share;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) = (each(noted_t) * share + noted * each(share_t)) * share + v4 * each(share_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) = (each(noted_t) * share + noted * each(share_t)) * share + v4 * each(share_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = v4 * share;
     }
     return 0;
 }
 
 /* Derivative of ``restore_slips``. */
-static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t i;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
     }
     return 0;
@@ -1358,159 +1374,159 @@ static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, 
  */
 
 /* Derivative of ``solve_fastrip``. */
-static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
     double along, across, turning, stuck, lost, v1, rate, slanted, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11;
-    lanes along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, slanted_t, v2_t, v3_t, v5_t, v10_t;
+    directional_rate along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, slanted_t, v2_t, v3_t, v5_t, v10_t;
     int64_t i, strip;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
     derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION);
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST) = along_all(0.0);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST) = 0.0;
-    stuck_t = all_lanes(0.0);
+    stuck_t = along_all(0.0);
     stuck = 0.0;
-    lost_t = all_lanes(0.0);
+    lost_t = along_all(0.0);
     lost = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        EACH_LANE each(rate_t) = each(v1_t);
+        EACH_DIRECTION each(rate_t) = each(v1_t);
         rate = v1;
         if (rate > 0.0)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_RATE)) = each(rate_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_RATE)) = each(rate_t);
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_RATE) = rate;
-            EACH_LANE each(slanted_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+            EACH_DIRECTION each(slanted_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
             slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
             derivative_fastrip__longitudinal_t(&v2, &v2_t, work, work_t, tables, patch, strip);
             derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION, v2, v2_t, AT(work, strip + layout__ROLLING_STRIP_LATERAL), RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL), AT(work, strip + layout__ROLLING_STRIP_SPIN), RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
             derivative_fastsim__strip_push_t(&v3, &v3_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_X)) = each(v3_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_X)) = each(v3_t);
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_X) = v3;
             v4 = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_Y)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - each(slanted_t)) * across + v4 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_Y)) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - each(slanted_t)) * across + v4 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_Y) = v4 * across + slanted * turning;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_TURN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_TURN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
             derivative_fastrip__add_tractions_t(&v5, &v5_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION, strip);
-            EACH_LANE each(lost_t) = each(lost_t) + each(v5_t);
+            EACH_DIRECTION each(lost_t) = each(lost_t) + each(v5_t);
             lost = lost + v5;
             v6 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_DEPTH);
             v7 = 2.0 * v6;
-            EACH_LANE each(stuck_t) = each(stuck_t) + (2.0 * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_DEPTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v7 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+            EACH_DIRECTION each(stuck_t) = each(stuck_t) + (2.0 * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_DEPTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v7 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
             stuck = stuck + v7 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
     v8 = lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v8 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v8 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) - v8;
     v9 = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST));
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v9, each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST)));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v9, each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_LARGEST)));
     AT(work, patch + layout__PATCH_MAX_SHEAR) = v9;
     derivative_tractions__patch_area_t(&v10, &v10_t, work, work_t, patch);
     v11 = stuck / v10;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v11 * each(v10_t)) / v10;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v11 * each(v10_t)) / v10;
     AT(work, patch + layout__PATCH_STICK_SHARE) = v11;
     return 0;
 }
 
 /* Derivative of ``set_stiffnesses``. */
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t integration)
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, int64_t integration)
 {
     double v1, ratio, first, second, third, modulus, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12;
-    lanes ratio_t, first_t, second_t, third_t;
+    directional_rate ratio_t, first_t, second_t, third_t;
     v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_DIRECTION each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
     derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio, ratio_t);
     modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
     v2 = 2.0 * first;
     v3 = v2 * modulus;
     v4 = M_PI * M_PI;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) = 2.0 * each(first_t) * modulus / v4;
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) = 2.0 * each(first_t) * modulus / v4;
     AT(work, integration + layout__STRIP_INTEGRATION_ALONG) = v3 / v4;
     v5 = 2.0 * second;
     v6 = v5 * modulus;
     v7 = M_PI * M_PI;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) = 2.0 * each(second_t) * modulus / v7;
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) = 2.0 * each(second_t) * modulus / v7;
     AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) = v6 / v7;
     v8 = 1.5 * third;
     v9 = v8 * modulus;
     v10 = sqrt(ratio);
     v11 = M_PI * v10;
     v12 = v9 / v11;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) = (1.5 * each(third_t) * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, each(ratio_t)))) / v11;
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) = (1.5 * each(third_t) * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, each(ratio_t)))) / v11;
     AT(work, integration + layout__STRIP_INTEGRATION_TURNING) = v12;
     return 0;
 }
 
 /* Derivative of ``longitudinal``. */
-static inline void derivative_fastrip__longitudinal_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t strip)
+static inline void derivative_fastrip__longitudinal_t(double* push_out, directional_rate* push_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, int64_t strip)
 {
-    lanes push_t;
+    directional_rate push_t;
     double push, v1, v2, v3;
-    EACH_LANE each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    EACH_DIRECTION each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
     push = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
     if (AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) == 1.0)
     {
         v1 = AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X);
         v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING) * v1;
         v3 = 1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO);
-        EACH_LANE each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING) * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)))) / v3;
+        EACH_DIRECTION each(push_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_TURNING) * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)))) / v3;
         push = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATION + layout__STRIP_INTEGRATION_ALONG) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v2 / v3;
     }
     *push_out = push;
-    EACH_LANE each(*push_t_out) = each(push_t);
+    EACH_DIRECTION each(*push_t_out) = each(push_t);
 }
 
 /* Derivative of ``find_stick``. */
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t)
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double push, directional_rate push_t, double lateral, directional_rate lateral_t, double spin, directional_rate spin_t)
 {
     double v1, v2, u, v3, v4, v5, v, v6, v7, v8, k, rest, cross, v9, spread, depth, v10, root, v11, v12, v13, v14, v15, v16, v17, v18, v19, v20, v21, v22;
-    lanes u_t, v_t, k_t, rest_t, cross_t, spread_t, depth_t, root_t;
+    directional_rate u_t, v_t, k_t, rest_t, cross_t, spread_t, depth_t, root_t;
     v1 = -push;
     v2 = v1 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
-    EACH_LANE each(u_t) = (-each(push_t) - v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_DIRECTION each(u_t) = (-each(push_t) - v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     u = v2;
     v3 = -AT(work, integration + layout__STRIP_INTEGRATION_ACROSS);
     v4 = v3 * lateral;
     v5 = v4 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
-    EACH_LANE each(v_t) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * lateral + v3 * each(lateral_t) - v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_DIRECTION each(v_t) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * lateral + v3 * each(lateral_t) - v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     v = v5;
     v6 = -AT(work, integration + layout__STRIP_INTEGRATION_TURNING);
     v7 = v6 * spin;
     v8 = v7 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
-    EACH_LANE each(k_t) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * spin + v6 * each(spin_t) - v8 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_DIRECTION each(k_t) = (-each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * spin + v6 * each(spin_t) - v8 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     k = v8;
-    EACH_LANE each(rest_t) = -(each(k_t) * k + k * each(k_t));
+    EACH_DIRECTION each(rest_t) = -(each(k_t) * k + k * each(k_t));
     rest = 1.0 - k * k;
-    EACH_LANE each(cross_t) = each(v_t) * k + v * each(k_t);
+    EACH_DIRECTION each(cross_t) = each(v_t) * k + v * each(k_t);
     cross = v * k;
     v9 = rest * u;
-    EACH_LANE each(spread_t) = each(v_t) * v + v * each(v_t) + ((each(rest_t) * u + rest * each(u_t)) * u + v9 * each(u_t));
+    EACH_DIRECTION each(spread_t) = each(v_t) * v + v * each(v_t) + ((each(rest_t) * u + rest * each(u_t)) * u + v9 * each(u_t));
     spread = v * v + v9 * u;
-    EACH_LANE each(depth_t) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    EACH_DIRECTION each(depth_t) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
     depth = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     if (rest > 0.0)
     {
         v10 = sqrt(spread);
-        EACH_LANE each(root_t) = derivative_rates__root_rate(v10, each(spread_t));
+        EACH_DIRECTION each(root_t) = derivative_rates__root_rate(v10, each(spread_t));
         root = v10;
-        EACH_LANE each(depth_t) = each(root_t) + each(cross_t);
+        EACH_DIRECTION each(depth_t) = each(root_t) + each(cross_t);
         depth = root + cross;
         if (cross < 0.0)
         {
             v11 = u * u + v * v;
             v12 = root - cross;
             v13 = v11 / v12;
-            EACH_LANE each(depth_t) = (each(u_t) * u + u * each(u_t) + (each(v_t) * v + v * each(v_t)) - v13 * (each(root_t) - each(cross_t))) / v12 * rest + v13 * each(rest_t);
+            EACH_DIRECTION each(depth_t) = (each(u_t) * u + u * each(u_t) + (each(v_t) * v + v * each(v_t)) - v13 * (each(root_t) - each(cross_t))) / v12 * rest + v13 * each(rest_t);
             depth = v13 * rest;
         }
         v14 = depth / rest;
-        EACH_LANE each(depth_t) = (each(depth_t) - v14 * each(rest_t)) / rest;
+        EACH_DIRECTION each(depth_t) = (each(depth_t) - v14 * each(rest_t)) / rest;
         depth = v14;
     }
     else if (cross < 0.0 && spread > 0.0)
@@ -1519,68 +1535,68 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
         v16 = sqrt(spread);
         v17 = v16 - cross;
         v18 = v15 / v17;
-        EACH_LANE each(depth_t) = (each(u_t) * u + u * each(u_t) + (each(v_t) * v + v * each(v_t)) - v18 * (derivative_rates__root_rate(v16, each(spread_t)) - each(cross_t))) / v17;
+        EACH_DIRECTION each(depth_t) = (each(u_t) * u + u * each(u_t) + (each(v_t) * v + v * each(v_t)) - v18 * (derivative_rates__root_rate(v16, each(spread_t)) - each(cross_t))) / v17;
         depth = v18;
     }
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = each(k_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) = each(k_t);
     AT(work, integration + layout__STRIP_INTEGRATION_TWIST) = k;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
     AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) = each(u_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) = each(u_t);
     AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) = u;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) = each(v_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) = each(v_t);
     AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) = v;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = 0.0;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = 0.0;
     if (depth < AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))
     {
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) = each(depth_t);
         AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) = depth;
         v19 = depth + 1e-300;
         v20 = u / v19;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (each(u_t) - v20 * each(depth_t)) / v19;
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) = (each(u_t) - v20 * each(depth_t)) / v19;
         AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) = v20;
         v21 = depth + 1e-300;
         v22 = v / v21;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (each(v_t) - v22 * each(depth_t)) / v21 + each(k_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) = (each(v_t) - v22 * each(depth_t)) / v21 + each(k_t);
         AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) = v22 + k;
     }
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_EDGE)) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_EDGE)) = 2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
     AT(work, integration + layout__STRIP_INTEGRATION_EDGE) = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) - AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     return 0;
 }
 
 /* Derivative of ``add_tractions``. */
-static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t integration, int64_t strip)
+static inline void derivative_fastrip__add_tractions_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t patch, int64_t integration, int64_t strip)
 {
-    lanes a_t, lost_t, x_t, bound_t, p_x_t, p_y_t, without_x_t, without_y_t, v2_t, share_t, square_t, v5_t, v10_t, weight_t, rates, rates_2, rates_3;
+    directional_rate a_t, lost_t, x_t, bound_t, p_x_t, p_y_t, without_x_t, without_y_t, v2_t, share_t, square_t, v5_t, v10_t, weight_t, rates, rates_2, rates_3;
     double a, lost, x, v1, bound, p_x, p_y, without_x, without_y, v2, share, v3, v4, square, v5, v6, v7, v8, v9, v10, weight, v11;
     int64_t q;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
+    EACH_DIRECTION each(a_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH));
     a = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) = each(a_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) = each(a_t);
     AT(work, integration + layout__STRIP_INTEGRATION_X) = a;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) = 0.0;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) = 0.0;
-    lost_t = all_lanes(0.0);
+    lost_t = along_all(0.0);
     lost = 0.0;
     derivative_fastrip__open_stick_t(work, work_t, integration);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        EACH_LANE each(x_t) = each(a_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        EACH_DIRECTION each(x_t) = each(a_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         v1 = AT(work, integration + layout__STRIP_INTEGRATION_RATE) * a;
-        EACH_LANE each(bound_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * a + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * each(a_t)) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+        EACH_DIRECTION each(bound_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * a + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * each(a_t)) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
         bound = v1 * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
         derivative_fastrip__integrate_on_t(work, work_t, integration, x, x_t, bound, bound_t);
         derivative_fastrip__slip_direction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, integration, bound, bound_t);
-        EACH_LANE each(without_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * each(bound_t);
+        EACH_DIRECTION each(without_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * each(bound_t);
         without_x = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * bound;
-        EACH_LANE each(without_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * each(bound_t);
+        EACH_DIRECTION each(without_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * each(bound_t);
         without_y = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * bound;
         if (x > AT(work, integration + layout__STRIP_INTEGRATION_EDGE))
         {
@@ -1590,77 +1606,77 @@ static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out
         else if (AT(work, patch + layout__PATCH_FALL_RATE) > 0.0)
         {
             derivative_falling__point_share_t(&v2, &v2_t, work, work_t, patch, strip, x, x_t);
-            EACH_LANE each(share_t) = each(v2_t);
+            EACH_DIRECTION each(share_t) = each(v2_t);
             share = v2;
-            EACH_LANE each(p_x_t) = each(p_x_t) * share + p_x * each(share_t);
+            EACH_DIRECTION each(p_x_t) = each(p_x_t) * share + p_x * each(share_t);
             p_x = p_x * share;
-            EACH_LANE each(p_y_t) = each(p_y_t) * share + p_y * each(share_t);
+            EACH_DIRECTION each(p_y_t) = each(p_y_t) * share + p_y * each(share_t);
             p_y = p_y * share;
             v3 = AT(tables, table + layout__ROLLING_TABLE_SINES + q) * bound;
             v4 = 1.0 - share;
-            EACH_LANE each(lost_t) = each(lost_t) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(bound_t) * v4 + v3 * -each(share_t));
+            EACH_DIRECTION each(lost_t) = each(lost_t) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(bound_t) * v4 + v3 * -each(share_t));
             lost = lost + v3 * v4;
         }
-        EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
+        EACH_DIRECTION each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
         square = p_x * p_x + p_y * p_y;
         v5 = AT(work, integration + layout__STRIP_INTEGRATION_LARGEST);
-        EACH_LANE each(v5_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LARGEST));
+        EACH_DIRECTION each(v5_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LARGEST));
         if (square > v5)
         {
             v5 = square;
-            EACH_LANE each(v5_t) = each(square_t);
+            EACH_DIRECTION each(v5_t) = each(square_t);
         }
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LARGEST)) = each(v5_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LARGEST)) = each(v5_t);
         AT(work, integration + layout__STRIP_INTEGRATION_LARGEST) = v5;
         v6 = p_x - without_x;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_x_t) - each(without_x_t));
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_x_t) - each(without_x_t));
         AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) = AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v6;
         v7 = p_y - without_y;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_y_t) - each(without_y_t));
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_y_t) - each(without_y_t));
         AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) = AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v7;
         v8 = AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x;
         v9 = p_y - without_y;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(x_t) * v9 + v8 * (each(p_y_t) - each(without_y_t)));
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(x_t) * v9 + v8 * (each(p_y_t) - each(without_y_t)));
         AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) + v8 * v9;
     }
     derivative_tractions__point_weight_t(&v10, &v10_t, work, work_t, strip);
-    EACH_LANE each(weight_t) = each(v10_t);
+    EACH_DIRECTION each(weight_t) = each(v10_t);
     weight = v10;
-    EACH_LANE each(rates) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X));
-    EACH_LANE each(rates_2) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y));
-    EACH_LANE each(rates_3) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT));
+    EACH_DIRECTION each(rates) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X));
+    EACH_DIRECTION each(rates_2) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y));
+    EACH_DIRECTION each(rates_3) = each(weight_t) * AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) + weight * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT));
     derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_X), rates, weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y), rates_2, weight * AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT), rates_3);
     v11 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     *out_0 = v11 * lost;
-    EACH_LANE each(*out_1) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v11 * each(lost_t);
+    EACH_DIRECTION each(*out_1) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v11 * each(lost_t);
 }
 
 /* Derivative of ``open_stick``. */
-static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t integration)
+static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration)
 {
     double v1, depth, v2, whole, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12;
-    lanes depth_t, whole_t;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X) = all_lanes(0.0);
+    directional_rate depth_t, whole_t;
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) = 0.0;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) = 0.0;
-    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = all_lanes(0.0);
+    RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = along_all(0.0);
     AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = 0.0;
     if (AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) < AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))
     {
         v1 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        EACH_DIRECTION each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
         depth = v1;
         v2 = 0.5 * (double)(layout__POINT_LIMIT + 1);
-        EACH_LANE each(whole_t) = v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE));
+        EACH_DIRECTION each(whole_t) = v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE));
         whole = v2 * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
         v3 = whole * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X);
         v4 = 2.0 - depth;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) = (each(whole_t) * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) + whole * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X))) * v4 + v3 * -each(depth_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_X)) = (each(whole_t) * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) + whole * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X))) * v4 + v3 * -each(depth_t);
         AT(work, integration + layout__STRIP_INTEGRATION_SUM_X) = v3 * v4;
         v5 = 2.0 - depth;
         v6 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) = each(whole_t) * v6 + whole * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * -each(depth_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))));
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_Y)) = each(whole_t) * v6 + whole * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * -each(depth_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))));
         AT(work, integration + layout__STRIP_INTEGRATION_SUM_Y) = whole * v6;
         v7 = -whole;
         v8 = v7 * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y);
@@ -1668,80 +1684,80 @@ static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, arr
         v10 = 1.0 - depth;
         v11 = v9 * v10;
         v12 = 1.0 - depth;
-        EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) = (((-each(whole_t) * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) + v7 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y))) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + v8 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) * v10 + v9 * -each(depth_t)) * v12 + v11 * -each(depth_t);
+        EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SUM_MOMENT)) = (((-each(whole_t) * AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) + v7 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y))) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + v8 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) * v10 + v9 * -each(depth_t)) * v12 + v11 * -each(depth_t);
         AT(work, integration + layout__STRIP_INTEGRATION_SUM_MOMENT) = v11 * v12;
     }
     return 0;
 }
 
 /* Derivative of ``integrate_on``. */
-static inline int64_t derivative_fastrip__integrate_on_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double x, lanes x_t, double bound, lanes bound_t)
+static inline int64_t derivative_fastrip__integrate_on_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double x, directional_rate x_t, double bound, directional_rate bound_t)
 {
-    lanes step_t, across_t, p_x_t, p_y_t, rates, rates_2;
+    directional_rate step_t, across_t, p_x_t, p_y_t, rates, rates_2;
     double step, v1, across, p_x, p_y;
-    EACH_LANE each(step_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) - each(x_t);
+    EACH_DIRECTION each(step_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) - each(x_t);
     step = AT(work, integration + layout__STRIP_INTEGRATION_X) - x;
     v1 = x + 0.5 * step;
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_Y)) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_TURN)) * v1 + AT(work, integration + layout__STRIP_INTEGRATION_PUSH_TURN) * (each(x_t) + 0.5 * each(step_t)));
+    EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_Y)) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_TURN)) * v1 + AT(work, integration + layout__STRIP_INTEGRATION_PUSH_TURN) * (each(x_t) + 0.5 * each(step_t)));
     across = AT(work, integration + layout__STRIP_INTEGRATION_PUSH_Y) + AT(work, integration + layout__STRIP_INTEGRATION_PUSH_TURN) * v1;
-    EACH_LANE each(rates) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X)) - (each(step_t) * AT(work, integration + layout__STRIP_INTEGRATION_PUSH_X) + step * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_X)));
-    EACH_LANE each(rates_2) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y)) - (each(step_t) * across + step * each(across_t));
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X)) - (each(step_t) * AT(work, integration + layout__STRIP_INTEGRATION_PUSH_X) + step * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_PUSH_X)));
+    EACH_DIRECTION each(rates_2) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y)) - (each(step_t) * across + step * each(across_t));
     derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) - step * AT(work, integration + layout__STRIP_INTEGRATION_PUSH_X), rates, AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) - step * across, rates_2, bound, bound_t);
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) = each(x_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_X)) = each(x_t);
     AT(work, integration + layout__STRIP_INTEGRATION_X) = x;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X)) = each(p_x_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X)) = each(p_x_t);
     AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X) = p_x;
-    EACH_LANE each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y)) = each(p_y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y)) = each(p_y_t);
     AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y) = p_y;
     return 0;
 }
 
 /* Derivative of ``slip_direction``. */
-static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t integration, double bound, lanes bound_t)
+static inline void derivative_fastrip__slip_direction_t(double* p_x_out, directional_rate* p_x_t_out, double* p_y_out, directional_rate* p_y_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double bound, directional_rate bound_t)
 {
-    lanes p_x_t, p_y_t, size_t;
+    directional_rate p_x_t, p_y_t, size_t;
     double p_x, p_y, v1, v2, size, v3, v4;
-    EACH_LANE each(p_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X));
+    EACH_DIRECTION each(p_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_X));
     p_x = AT(work, integration + layout__STRIP_INTEGRATION_FIRST_X);
-    EACH_LANE each(p_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y));
+    EACH_DIRECTION each(p_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_FIRST_Y));
     p_y = AT(work, integration + layout__STRIP_INTEGRATION_FIRST_Y);
     v1 = p_x * p_x + p_y * p_y;
     v2 = sqrt(v1);
-    EACH_LANE each(size_t) = derivative_rates__root_rate(v2, each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t)));
+    EACH_DIRECTION each(size_t) = derivative_rates__root_rate(v2, each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t)));
     size = v2;
     if (size > 0.0)
     {
         v3 = bound / size;
-        EACH_LANE each(p_x_t) = each(p_x_t) * v3 + p_x * ((each(bound_t) - v3 * each(size_t)) / size);
+        EACH_DIRECTION each(p_x_t) = each(p_x_t) * v3 + p_x * ((each(bound_t) - v3 * each(size_t)) / size);
         p_x = p_x * v3;
         v4 = bound / size;
-        EACH_LANE each(p_y_t) = each(p_y_t) * v4 + p_y * ((each(bound_t) - v4 * each(size_t)) / size);
+        EACH_DIRECTION each(p_y_t) = each(p_y_t) * v4 + p_y * ((each(bound_t) - v4 * each(size_t)) / size);
         p_y = p_y * v4;
     }
     *p_x_out = p_x;
-    EACH_LANE each(*p_x_t_out) = each(p_x_t);
+    EACH_DIRECTION each(*p_x_t_out) = each(p_x_t);
     *p_y_out = p_y;
-    EACH_LANE each(*p_y_t_out) = each(p_y_t);
+    EACH_DIRECTION each(*p_y_t_out) = each(p_y_t);
 }
 
 /* Derivative of ``stick_traction``. */
-static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t integration, double x, lanes x_t, double bound, lanes bound_t)
+static inline void derivative_fastrip__stick_traction_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double x, directional_rate x_t, double bound, directional_rate bound_t)
 {
-    lanes reach_t, v3_t, root_t, lead_t;
+    directional_rate reach_t, v3_t, root_t, lead_t;
     double reach, v1, v2, v3, v4, root, v5, v6, v7, v8, v9, v10, lead;
-    EACH_LANE each(reach_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH));
+    EACH_DIRECTION each(reach_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH));
     reach = AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
     v1 = x - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
     v2 = x - AT(work, integration + layout__STRIP_INTEGRATION_DEPTH);
     v3 = reach * reach - v1 * v2;
-    EACH_LANE each(v3_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))) * v2 + v1 * (each(x_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))));
+    EACH_DIRECTION each(v3_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))) * v2 + v1 * (each(x_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH))));
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = all_lanes(0.0);
+        v3_t = along_all(0.0);
     }
     v4 = sqrt(v3);
-    EACH_LANE each(root_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * v4 + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * derivative_rates__root_rate(v4, each(v3_t));
+    EACH_DIRECTION each(root_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * v4 + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * derivative_rates__root_rate(v4, each(v3_t));
     root = AT(work, integration + layout__STRIP_INTEGRATION_RATE) * v4;
     v5 = 2.0 * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     v6 = v5 * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
@@ -1749,12 +1765,12 @@ static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* ou
     v8 = v6 * v7;
     v9 = bound + root;
     v10 = v8 / v9;
-    EACH_LANE each(lead_t) = ((2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * AT(work, integration + layout__STRIP_INTEGRATION_RATE) + v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) * v7 + v6 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(x_t)) - v10 * (each(bound_t) + each(root_t))) / v9;
+    EACH_DIRECTION each(lead_t) = ((2.0 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * AT(work, integration + layout__STRIP_INTEGRATION_RATE) + v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) * v7 + v6 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - each(x_t)) - v10 * (each(bound_t) + each(root_t))) / v9;
     lead = v10;
     *out_0 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) * lead;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) * lead + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) * each(lead_t);
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) * lead + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) * each(lead_t);
     *out_2 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * lead + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * bound;
-    EACH_LANE each(*out_3) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) * lead + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * each(lead_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(bound_t));
+    EACH_DIRECTION each(*out_3) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) * lead + AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) * each(lead_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * bound + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(bound_t));
 }
 
 
@@ -1764,58 +1780,58 @@ static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* ou
  */
 
 /* Derivative of ``solve_fastsim``. */
-static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
     double along, across, turning, stuck, lost, v1, rate, v2, push, sticks, loses, v3, v4, area, v5;
-    lanes along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, v2_t, push_t, sticks_t, loses_t, v4_t, area_t;
+    directional_rate along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, v2_t, push_t, sticks_t, loses_t, v4_t, area_t;
     int64_t i, strip;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
-    stuck_t = all_lanes(0.0);
+    stuck_t = along_all(0.0);
     stuck = 0.0;
-    lost_t = all_lanes(0.0);
+    lost_t = along_all(0.0);
     lost = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        EACH_LANE each(rate_t) = each(v1_t);
+        EACH_DIRECTION each(rate_t) = each(v1_t);
         rate = v1;
         if (rate > 0.0)
         {
             derivative_fastsim__strip_push_t(&v2, &v2_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
-            EACH_LANE each(push_t) = each(v2_t);
+            EACH_DIRECTION each(push_t) = each(v2_t);
             push = v2;
             derivative_fastsim__integrate_strip_t(&sticks, &sticks_t, &loses, &loses_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, rate_t, push, push_t, across, across_t, turning, turning_t);
-            EACH_LANE each(stuck_t) = each(stuck_t) + each(sticks_t);
+            EACH_DIRECTION each(stuck_t) = each(stuck_t) + each(sticks_t);
             stuck = stuck + sticks;
-            EACH_LANE each(lost_t) = each(lost_t) + each(loses_t);
+            EACH_DIRECTION each(lost_t) = each(lost_t) + each(loses_t);
             lost = lost + loses;
         }
     }
     v3 = lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) - v3;
     derivative_tractions__patch_area_t(&v4, &v4_t, work, work_t, patch);
-    EACH_LANE each(area_t) = each(v4_t);
+    EACH_DIRECTION each(area_t) = each(v4_t);
     area = v4;
     if (area > 0.0)
     {
         v5 = stuck / area;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v5 * each(area_t)) / area;
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v5 * each(area_t)) / area;
         AT(work, patch + layout__PATCH_STICK_SHARE) = v5;
     }
     return 0;
 }
 
 /* Derivative of ``stiffnesses``. */
-static inline void derivative_fastsim__stiffnesses_t(double* v5_out, lanes* out_1, double* v9_out, lanes* out_3, double* v15_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline void derivative_fastsim__stiffnesses_t(double* v5_out, directional_rate* out_1, double* v9_out, directional_rate* out_3, double* v15_out, directional_rate* out_5, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
-    lanes a_t, ratio_t, first_t, second_t, third_t;
+    directional_rate a_t, ratio_t, first_t, second_t, third_t;
     double a, v1, ratio, first, second, third, modulus, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12, v13, v14, v15;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+    EACH_DIRECTION each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
     a = AT(work, patch + layout__PATCH_HALF_LENGTH);
     v1 = a / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(ratio_t) = (each(a_t) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_DIRECTION each(ratio_t) = (each(a_t) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
     derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), ratio, ratio_t);
     modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
@@ -1834,150 +1850,150 @@ static inline void derivative_fastsim__stiffnesses_t(double* v5_out, lanes* out_
     v14 = v12 * v13;
     v15 = v11 / v14;
     *v5_out = v5;
-    EACH_LANE each(*out_1) = (3.0 * each(first_t) * modulus - v5 * (8.0 * each(a_t))) / v4;
+    EACH_DIRECTION each(*out_1) = (3.0 * each(first_t) * modulus - v5 * (8.0 * each(a_t))) / v4;
     *v9_out = v9;
-    EACH_LANE each(*out_3) = (3.0 * each(second_t) * modulus - v9 * (8.0 * each(a_t))) / v8;
+    EACH_DIRECTION each(*out_3) = (3.0 * each(second_t) * modulus - v9 * (8.0 * each(a_t))) / v8;
     *v15_out = v15;
-    EACH_LANE each(*out_5) = (4.0 * each(third_t) * modulus - v15 * (M_PI * each(a_t) * v13 + v12 * derivative_rates__root_rate(v13, each(ratio_t)))) / v14;
+    EACH_DIRECTION each(*out_5) = (4.0 * each(third_t) * modulus - v15 * (M_PI * each(a_t) * v13 + v12 * derivative_rates__root_rate(v13, each(ratio_t)))) / v14;
 }
 
 /* Derivative of ``strip_push``. */
-static inline void derivative_fastsim__strip_push_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double turning, lanes turning_t)
+static inline void derivative_fastsim__strip_push_t(double* push_out, directional_rate* push_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip, double along, directional_rate along_t, double turning, directional_rate turning_t)
 {
-    lanes push_t;
+    directional_rate push_t;
     double push, v1;
-    EACH_LANE each(push_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * along + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(along_t);
+    EACH_DIRECTION each(push_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * along + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(along_t);
     push = AT(work, strip + layout__ROLLING_STRIP_SLIP) * along;
     if (AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) == 1.0)
     {
         v1 = AT(work, strip + layout__ROLLING_STRIP_SLIP) - AT(work, patch + layout__PATCH_CREEPAGE_X);
-        EACH_LANE each(push_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * along + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(along_t) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X))) * turning + v1 * each(turning_t));
+        EACH_DIRECTION each(push_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * along + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(along_t) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X))) * turning + v1 * each(turning_t));
         push = AT(work, patch + layout__PATCH_CREEPAGE_X) * along + v1 * turning;
     }
     *push_out = push;
-    EACH_LANE each(*push_t_out) = each(push_t);
+    EACH_DIRECTION each(*push_t_out) = each(push_t);
 }
 
 /* Derivative of ``integrate_strip``. */
-static inline void derivative_fastsim__integrate_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t)
+static inline void derivative_fastsim__integrate_strip_t(double* v17_out, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, directional_rate rate_t, double push, directional_rate push_t, double across, directional_rate across_t, double turning, directional_rate turning_t)
 {
-    lanes a_t, slanted_t, lateral_t, turn_t, before_t, p_x_t, p_y_t, force_x_t, force_y_t, moment_t, stuck_t, total_t, lost_t, largest_t, x_t, weight_t, step_t, free_x_t, free_y_t, bound_t, last_x_t, last_y_t, along_t, sideways_t, v5_t, share_t, v7_t, square_t, v10_t, v13_t, rates, rates_2, rates_3, rates_4, rates_5;
+    directional_rate a_t, slanted_t, lateral_t, turn_t, before_t, p_x_t, p_y_t, force_x_t, force_y_t, moment_t, stuck_t, total_t, lost_t, largest_t, x_t, weight_t, step_t, free_x_t, free_y_t, bound_t, last_x_t, last_y_t, along_t, sideways_t, v5_t, share_t, v7_t, square_t, v10_t, v13_t, rates, rates_2, rates_3, rates_4, rates_5;
     double a, slanted, v1, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, lost, largest, x, weight, step, free_x, v2, v3, free_y, v4, bound, last_x, last_y, along, sideways, v5, share, v6, v7, v8, v9, square, v10, v11, v12, v13, v14, v15, v16, v17, v18;
     bool falls;
     int64_t q;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    EACH_DIRECTION each(a_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     a = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-    EACH_LANE each(slanted_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+    EACH_DIRECTION each(slanted_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
     slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
     v1 = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted;
-    EACH_LANE each(lateral_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - each(slanted_t)) * across + v1 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
+    EACH_DIRECTION each(lateral_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - each(slanted_t)) * across + v1 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
     lateral = v1 * across + slanted * turning;
-    EACH_LANE each(turn_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
+    EACH_DIRECTION each(turn_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
     turn = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
-    EACH_LANE each(before_t) = each(a_t);
+    EACH_DIRECTION each(before_t) = each(a_t);
     before = a;
-    p_x_t = all_lanes(0.0);
+    p_x_t = along_all(0.0);
     p_x = 0.0;
-    p_y_t = all_lanes(0.0);
+    p_y_t = along_all(0.0);
     p_y = 0.0;
-    force_x_t = all_lanes(0.0);
+    force_x_t = along_all(0.0);
     force_x = 0.0;
-    force_y_t = all_lanes(0.0);
+    force_y_t = along_all(0.0);
     force_y = 0.0;
-    moment_t = all_lanes(0.0);
+    moment_t = along_all(0.0);
     moment = 0.0;
-    stuck_t = all_lanes(0.0);
+    stuck_t = along_all(0.0);
     stuck = 0.0;
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
-    lost_t = all_lanes(0.0);
+    lost_t = along_all(0.0);
     lost = 0.0;
     falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
-    EACH_LANE each(largest_t) = each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) * AT(work, patch + layout__PATCH_MAX_SHEAR) + AT(work, patch + layout__PATCH_MAX_SHEAR) * each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR));
+    EACH_DIRECTION each(largest_t) = each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) * AT(work, patch + layout__PATCH_MAX_SHEAR) + AT(work, patch + layout__PATCH_MAX_SHEAR) * each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR));
     largest = AT(work, patch + layout__PATCH_MAX_SHEAR) * AT(work, patch + layout__PATCH_MAX_SHEAR);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        EACH_LANE each(x_t) = each(a_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
+        EACH_DIRECTION each(x_t) = each(a_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-        weight_t = all_lanes(0.0);
+        weight_t = along_all(0.0);
         weight = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        EACH_LANE each(step_t) = each(before_t) - each(x_t);
+        EACH_DIRECTION each(step_t) = each(before_t) - each(x_t);
         step = before - x;
-        EACH_LANE each(free_x_t) = each(p_x_t) - (each(step_t) * push + step * each(push_t));
+        EACH_DIRECTION each(free_x_t) = each(p_x_t) - (each(step_t) * push + step * each(push_t));
         free_x = p_x - step * push;
         v2 = x + 0.5 * step;
         v3 = lateral + turn * v2;
-        EACH_LANE each(free_y_t) = each(p_y_t) - (each(step_t) * v3 + step * (each(lateral_t) + (each(turn_t) * v2 + turn * (each(x_t) + 0.5 * each(step_t)))));
+        EACH_DIRECTION each(free_y_t) = each(p_y_t) - (each(step_t) * v3 + step * (each(lateral_t) + (each(turn_t) * v2 + turn * (each(x_t) + 0.5 * each(step_t)))));
         free_y = p_y - step * v3;
         v4 = rate * a;
-        EACH_LANE each(bound_t) = (each(rate_t) * a + rate * each(a_t)) * weight + v4 * each(weight_t);
+        EACH_DIRECTION each(bound_t) = (each(rate_t) * a + rate * each(a_t)) * weight + v4 * each(weight_t);
         bound = v4 * weight;
-        EACH_LANE each(last_x_t) = each(p_x_t);
+        EACH_DIRECTION each(last_x_t) = each(p_x_t);
         last_x = p_x;
-        EACH_LANE each(last_y_t) = each(p_y_t);
+        EACH_DIRECTION each(last_y_t) = each(p_y_t);
         last_y = p_y;
         derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, free_x, free_x_t, free_y, free_y_t, bound, bound_t);
-        EACH_LANE each(along_t) = each(p_x_t);
+        EACH_DIRECTION each(along_t) = each(p_x_t);
         along = p_x;
-        EACH_LANE each(sideways_t) = each(p_y_t);
+        EACH_DIRECTION each(sideways_t) = each(p_y_t);
         sideways = p_y;
         if (p_x == free_x && p_y == free_y)
         {
-            EACH_LANE each(stuck_t) = each(stuck_t) + each(weight_t);
+            EACH_DIRECTION each(stuck_t) = each(stuck_t) + each(weight_t);
             stuck = stuck + weight;
         }
         else if (falls)
         {
             derivative_falling__point_share_t(&v5, &v5_t, work, work_t, patch, strip, x, x_t);
-            EACH_LANE each(share_t) = each(v5_t);
+            EACH_DIRECTION each(share_t) = each(v5_t);
             share = v5;
             v6 = 1.0 - share;
-            EACH_LANE each(rates) = each(free_x_t) - each(last_x_t);
-            EACH_LANE each(rates_2) = each(free_y_t) - each(last_y_t);
+            EACH_DIRECTION each(rates) = each(free_x_t) - each(last_x_t);
+            EACH_DIRECTION each(rates_2) = each(free_y_t) - each(last_y_t);
             derivative_fastsim__sticking_t(&v7, &v7_t, free_x, free_x_t, free_y, free_y_t, free_x - last_x, rates, free_y - last_y, rates_2, bound, bound_t);
-            EACH_LANE each(share_t) = each(share_t) + (-each(share_t) * v7 + v6 * each(v7_t));
+            EACH_DIRECTION each(share_t) = each(share_t) + (-each(share_t) * v7 + v6 * each(v7_t));
             share = share + v6 * v7;
-            EACH_LANE each(along_t) = each(along_t) * share + along * each(share_t);
+            EACH_DIRECTION each(along_t) = each(along_t) * share + along * each(share_t);
             along = along * share;
-            EACH_LANE each(sideways_t) = each(sideways_t) * share + sideways * each(share_t);
+            EACH_DIRECTION each(sideways_t) = each(sideways_t) * share + sideways * each(share_t);
             sideways = sideways * share;
             v8 = weight * bound;
             v9 = 1.0 - share;
-            EACH_LANE each(lost_t) = each(lost_t) + ((each(weight_t) * bound + weight * each(bound_t)) * v9 + v8 * -each(share_t));
+            EACH_DIRECTION each(lost_t) = each(lost_t) + ((each(weight_t) * bound + weight * each(bound_t)) * v9 + v8 * -each(share_t));
             lost = lost + v8 * v9;
         }
-        EACH_LANE each(total_t) = each(total_t) + each(weight_t);
+        EACH_DIRECTION each(total_t) = each(total_t) + each(weight_t);
         total = total + weight;
-        EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(sideways_t) * sideways + sideways * each(sideways_t));
+        EACH_DIRECTION each(square_t) = each(along_t) * along + along * each(along_t) + (each(sideways_t) * sideways + sideways * each(sideways_t));
         square = along * along + sideways * sideways;
         v10 = largest;
-        EACH_LANE each(v10_t) = each(largest_t);
+        EACH_DIRECTION each(v10_t) = each(largest_t);
         if (square > v10)
         {
             v10 = square;
-            EACH_LANE each(v10_t) = each(square_t);
+            EACH_DIRECTION each(v10_t) = each(square_t);
         }
-        EACH_LANE each(largest_t) = each(v10_t);
+        EACH_DIRECTION each(largest_t) = each(v10_t);
         largest = v10;
-        EACH_LANE each(force_x_t) = each(force_x_t) + (each(weight_t) * along + weight * each(along_t));
+        EACH_DIRECTION each(force_x_t) = each(force_x_t) + (each(weight_t) * along + weight * each(along_t));
         force_x = force_x + weight * along;
-        EACH_LANE each(force_y_t) = each(force_y_t) + (each(weight_t) * sideways + weight * each(sideways_t));
+        EACH_DIRECTION each(force_y_t) = each(force_y_t) + (each(weight_t) * sideways + weight * each(sideways_t));
         force_y = force_y + weight * sideways;
         v11 = weight * x;
-        EACH_LANE each(moment_t) = each(moment_t) + ((each(weight_t) * x + weight * each(x_t)) * sideways + v11 * each(sideways_t));
+        EACH_DIRECTION each(moment_t) = each(moment_t) + ((each(weight_t) * x + weight * each(x_t)) * sideways + v11 * each(sideways_t));
         moment = moment + v11 * sideways;
-        EACH_LANE each(before_t) = each(x_t);
+        EACH_DIRECTION each(before_t) = each(x_t);
         before = x;
     }
     v12 = sqrt(largest);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v12, each(largest_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v12, each(largest_t));
     AT(work, patch + layout__PATCH_MAX_SHEAR) = v12;
     derivative_tractions__point_weight_t(&v13, &v13_t, work, work_t, strip);
-    EACH_LANE each(weight_t) = each(v13_t);
+    EACH_DIRECTION each(weight_t) = each(v13_t);
     weight = v13;
-    EACH_LANE each(rates_3) = each(weight_t) * force_x + weight * each(force_x_t);
-    EACH_LANE each(rates_4) = each(weight_t) * force_y + weight * each(force_y_t);
-    EACH_LANE each(rates_5) = each(weight_t) * moment + weight * each(moment_t);
+    EACH_DIRECTION each(rates_3) = each(weight_t) * force_x + weight * each(force_x_t);
+    EACH_DIRECTION each(rates_4) = each(weight_t) * force_y + weight * each(force_y_t);
+    EACH_DIRECTION each(rates_5) = each(weight_t) * moment + weight * each(moment_t);
     derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * force_x, rates_3, weight * force_y, rates_4, weight * moment, rates_5);
     v14 = 2.0 * a;
     v15 = v14 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
@@ -1985,41 +2001,41 @@ static inline void derivative_fastsim__integrate_strip_t(double* v17_out, lanes*
     v17 = v16 / total;
     v18 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     *v17_out = v17;
-    EACH_LANE each(*out_1) = ((2.0 * each(a_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v14 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * stuck + v15 * each(stuck_t) - v17 * each(total_t)) / total;
+    EACH_DIRECTION each(*out_1) = ((2.0 * each(a_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v14 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * stuck + v15 * each(stuck_t) - v17 * each(total_t)) / total;
     *out_2 = v18 * lost;
-    EACH_LANE each(*out_3) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v18 * each(lost_t);
+    EACH_DIRECTION each(*out_3) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v18 * each(lost_t);
 }
 
 /* Derivative of ``sticking``. */
-static inline void derivative_fastsim__sticking_t(double* part_out, lanes* part_t_out, double free_x, lanes free_x_t, double free_y, lanes free_y_t, double push_x, lanes push_x_t, double push_y, lanes push_y_t, double bound, lanes bound_t)
+static inline void derivative_fastsim__sticking_t(double* part_out, directional_rate* part_t_out, double free_x, directional_rate free_x_t, double free_y, directional_rate free_y_t, double push_x, directional_rate push_x_t, double push_y, directional_rate push_y_t, double bound, directional_rate bound_t)
 {
     double v1, v2, excess, part, v3, v4, push, v5, v6;
-    lanes excess_t, part_t, push_t, v5_t;
+    directional_rate excess_t, part_t, push_t, v5_t;
     v1 = free_x * free_x + free_y * free_y;
     v2 = sqrt(v1);
-    EACH_LANE each(excess_t) = derivative_rates__root_rate(v2, each(free_x_t) * free_x + free_x * each(free_x_t) + (each(free_y_t) * free_y + free_y * each(free_y_t))) - each(bound_t);
+    EACH_DIRECTION each(excess_t) = derivative_rates__root_rate(v2, each(free_x_t) * free_x + free_x * each(free_x_t) + (each(free_y_t) * free_y + free_y * each(free_y_t))) - each(bound_t);
     excess = v2 - bound;
-    part_t = all_lanes(0.0);
+    part_t = along_all(0.0);
     part = 0.0;
     v3 = push_x * push_x + push_y * push_y;
     v4 = sqrt(v3);
-    EACH_LANE each(push_t) = fastsim__NEAR_STICK * derivative_rates__root_rate(v4, each(push_x_t) * push_x + push_x * each(push_x_t) + (each(push_y_t) * push_y + push_y * each(push_y_t)));
+    EACH_DIRECTION each(push_t) = fastsim__NEAR_STICK * derivative_rates__root_rate(v4, each(push_x_t) * push_x + push_x * each(push_x_t) + (each(push_y_t) * push_y + push_y * each(push_y_t)));
     push = fastsim__NEAR_STICK * v4;
     if (excess < push)
     {
         v5 = excess;
-        EACH_LANE each(v5_t) = each(excess_t);
+        EACH_DIRECTION each(v5_t) = each(excess_t);
         if (0.0 > v5)
         {
             v5 = 0.0;
-            v5_t = all_lanes(0.0);
+            v5_t = along_all(0.0);
         }
         v6 = v5 / push;
-        EACH_LANE each(part_t) = -((each(v5_t) - v6 * each(push_t)) / push);
+        EACH_DIRECTION each(part_t) = -((each(v5_t) - v6 * each(push_t)) / push);
         part = 1.0 - v6;
     }
     *part_out = part;
-    EACH_LANE each(*part_t_out) = each(part_t);
+    EACH_DIRECTION each(*part_t_out) = each(part_t);
 }
 
 
@@ -2029,22 +2045,22 @@ static inline void derivative_fastsim__sticking_t(double* part_out, lanes* part_
  */
 
 /* Derivative of ``set_friction``. */
-static inline int64_t derivative_friction__set_friction_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t, bool resting)
+static inline int64_t derivative_friction__set_friction_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, double friction, directional_rate friction_t, bool resting)
 {
     double v1, share, v2, v3, fall, v4, v5, creepage, sliding, v6, v8, v7, v9;
-    lanes v1_t, share_t, creepage_t, sliding_t, v7_t, rates;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(friction_t);
+    directional_rate v1_t, share_t, creepage_t, sliding_t, v7_t, rates;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(friction_t);
     AT(work, patch + layout__PATCH_FRICTION) = friction;
-    RATE_AT(work_t, patch + layout__PATCH_FALL_RATE) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_FALL_RATE) = along_all(0.0);
     AT(work, patch + layout__PATCH_FALL_RATE) = 0.0;
     if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) != 1.0)
     {
         derivative_friction__flange_share_t(&v1, &v1_t, tables, AT(work, patch + layout__PATCH_CONTACT_ANGLE), RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE));
-        EACH_LANE each(share_t) = each(v1_t);
+        EACH_DIRECTION each(share_t) = each(v1_t);
         share = v1;
         v2 = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) - 1.0;
         v3 = 1.0 + v2 * share;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * v3 + AT(work, patch + layout__PATCH_FRICTION) * (v2 * each(share_t));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * v3 + AT(work, patch + layout__PATCH_FRICTION) * (v2 * each(share_t));
         AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * v3;
     }
     if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0 && !resting)
@@ -2054,23 +2070,23 @@ static inline int64_t derivative_friction__set_friction_t(array_double_1d work, 
         {
             v4 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
             v5 = sqrt(v4);
-            EACH_LANE each(creepage_t) = derivative_rates__root_rate(v5, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y))));
+            EACH_DIRECTION each(creepage_t) = derivative_rates__root_rate(v5, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y))));
             creepage = v5;
-            EACH_LANE each(sliding_t) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * creepage + AT(work, patch + layout__PATCH_SPEED) * each(creepage_t);
+            EACH_DIRECTION each(sliding_t) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * creepage + AT(work, patch + layout__PATCH_SPEED) * each(creepage_t);
             sliding = AT(work, patch + layout__PATCH_SPEED) * creepage;
             v6 = 1.0 - fall;
             v8 = -AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE);
-            EACH_LANE each(rates) = v8 * each(sliding_t);
+            EACH_DIRECTION each(rates) = v8 * each(sliding_t);
             derivative_powers__exp_rule_t(&v7, &v7_t, v8 * sliding, rates);
             v9 = v6 * v7 + fall;
-            EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * v9 + AT(work, patch + layout__PATCH_FRICTION) * (v6 * each(v7_t));
+            EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * v9 + AT(work, patch + layout__PATCH_FRICTION) * (v6 * each(v7_t));
             AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * v9;
         }
         else
         {
-            EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * each(RATE_AT(work_t, patch + layout__PATCH_SPEED));
+            EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * each(RATE_AT(work_t, patch + layout__PATCH_SPEED));
             AT(work, patch + layout__PATCH_FALL_RATE) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * AT(work, patch + layout__PATCH_SPEED);
-            RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR) = all_lanes(0.0);
+            RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR) = along_all(0.0);
             AT(work, patch + layout__PATCH_FALL_FLOOR) = fall;
         }
     }
@@ -2078,60 +2094,60 @@ static inline int64_t derivative_friction__set_friction_t(array_double_1d work, 
 }
 
 /* Derivative of ``flange_share``. */
-static inline void derivative_friction__flange_share_t(double* out_0, lanes* out_1, array_double_1d tables, double angle, lanes angle_t)
+static inline void derivative_friction__flange_share_t(double* out_0, directional_rate* out_1, array_double_1d tables, double angle, directional_rate angle_t)
 {
     double v1, v2, share, v3, v4, v5, v6;
-    lanes share_t, v3_t, v4_t;
+    directional_rate share_t, v3_t, v4_t;
     v1 = angle - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE);
     v2 = 0.5 * v1;
-    EACH_LANE each(share_t) = 0.5 * each(angle_t) / friction__FLANGE_RANGE;
+    EACH_DIRECTION each(share_t) = 0.5 * each(angle_t) / friction__FLANGE_RANGE;
     share = 0.5 + v2 / friction__FLANGE_RANGE;
     v3 = share;
-    EACH_LANE each(v3_t) = each(share_t);
+    EACH_DIRECTION each(v3_t) = each(share_t);
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = all_lanes(0.0);
+        v3_t = along_all(0.0);
     }
     v4 = v3;
-    EACH_LANE each(v4_t) = each(v3_t);
+    EACH_DIRECTION each(v4_t) = each(v3_t);
     if (1.0 < v4)
     {
         v4 = 1.0;
-        v4_t = all_lanes(0.0);
+        v4_t = along_all(0.0);
     }
-    EACH_LANE each(share_t) = each(v4_t);
+    EACH_DIRECTION each(share_t) = each(v4_t);
     share = v4;
     v5 = share * share;
     v6 = 3.0 - 2.0 * share;
     *out_0 = v5 * v6;
-    EACH_LANE each(*out_1) = (each(share_t) * share + share * each(share_t)) * v6 + v5 * -(2.0 * each(share_t));
+    EACH_DIRECTION each(*out_1) = (each(share_t) * share + share * each(share_t)) * v6 + v5 * -(2.0 * each(share_t));
 }
 
 /* Derivative of ``slope_factor``. */
-static inline void derivative_friction__slope_factor_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline void derivative_friction__slope_factor_t(double* factor_out, directional_rate* factor_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
-    lanes factor_t, limit_t, across_t, creepage_t, c11_t, c22_t, c23_t, epsilon_t, rates;
+    directional_rate factor_t, limit_t, across_t, creepage_t, c11_t, c22_t, c23_t, epsilon_t, rates;
     double factor, initial, limit, across, v1, v2, creepage, v3, c11, c22, c23, v4, v5, v6, v7, v8, v9, v10, v11, epsilon, v12, v13, v14;
-    factor_t = all_lanes(0.0);
+    factor_t = along_all(0.0);
     factor = 1.0;
     if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION) != 1.0 || AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) > 0.0)
     {
         initial = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION);
-        EACH_LANE each(limit_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+        EACH_DIRECTION each(limit_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
         limit = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-        factor_t = all_lanes(0.0);
+        factor_t = along_all(0.0);
         factor = initial;
         if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) > 0.0 && limit > 0.0)
         {
-            EACH_LANE each(across_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, patch + layout__PATCH_HALF_LENGTH) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)));
+            EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, patch + layout__PATCH_HALF_LENGTH) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)));
             across = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, patch + layout__PATCH_HALF_LENGTH);
             v1 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + across * across;
             v2 = sqrt(v1);
-            EACH_LANE each(creepage_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(across_t) * across + across * each(across_t)));
+            EACH_DIRECTION each(creepage_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(across_t) * across + across * each(across_t)));
             creepage = v2;
             v3 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-            EACH_LANE each(rates) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+            EACH_DIRECTION each(rates) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
             derivative_tractions__kalker_coefficients_t(&c11, &c11_t, &c22, &c22_t, &c23, &c23_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), v3, rates);
             v4 = AT(tables, layout__TABLES_SHEAR_MODULUS) * friction__PI;
             v5 = v4 * AT(work, patch + layout__PATCH_HALF_LENGTH);
@@ -2141,117 +2157,117 @@ static inline void derivative_friction__slope_factor_t(double* factor_out, lanes
             v9 = v8 * creepage;
             v10 = 4.0 * limit;
             v11 = v9 / v10;
-            EACH_LANE each(epsilon_t) = (((v4 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v5 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) * initial * c11 + v7 * each(c11_t)) * creepage + v8 * each(creepage_t) - v11 * (4.0 * each(limit_t))) / v10;
+            EACH_DIRECTION each(epsilon_t) = (((v4 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v5 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) * initial * c11 + v7 * each(c11_t)) * creepage + v8 * each(creepage_t) - v11 * (4.0 * each(limit_t))) / v10;
             epsilon = v11;
-            factor_t = all_lanes(0.0);
+            factor_t = along_all(0.0);
             factor = initial * AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_FLOOR);
             v12 = initial - factor;
             v13 = 1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) * epsilon;
             v14 = v12 / v13;
-            EACH_LANE each(factor_t) = each(factor_t) + (-each(factor_t) - v14 * (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) * each(epsilon_t))) / v13;
+            EACH_DIRECTION each(factor_t) = each(factor_t) + (-each(factor_t) - v14 * (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE) * each(epsilon_t))) / v13;
             factor = factor + v14;
         }
     }
     *factor_out = factor;
-    EACH_LANE each(*factor_t_out) = each(factor_t);
+    EACH_DIRECTION each(*factor_t_out) = each(factor_t);
 }
 
 /* Derivative of ``multiply_creepages``. */
-static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
+static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double factor, directional_rate factor_t)
 {
     double v1;
     int64_t index, strip;
     v1 = AT(work, patch + layout__PATCH_FALL_RATE) / factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) = (each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) - v1 * each(factor_t)) / factor;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) = (each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) - v1 * each(factor_t)) / factor;
     AT(work, patch + layout__PATCH_FALL_RATE) = v1;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * factor + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * factor + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(factor_t);
     AT(work, patch + layout__PATCH_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X) * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * factor + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * factor + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(factor_t);
     AT(work, patch + layout__PATCH_CREEPAGE_Y) = AT(work, patch + layout__PATCH_CREEPAGE_Y) * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * factor + AT(work, patch + layout__PATCH_SPIN) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * factor + AT(work, patch + layout__PATCH_SPIN) * each(factor_t);
     AT(work, patch + layout__PATCH_SPIN) = AT(work, patch + layout__PATCH_SPIN) * factor;
     for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * factor + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * factor + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(factor_t);
         AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP) * factor;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) * factor + AT(work, strip + layout__ROLLING_STRIP_LATERAL) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) * factor + AT(work, strip + layout__ROLLING_STRIP_LATERAL) * each(factor_t);
         AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL) * factor;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * factor + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * factor + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(factor_t);
         AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * factor;
     }
     return 0;
 }
 
 /* Derivative of ``keep_dissipating``. */
-static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     double v1, gain, v2, reach, v3, most, v4, v5, v6, v7, moment;
-    lanes v1_t, gain_t, v2_t, reach_t, most_t, v5_t, v7_t, moment_t;
+    directional_rate v1_t, gain_t, v2_t, reach_t, most_t, v5_t, v7_t, moment_t;
     derivative_friction__creep_gain_t(&v1, &v1_t, work, work_t, patch);
-    EACH_LANE each(gain_t) = each(v1_t);
+    EACH_DIRECTION each(gain_t) = each(v1_t);
     gain = v1;
     if (gain > 0.0 && AT(work, patch + layout__PATCH_SPIN) != 0.0)
     {
         v2 = AT(work, patch + layout__PATCH_HALF_LENGTH);
-        EACH_LANE each(v2_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+        EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
         if (AT(work, patch + layout__PATCH_HALF_WIDTH) > v2)
         {
             v2 = AT(work, patch + layout__PATCH_HALF_WIDTH);
-            EACH_LANE each(v2_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
+            EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
         }
-        EACH_LANE each(reach_t) = each(v2_t);
+        EACH_DIRECTION each(reach_t) = each(v2_t);
         reach = v2;
         v3 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-        EACH_LANE each(most_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * reach + v3 * each(reach_t);
+        EACH_DIRECTION each(most_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * reach + v3 * each(reach_t);
         most = v3 * reach;
         v4 = gain / AT(work, patch + layout__PATCH_SPIN);
         v5 = AT(work, patch + layout__PATCH_CREEP_MOMENT) - v4;
-        EACH_LANE each(v5_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) - (each(gain_t) - v4 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) / AT(work, patch + layout__PATCH_SPIN);
+        EACH_DIRECTION each(v5_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) - (each(gain_t) - v4 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) / AT(work, patch + layout__PATCH_SPIN);
         if (most < v5)
         {
             v5 = most;
-            EACH_LANE each(v5_t) = each(most_t);
+            EACH_DIRECTION each(v5_t) = each(most_t);
         }
         v6 = -most;
         v7 = v5;
-        EACH_LANE each(v7_t) = each(v5_t);
+        EACH_DIRECTION each(v7_t) = each(v5_t);
         if (v6 > v7)
         {
             v7 = v6;
-            EACH_LANE each(v7_t) = -each(most_t);
+            EACH_DIRECTION each(v7_t) = -each(most_t);
         }
-        EACH_LANE each(moment_t) = each(v7_t);
+        EACH_DIRECTION each(moment_t) = each(v7_t);
         moment = v7;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(moment_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(moment_t);
         AT(work, patch + layout__PATCH_CREEP_MOMENT) = moment;
     }
     return 0;
 }
 
 /* Derivative of ``creep_gain``. */
-static inline void derivative_friction__creep_gain_t(double* gain_out, lanes* gain_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_friction__creep_gain_t(double* gain_out, directional_rate* gain_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes gain_t, plane_t, lateral_t;
+    directional_rate gain_t, plane_t, lateral_t;
     double gain, plane, lateral, v1, v2, v3;
     int64_t i, strip;
-    EACH_LANE each(gain_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, patch + layout__PATCH_CREEP_MOMENT) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)));
+    EACH_DIRECTION each(gain_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, patch + layout__PATCH_CREEP_MOMENT) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)));
     gain = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, patch + layout__PATCH_CREEP_MOMENT);
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(plane_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)));
+        EACH_DIRECTION each(plane_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)));
         plane = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
-        EACH_LANE each(lateral_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X))) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+        EACH_DIRECTION each(lateral_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X))) - each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
         lateral = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X) - AT(work, patch + layout__PATCH_CREEPAGE_Y);
         v1 = AT(work, strip + layout__ROLLING_STRIP_SLIP) - plane;
         v2 = AT(work, strip + layout__ROLLING_STRIP_SPIN) - AT(work, patch + layout__PATCH_SPIN);
         v3 = v1 * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + lateral * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + v2 * AT(work, strip + layout__ROLLING_STRIP_MOMENT);
-        EACH_LANE each(gain_t) = each(gain_t) + (((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(plane_t)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(lateral_t) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + lateral * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) - each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) * AT(work, strip + layout__ROLLING_STRIP_MOMENT) + v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v3 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        EACH_DIRECTION each(gain_t) = each(gain_t) + (((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) - each(plane_t)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(lateral_t) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + lateral * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) - each(RATE_AT(work_t, patch + layout__PATCH_SPIN))) * AT(work, strip + layout__ROLLING_STRIP_MOMENT) + v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v3 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
         gain = gain + v3 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     }
     *gain_out = gain;
-    EACH_LANE each(*gain_t_out) = each(gain_t);
+    EACH_DIRECTION each(*gain_t_out) = each(gain_t);
 }
 
 
@@ -2261,285 +2277,269 @@ static inline void derivative_friction__creep_gain_t(double* gain_out, lanes* ga
  */
 
 /* Derivative of ``rolling_rate``. */
-static inline void derivative_motion__rolling_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double given, lanes given_t, double radius, lanes radius_t)
+static inline void derivative_motion__rolling_rate_t(double* rate_out, directional_rate* rate_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t inputs, double given, directional_rate given_t, double radius, directional_rate radius_t)
 {
-    lanes rate_t;
+    directional_rate rate_t;
     double rate, v1;
-    EACH_LANE each(rate_t) = each(given_t);
+    EACH_DIRECTION each(rate_t) = each(given_t);
     rate = given;
     if (rate == 0.0 && AT(work, inputs + layout__INPUTS_FREE_ROLLING) != 0.0)
     {
         v1 = AT(work, inputs + layout__INPUTS_SPEED) / radius;
-        EACH_LANE each(rate_t) = (each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED)) - v1 * each(radius_t)) / radius;
+        EACH_DIRECTION each(rate_t) = (each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED)) - v1 * each(radius_t)) / radius;
         rate = v1;
     }
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
 }
 
 /* Derivative of ``turn_wheels``. */
-static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right, int64_t inputs)
+static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t left, int64_t right, int64_t inputs)
 {
     double v1, v2;
-    lanes v1_t, v2_t;
-    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_LEFT_WHEEL_RATE), AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), all_lanes(0.0));
-    EACH_LANE each(RATE_AT(work_t, left + layout__MOTION_WHEEL_RATE)) = each(v1_t);
+    directional_rate v1_t, v2_t;
+    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_LEFT_WHEEL_RATE), AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), along_all(0.0));
+    EACH_DIRECTION each(RATE_AT(work_t, left + layout__MOTION_WHEEL_RATE)) = each(v1_t);
     AT(work, left + layout__MOTION_WHEEL_RATE) = v1;
-    derivative_motion__rolling_rate_t(&v2, &v2_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_WHEEL_RATE), AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), all_lanes(0.0));
-    EACH_LANE each(RATE_AT(work_t, right + layout__MOTION_WHEEL_RATE)) = each(v2_t);
+    derivative_motion__rolling_rate_t(&v2, &v2_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_WHEEL_RATE), AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), along_all(0.0));
+    EACH_DIRECTION each(RATE_AT(work_t, right + layout__MOTION_WHEEL_RATE)) = each(v2_t);
     AT(work, right + layout__MOTION_WHEEL_RATE) = v2;
     return 0;
 }
 
 /* Derivative of ``open_motion``. */
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion, int64_t inputs)
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t motion, int64_t inputs)
 {
     double sin_yaw, cos_yaw, sin_roll, cos_roll, v1, v2;
-    lanes sin_yaw_t, cos_yaw_t, sin_roll_t, cos_roll_t, v1_t;
+    directional_rate sin_yaw_t, cos_yaw_t, sin_roll_t, cos_roll_t, v1_t;
     derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, AT(work, inputs + layout__INPUTS_YAW), RATE_AT(work_t, inputs + layout__INPUTS_YAW));
     derivative_circle__sine_cosine_rule_t(&sin_roll, &sin_roll_t, &cos_roll, &cos_roll_t, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL), RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) = each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED));
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_SPEED)) = each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED));
     AT(work, motion + layout__MOTION_SPEED) = AT(work, inputs + layout__INPUTS_SPEED);
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY));
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY));
     AT(work, motion + layout__MOTION_LATERAL) = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY);
-    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_WHEEL_RATE), AT(tables, layout__TABLES_HEIGHT), all_lanes(0.0));
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) = each(v1_t);
+    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, AT(work, inputs + layout__INPUTS_WHEEL_RATE), RATE_AT(work_t, inputs + layout__INPUTS_WHEEL_RATE), AT(tables, layout__TABLES_HEIGHT), along_all(0.0));
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) = each(v1_t);
     AT(work, motion + layout__MOTION_WHEEL_RATE) = v1;
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) = each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED)) * AT(work, inputs + layout__INPUTS_TRACK_CURVATURE) + AT(work, inputs + layout__INPUTS_SPEED) * each(RATE_AT(work_t, inputs + layout__INPUTS_TRACK_CURVATURE));
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) = each(RATE_AT(work_t, inputs + layout__INPUTS_SPEED)) * AT(work, inputs + layout__INPUTS_TRACK_CURVATURE) + AT(work, inputs + layout__INPUTS_SPEED) * each(RATE_AT(work_t, inputs + layout__INPUTS_TRACK_CURVATURE));
     AT(work, motion + layout__MOTION_TRACK_RATE) = AT(work, inputs + layout__INPUTS_SPEED) * AT(work, inputs + layout__INPUTS_TRACK_CURVATURE);
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_YAW_RATE));
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_YAW_RATE));
     AT(work, motion + layout__MOTION_TURN_Z) = AT(work, inputs + layout__INPUTS_YAW_RATE);
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_X)) = each(cos_yaw_t);
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_X)) = each(cos_yaw_t);
     AT(work, motion + layout__MOTION_AHEAD_X) = cos_yaw;
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_Y)) = each(sin_yaw_t);
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_Y)) = each(sin_yaw_t);
     AT(work, motion + layout__MOTION_AHEAD_Y) = sin_yaw;
     v2 = -sin_yaw;
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) = -each(sin_yaw_t) * cos_roll + v2 * each(cos_roll_t);
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) = -each(sin_yaw_t) * cos_roll + v2 * each(cos_roll_t);
     AT(work, motion + layout__MOTION_AXLE_X) = v2 * cos_roll;
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) = each(cos_yaw_t) * cos_roll + cos_yaw * each(cos_roll_t);
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)) = each(cos_yaw_t) * cos_roll + cos_yaw * each(cos_roll_t);
     AT(work, motion + layout__MOTION_AXLE_Y) = cos_yaw * cos_roll;
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) = each(sin_roll_t);
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)) = each(sin_roll_t);
     AT(work, motion + layout__MOTION_AXLE_Z) = sin_roll;
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_SHIFT));
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_SHIFT));
     AT(work, motion + layout__MOTION_CENTRE_Y) = AT(work, inputs + layout__INPUTS_LATERAL_SHIFT);
-    EACH_LANE each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    EACH_DIRECTION each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     AT(work, motion + layout__MOTION_CENTRE_Z) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) - AT(tables, layout__TABLES_HEIGHT);
     return 0;
 }
 
 /* Derivative of ``mirror_motion``. */
-static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t mirrored)
+static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t mirrored)
 {
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_SPEED)) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_SPEED)) = each(RATE_AT(work_t, motion + layout__MOTION_SPEED));
     AT(work, mirrored + layout__MOTION_SPEED) = AT(work, motion + layout__MOTION_SPEED);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_LATERAL)) = -each(RATE_AT(work_t, motion + layout__MOTION_LATERAL));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_LATERAL)) = -each(RATE_AT(work_t, motion + layout__MOTION_LATERAL));
     AT(work, mirrored + layout__MOTION_LATERAL) = -AT(work, motion + layout__MOTION_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_WHEEL_RATE)) = each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_WHEEL_RATE)) = each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE));
     AT(work, mirrored + layout__MOTION_WHEEL_RATE) = AT(work, motion + layout__MOTION_WHEEL_RATE);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_TRACK_RATE)) = -each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_TRACK_RATE)) = -each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE));
     AT(work, mirrored + layout__MOTION_TRACK_RATE) = -AT(work, motion + layout__MOTION_TRACK_RATE);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_TURN_Z)) = -each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_TURN_Z)) = -each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z));
     AT(work, mirrored + layout__MOTION_TURN_Z) = -AT(work, motion + layout__MOTION_TURN_Z);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AHEAD_X)) = each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_X));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_AHEAD_X)) = each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_X));
     AT(work, mirrored + layout__MOTION_AHEAD_X) = AT(work, motion + layout__MOTION_AHEAD_X);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AHEAD_Y)) = -each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_AHEAD_Y)) = -each(RATE_AT(work_t, motion + layout__MOTION_AHEAD_Y));
     AT(work, mirrored + layout__MOTION_AHEAD_Y) = -AT(work, motion + layout__MOTION_AHEAD_Y);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_X)) = -each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_X)) = -each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X));
     AT(work, mirrored + layout__MOTION_AXLE_X) = -AT(work, motion + layout__MOTION_AXLE_X);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_Y)) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_Y)) = each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y));
     AT(work, mirrored + layout__MOTION_AXLE_Y) = AT(work, motion + layout__MOTION_AXLE_Y);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_Z)) = -each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_AXLE_Z)) = -each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z));
     AT(work, mirrored + layout__MOTION_AXLE_Z) = -AT(work, motion + layout__MOTION_AXLE_Z);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_CENTRE_Y)) = -each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_CENTRE_Y)) = -each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
     AT(work, mirrored + layout__MOTION_CENTRE_Y) = -AT(work, motion + layout__MOTION_CENTRE_Y);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
     AT(work, mirrored + layout__MOTION_CENTRE_Z) = AT(work, motion + layout__MOTION_CENTRE_Z);
     return 0;
 }
 
 /* Derivative of ``open_left_rail``. */
-static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs)
+static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t rail, int64_t inputs)
 {
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
     AT(work, rail + layout__RAIL_MOTION_LATERAL) = -AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
     AT(work, rail + layout__RAIL_MOTION_VERTICAL) = AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
     AT(work, rail + layout__RAIL_MOTION_ROLL) = -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
     AT(work, rail + layout__RAIL_MOTION_Y) = AT(tables, pair + layout__PAIR_RAIL_Y) - AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
     AT(work, rail + layout__RAIL_MOTION_Z) = AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL);
     return 0;
 }
 
 /* Derivative of ``open_right_rail``. */
-static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs)
+static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t rail, int64_t inputs)
 {
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
     AT(work, rail + layout__RAIL_MOTION_LATERAL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
     AT(work, rail + layout__RAIL_MOTION_VERTICAL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
     AT(work, rail + layout__RAIL_MOTION_ROLL) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL));
     AT(work, rail + layout__RAIL_MOTION_Y) = AT(tables, pair + layout__PAIR_RAIL_Y) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     AT(work, rail + layout__RAIL_MOTION_Z) = AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL);
     return 0;
 }
 
 /* Derivative of ``carry_rail``. */
-static inline int64_t derivative_motion__carry_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t rail, int64_t deflection)
+static inline int64_t derivative_motion__carry_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t rail, int64_t deflection)
 {
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE));
     AT(work, rail + layout__RAIL_MOTION_LATERAL) = AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, deflection + layout__DEFLECTION_LATERAL_RATE);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE));
     AT(work, rail + layout__RAIL_MOTION_VERTICAL) = AT(work, rail + layout__RAIL_MOTION_VERTICAL) + AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL));
     AT(work, rail + layout__RAIL_MOTION_Y) = AT(work, rail + layout__RAIL_MOTION_Y) + AT(work, deflection + layout__DEFLECTION_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL));
+    EACH_DIRECTION each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) = each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL));
     AT(work, rail + layout__RAIL_MOTION_Z) = AT(work, rail + layout__RAIL_MOTION_Z) + AT(work, deflection + layout__DEFLECTION_VERTICAL);
     return 0;
 }
 
 /* Derivative of ``set_rates``. */
-static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_directional_rate_1d work_t, int64_t left, int64_t right, double vertical, directional_rate vertical_t, double roll_rate, directional_rate roll_rate_t)
 {
-    EACH_LANE each(RATE_AT(work_t, right + layout__MOTION_VERTICAL)) = each(vertical_t);
+    EACH_DIRECTION each(RATE_AT(work_t, right + layout__MOTION_VERTICAL)) = each(vertical_t);
     AT(work, right + layout__MOTION_VERTICAL) = vertical;
-    EACH_LANE each(RATE_AT(work_t, right + layout__MOTION_TURN_X)) = each(roll_rate_t) * AT(work, right + layout__MOTION_AHEAD_X) + roll_rate * each(RATE_AT(work_t, right + layout__MOTION_AHEAD_X));
+    EACH_DIRECTION each(RATE_AT(work_t, right + layout__MOTION_TURN_X)) = each(roll_rate_t) * AT(work, right + layout__MOTION_AHEAD_X) + roll_rate * each(RATE_AT(work_t, right + layout__MOTION_AHEAD_X));
     AT(work, right + layout__MOTION_TURN_X) = roll_rate * AT(work, right + layout__MOTION_AHEAD_X);
-    EACH_LANE each(RATE_AT(work_t, right + layout__MOTION_TURN_Y)) = each(roll_rate_t) * AT(work, right + layout__MOTION_AHEAD_Y) + roll_rate * each(RATE_AT(work_t, right + layout__MOTION_AHEAD_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, right + layout__MOTION_TURN_Y)) = each(roll_rate_t) * AT(work, right + layout__MOTION_AHEAD_Y) + roll_rate * each(RATE_AT(work_t, right + layout__MOTION_AHEAD_Y));
     AT(work, right + layout__MOTION_TURN_Y) = roll_rate * AT(work, right + layout__MOTION_AHEAD_Y);
-    EACH_LANE each(RATE_AT(work_t, left + layout__MOTION_VERTICAL)) = each(vertical_t);
+    EACH_DIRECTION each(RATE_AT(work_t, left + layout__MOTION_VERTICAL)) = each(vertical_t);
     AT(work, left + layout__MOTION_VERTICAL) = vertical;
-    EACH_LANE each(RATE_AT(work_t, left + layout__MOTION_TURN_X)) = -each(RATE_AT(work_t, right + layout__MOTION_TURN_X));
+    EACH_DIRECTION each(RATE_AT(work_t, left + layout__MOTION_TURN_X)) = -each(RATE_AT(work_t, right + layout__MOTION_TURN_X));
     AT(work, left + layout__MOTION_TURN_X) = -AT(work, right + layout__MOTION_TURN_X);
-    EACH_LANE each(RATE_AT(work_t, left + layout__MOTION_TURN_Y)) = each(RATE_AT(work_t, right + layout__MOTION_TURN_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, left + layout__MOTION_TURN_Y)) = each(RATE_AT(work_t, right + layout__MOTION_TURN_Y));
     AT(work, left + layout__MOTION_TURN_Y) = AT(work, right + layout__MOTION_TURN_Y);
     return 0;
 }
 
 /* Derivative of ``constrain_touching``. */
-static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t point)
+static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t point)
 {
     int64_t constraint;
-    lanes x_t, y_t, z_t, sine_t, cosine_t, normal_y_t, normal_z_t;
+    directional_rate x_t, y_t, z_t, sine_t, cosine_t, normal_y_t, normal_z_t;
     double x, y, z, sine, cosine, normal_y, normal_z, v1;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    EACH_LANE each(x_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK));
+    EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK));
     x = AT(work, point + layout__CONTACT_POINT_X_TRACK);
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
     y = AT(work, point + layout__CONTACT_POINT_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
-    EACH_LANE each(z_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_DIRECTION each(z_t) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
     z = AT(work, point + layout__CONTACT_POINT_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
     derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE), RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE));
-    EACH_LANE each(normal_y_t) = -each(sine_t);
+    EACH_DIRECTION each(normal_y_t) = -each(sine_t);
     normal_y = -sine;
-    EACH_LANE each(normal_z_t) = -each(cosine_t);
+    EACH_DIRECTION each(normal_z_t) = -each(cosine_t);
     normal_z = -cosine;
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) = each(normal_y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) = each(normal_y_t);
     AT(work, constraint + layout__CONSTRAINT_Y) = normal_y;
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) = each(normal_z_t);
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) = each(normal_z_t);
     AT(work, constraint + layout__CONSTRAINT_Z) = normal_z;
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = each(y_t) * normal_z + y * each(normal_z_t) - (each(z_t) * normal_y + z * each(normal_y_t));
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = each(y_t) * normal_z + y * each(normal_z_t) - (each(z_t) * normal_y + z * each(normal_y_t));
     AT(work, constraint + layout__CONSTRAINT_MOMENT_X) = y * normal_z - z * normal_y;
     v1 = -x;
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = -each(x_t) * normal_z + v1 * each(normal_z_t);
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = -each(x_t) * normal_z + v1 * each(normal_z_t);
     AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) = v1 * normal_z;
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = each(x_t) * normal_y + x * each(normal_y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = each(x_t) * normal_y + x * each(normal_y_t);
     AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) = x * normal_y;
     return 0;
 }
 
 /* Derivative of ``constrain_loaded``. */
-static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t forces)
+static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t forces)
 {
     int64_t constraint;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 1));
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 1));
     AT(work, constraint + layout__CONSTRAINT_Y) = AT(work, forces + layout__FORCES_NORMAL_FORCE + 1);
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 2));
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 2));
     AT(work, constraint + layout__CONSTRAINT_Z) = AT(work, forces + layout__FORCES_NORMAL_FORCE + 2);
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0));
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0));
     AT(work, constraint + layout__CONSTRAINT_MOMENT_X) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 0);
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 1));
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 1));
     AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 1);
-    EACH_LANE each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 2));
+    EACH_DIRECTION each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 2));
     AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 2);
     return 0;
 }
 
 /* Derivative of ``known_part``. */
-static inline void derivative_motion__known_part_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion)
+static inline void derivative_motion__known_part_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion)
 {
     int64_t constraint, rail;
     double v1, v2, rail_moment, v3;
-    lanes rail_moment_t;
+    directional_rate rail_moment_t;
     constraint = motion + layout__MOTION_CONSTRAINT;
     rail = motion + layout__MOTION_RAIL;
     v1 = AT(work, motion + layout__MOTION_CENTRE_Y) - AT(work, rail + layout__RAIL_MOTION_Y);
     v2 = AT(work, motion + layout__MOTION_CENTRE_Z) - AT(work, rail + layout__RAIL_MOTION_Z);
-    EACH_LANE each(rail_moment_t) = each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) + ((each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))) * AT(work, constraint + layout__CONSTRAINT_Z) + v1 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z))) - ((each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))) * AT(work, constraint + layout__CONSTRAINT_Y) + v2 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)));
+    EACH_DIRECTION each(rail_moment_t) = each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) + ((each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y))) * AT(work, constraint + layout__CONSTRAINT_Z) + v1 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z))) - ((each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z))) * AT(work, constraint + layout__CONSTRAINT_Y) + v2 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)));
     rail_moment = AT(work, constraint + layout__CONSTRAINT_MOMENT_X) + v1 * AT(work, constraint + layout__CONSTRAINT_Z) - v2 * AT(work, constraint + layout__CONSTRAINT_Y);
     v3 = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL);
     *out_0 = AT(work, constraint + layout__CONSTRAINT_Y) * v3 + AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) * AT(work, motion + layout__MOTION_TURN_Z) - AT(work, constraint + layout__CONSTRAINT_Z) * AT(work, rail + layout__RAIL_MOTION_VERTICAL) - rail_moment * AT(work, rail + layout__RAIL_MOTION_ROLL);
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) * v3 + AT(work, constraint + layout__CONSTRAINT_Y) * (each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) * AT(work, motion + layout__MOTION_TURN_Z) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z))) - (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) * AT(work, rail + layout__RAIL_MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_Z) * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each(rail_moment_t) * AT(work, rail + layout__RAIL_MOTION_ROLL) + rail_moment * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)));
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Y)) * v3 + AT(work, constraint + layout__CONSTRAINT_Y) * (each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) * AT(work, motion + layout__MOTION_TURN_Z) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Z) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z))) - (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) * AT(work, rail + layout__RAIL_MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_Z) * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each(rail_moment_t) * AT(work, rail + layout__RAIL_MOTION_ROLL) + rail_moment * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)));
 }
 
 /* Derivative of ``constraint_residual``. */
-static inline void derivative_motion__constraint_residual_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion)
+static inline void derivative_motion__constraint_residual_t(double* v3_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion)
 {
     int64_t constraint;
     double v1, power, v2, v3;
-    lanes v1_t, power_t;
+    directional_rate v1_t, power_t;
     constraint = motion + layout__MOTION_CONSTRAINT;
     derivative_motion__known_part_t(&v1, &v1_t, work, work_t, motion);
-    EACH_LANE each(power_t) = each(v1_t) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) * AT(work, motion + layout__MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_Z) * each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) * AT(work, motion + layout__MOTION_TURN_X) + AT(work, constraint + layout__CONSTRAINT_MOMENT_X) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_X))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) * AT(work, motion + layout__MOTION_TURN_Y) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)));
+    EACH_DIRECTION each(power_t) = each(v1_t) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z)) * AT(work, motion + layout__MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_Z) * each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_X)) * AT(work, motion + layout__MOTION_TURN_X) + AT(work, constraint + layout__CONSTRAINT_MOMENT_X) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_X))) + (each(RATE_AT(work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) * AT(work, motion + layout__MOTION_TURN_Y) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)));
     power = v1 + AT(work, constraint + layout__CONSTRAINT_Z) * AT(work, motion + layout__MOTION_VERTICAL) + AT(work, constraint + layout__CONSTRAINT_MOMENT_X) * AT(work, motion + layout__MOTION_TURN_X) + AT(work, constraint + layout__CONSTRAINT_MOMENT_Y) * AT(work, motion + layout__MOTION_TURN_Y);
     v2 = -power;
     v3 = v2 / AT(work, constraint + layout__CONSTRAINT_Z);
     *v3_out = v3;
-    EACH_LANE each(*out_1) = (-each(power_t) - v3 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z))) / AT(work, constraint + layout__CONSTRAINT_Z);
+    EACH_DIRECTION each(*out_1) = (-each(power_t) - v3 * each(RATE_AT(work_t, constraint + layout__CONSTRAINT_Z))) / AT(work, constraint + layout__CONSTRAINT_Z);
 }
 
 /* Derivative of ``set_contact_rates``. */
-static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right)
+static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_directional_rate_1d work_t, int64_t left, int64_t right)
 {
-    lanes x_t, y_t, left_roll_t, right_roll_t, v1_t, known_left_t, v2_t, known_right_t, determinant_t, vertical_t, roll_rate_t;
-    double x, y, left_roll, right_roll, v1, known_left, v2, known_right, determinant, vertical, roll_rate, v3, v4, v5, v6;
-    EACH_LANE each(x_t) = each(RATE_AT(work_t, right + layout__MOTION_AHEAD_X));
+    directional_rate x_t, y_t, left_roll_t, right_roll_t, v1_t, known_left_t, v2_t, known_right_t, determinant_t, vertical_t, roll_rate_t;
+    double x, y, left_roll, right_roll, v1, known_left, v2, known_right, determinant, vertical, roll_rate;
+    EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, right + layout__MOTION_AHEAD_X));
     x = AT(work, right + layout__MOTION_AHEAD_X);
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, right + layout__MOTION_AHEAD_Y));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, right + layout__MOTION_AHEAD_Y));
     y = AT(work, right + layout__MOTION_AHEAD_Y);
-    EACH_LANE each(left_roll_t) = each(y_t) * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) + y * each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - (each(x_t) * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + x * each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)));
+    EACH_DIRECTION each(left_roll_t) = each(y_t) * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) + y * each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - (each(x_t) * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + x * each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)));
     left_roll = y * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) - x * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X);
-    EACH_LANE each(right_roll_t) = each(x_t) * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + x * each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + (each(y_t) * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) + y * each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)));
+    EACH_DIRECTION each(right_roll_t) = each(x_t) * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + x * each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + (each(y_t) * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y) + y * each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)));
     right_roll = x * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X) + y * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y);
     derivative_motion__known_part_t(&v1, &v1_t, work, work_t, left);
-    EACH_LANE each(known_left_t) = each(v1_t);
+    EACH_DIRECTION each(known_left_t) = each(v1_t);
     known_left = v1;
     derivative_motion__known_part_t(&v2, &v2_t, work, work_t, right);
-    EACH_LANE each(known_right_t) = each(v2_t);
+    EACH_DIRECTION each(known_right_t) = each(v2_t);
     known_right = v2;
-    EACH_LANE each(determinant_t) = each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * right_roll + AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * each(right_roll_t) - (each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * left_roll + AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * each(left_roll_t));
-    determinant = AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * right_roll - AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) * left_roll;
-    vertical_t = all_lanes(0.0);
-    vertical = 0.0;
-    roll_rate_t = all_lanes(0.0);
-    roll_rate = 0.0;
-    if (determinant != 0.0)
-    {
-        v3 = known_right * left_roll - known_left * right_roll;
-        v4 = v3 / determinant;
-        EACH_LANE each(vertical_t) = (each(known_right_t) * left_roll + known_right * each(left_roll_t) - (each(known_left_t) * right_roll + known_left * each(right_roll_t)) - v4 * each(determinant_t)) / determinant;
-        vertical = v4;
-        v5 = known_left * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) - known_right * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z);
-        v6 = v5 / determinant;
-        EACH_LANE each(roll_rate_t) = (each(known_left_t) * AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) + known_left * each(RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) - (each(known_right_t) * AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z) + known_right * each(RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) - v6 * each(determinant_t)) / determinant;
-        roll_rate = v6;
-    }
+    derivative_pair__solve_pair_t(&determinant, &determinant_t, &vertical, &vertical_t, &roll_rate, &roll_rate_t, known_left, known_left_t, known_right, known_right_t, AT(work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z), RATE_AT(work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z), left_roll, left_roll_t, AT(work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z), RATE_AT(work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z), right_roll, right_roll_t);
     derivative_motion__set_rates_t(work, work_t, left, right, vertical, vertical_t, roll_rate, roll_rate_t);
     return 0;
 }
@@ -2551,59 +2551,59 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
  */
 
 /* Derivative of ``solve_polach``. */
-static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
-    lanes a_t, reach_t, whole_t, first_t, second_t, third_t, v4_t, along_t, v5_t, across_t, v6_t, v8_t, v10_t, v11_t, rates;
+    directional_rate a_t, reach_t, whole_t, first_t, second_t, third_t, v4_t, along_t, v5_t, across_t, v6_t, v8_t, v10_t, v11_t, rates;
     double a, reach, v1, v2, whole, v3, first, second, third, modulus, v4, along, v5, across, v6, v7, v8, v9, v10, v11;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+    EACH_DIRECTION each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
     a = AT(work, patch + layout__PATCH_HALF_LENGTH);
-    EACH_LANE each(reach_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * a + AT(work, patch + layout__PATCH_SPIN) * each(a_t));
+    EACH_DIRECTION each(reach_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * a + AT(work, patch + layout__PATCH_SPIN) * each(a_t));
     reach = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * a;
     if (fabs(reach) < fabs(AT(work, patch + layout__PATCH_CREEPAGE_Y)))
     {
-        EACH_LANE each(reach_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+        EACH_DIRECTION each(reach_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
         reach = AT(work, patch + layout__PATCH_CREEPAGE_Y);
     }
     v1 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + reach * reach;
     v2 = sqrt(v1);
-    EACH_LANE each(whole_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(reach_t) * reach + reach * each(reach_t)));
+    EACH_DIRECTION each(whole_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(reach_t) * reach + reach * each(reach_t)));
     whole = v2;
     v3 = a / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(rates) = (each(a_t) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_DIRECTION each(rates) = (each(a_t) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), v3, rates);
     modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
     derivative_polach__mean_coefficient_t(&v4, &v4_t, work, work_t, patch, first, first_t, second, second_t, first, first_t);
-    EACH_LANE each(along_t) = each(v4_t);
+    EACH_DIRECTION each(along_t) = each(v4_t);
     along = v4;
     derivative_polach__mean_coefficient_t(&v5, &v5_t, work, work_t, patch, first, first_t, second, second_t, second, second_t);
-    EACH_LANE each(across_t) = each(v5_t);
+    EACH_DIRECTION each(across_t) = each(v5_t);
     across = v5;
-    derivative_polach__slope_t(&v6, &v6_t, work, work_t, modulus, all_lanes(0.0), patch, along, along_t, whole, whole_t);
+    derivative_polach__slope_t(&v6, &v6_t, work, work_t, modulus, along_all(0.0), patch, along, along_t, whole, whole_t);
     v7 = -v6;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = -each(v6_t) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v7 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = -each(v6_t) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v7 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
     AT(work, patch + layout__PATCH_CREEP_X) = v7 * AT(work, patch + layout__PATCH_CREEPAGE_X);
-    derivative_polach__slope_t(&v8, &v8_t, work, work_t, modulus, all_lanes(0.0), patch, across, across_t, whole, whole_t);
+    derivative_polach__slope_t(&v8, &v8_t, work, work_t, modulus, along_all(0.0), patch, across, across_t, whole, whole_t);
     v9 = -v8;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = -each(v8_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + v9 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = -each(v8_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + v9 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
     AT(work, patch + layout__PATCH_CREEP_Y) = v9 * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    derivative_polach__spin_slope_t(&v10, &v10_t, work, work_t, modulus, all_lanes(0.0), patch, third, third_t, whole, whole_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(v10_t) * AT(work, patch + layout__PATCH_SPIN) + v10 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
+    derivative_polach__spin_slope_t(&v10, &v10_t, work, work_t, modulus, along_all(0.0), patch, third, third_t, whole, whole_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(v10_t) * AT(work, patch + layout__PATCH_SPIN) + v10 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
     AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v10 * AT(work, patch + layout__PATCH_SPIN);
     derivative_polach__cut_force_t(work, work_t, patch);
     derivative_polach__largest_shear_t(&v11, &v11_t, work, work_t, patch);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = each(v11_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = each(v11_t);
     AT(work, patch + layout__PATCH_MAX_SHEAR) = v11;
     return 0;
 }
 
 /* Derivative of ``mean_coefficient``. */
-static inline void derivative_polach__mean_coefficient_t(double* v7_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double own, lanes own_t)
+static inline void derivative_polach__mean_coefficient_t(double* v7_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double first, directional_rate first_t, double second, directional_rate second_t, double own, directional_rate own_t)
 {
-    lanes x_t, y_t;
+    directional_rate x_t, y_t;
     double x, y, floor, v1, v2, v3, v4, v5, v6, v7;
-    EACH_LANE each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
     x = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X);
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
     y = AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
     floor = polach__AIMLESS * polach__AIMLESS;
     v1 = first * first;
@@ -2614,15 +2614,15 @@ static inline void derivative_polach__mean_coefficient_t(double* v7_out, lanes* 
     v6 = v4 / v5;
     v7 = sqrt(v6);
     *v7_out = v7;
-    EACH_LANE each(*out_1) = derivative_rates__root_rate(v7, ((each(first_t) * first + first * each(first_t)) * x + v1 * each(x_t) + ((each(second_t) * second + second * each(second_t)) * y + v2 * each(y_t)) + (each(own_t) * own + own * each(own_t)) * floor - v6 * (each(x_t) + each(y_t))) / v5);
+    EACH_DIRECTION each(*out_1) = derivative_rates__root_rate(v7, ((each(first_t) * first + first * each(first_t)) * x + v1 * each(x_t) + ((each(second_t) * second + second * each(second_t)) * y + v2 * each(y_t)) + (each(own_t) * own + own * each(own_t)) * floor - v6 * (each(x_t) + each(y_t))) / v5);
 }
 
 /* Derivative of ``slope``. */
-static inline void derivative_polach__slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
+static inline void derivative_polach__slope_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, double shear_modulus, directional_rate shear_modulus_t, int64_t patch, double coefficient, directional_rate coefficient_t, double whole, directional_rate whole_t)
 {
-    lanes bound_t, rate_t, e_t, share_t, v7_t;
+    directional_rate bound_t, rate_t, e_t, share_t, v7_t;
     double bound, v1, v2, v3, v4, v5, v6, rate, e, share, v7, v8, v9, v10, v11, v12, v13, v14, v15;
-    EACH_LANE each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_DIRECTION each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     v1 = 0.25 * M_PI;
     v2 = v1 * AT(work, patch + layout__PATCH_HALF_LENGTH);
@@ -2630,22 +2630,22 @@ static inline void derivative_polach__slope_t(double* out_0, lanes* out_1, array
     v4 = v3 * shear_modulus;
     v5 = v4 * coefficient;
     v6 = v5 / bound;
-    EACH_LANE each(rate_t) = (((v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v2 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) * shear_modulus + v3 * each(shear_modulus_t)) * coefficient + v4 * each(coefficient_t) - v6 * each(bound_t)) / bound;
+    EACH_DIRECTION each(rate_t) = (((v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v2 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) * shear_modulus + v3 * each(shear_modulus_t)) * coefficient + v4 * each(coefficient_t) - v6 * each(bound_t)) / bound;
     rate = v6;
-    EACH_LANE each(e_t) = each(rate_t) * whole + rate * each(whole_t);
+    EACH_DIRECTION each(e_t) = each(rate_t) * whole + rate * each(whole_t);
     e = rate * whole;
-    EACH_LANE each(share_t) = 2.0 * each(rate_t);
+    EACH_DIRECTION each(share_t) = 2.0 * each(rate_t);
     share = 2.0 * rate;
     if (whole > polach__SMALLEST)
     {
         derivative_circle__atan_rule_t(&v7, &v7_t, e, e_t);
-        EACH_LANE each(share_t) = each(v7_t);
+        EACH_DIRECTION each(share_t) = each(v7_t);
         share = v7;
         if (e < 1.0)
         {
             v8 = 1.0 + e * e;
             v9 = e / v8;
-            EACH_LANE each(share_t) = each(share_t) + (each(e_t) - v9 * (each(e_t) * e + e * each(e_t))) / v8;
+            EACH_DIRECTION each(share_t) = each(share_t) + (each(e_t) - v9 * (each(e_t) * e + e * each(e_t))) / v8;
             share = share + v9;
         }
         else
@@ -2653,36 +2653,36 @@ static inline void derivative_polach__slope_t(double* out_0, lanes* out_1, array
             v10 = 1.0 / e;
             v11 = e + v10;
             v12 = 1.0 / v11;
-            EACH_LANE each(share_t) = each(share_t) + -v12 * (each(e_t) + -v10 * each(e_t) / e) / v11;
+            EACH_DIRECTION each(share_t) = each(share_t) + -v12 * (each(e_t) + -v10 * each(e_t) / e) / v11;
             share = share + v12;
         }
         v13 = share / whole;
-        EACH_LANE each(share_t) = (each(share_t) - v13 * each(whole_t)) / whole;
+        EACH_DIRECTION each(share_t) = (each(share_t) - v13 * each(whole_t)) / whole;
         share = v13;
     }
     v14 = 2.0 / M_PI;
     v15 = v14 * bound;
     *out_0 = v15 * share;
-    EACH_LANE each(*out_1) = v14 * each(bound_t) * share + v15 * each(share_t);
+    EACH_DIRECTION each(*out_1) = v14 * each(bound_t) * share + v15 * each(share_t);
 }
 
 /* Derivative of ``spin_slope``. */
-static inline void derivative_polach__spin_slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
+static inline void derivative_polach__spin_slope_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, double shear_modulus, directional_rate shear_modulus_t, int64_t patch, double coefficient, directional_rate coefficient_t, double whole, directional_rate whole_t)
 {
-    lanes a_t, b_t, bound_t, v1_t, wide_t, rate_t, share_t, v15_t, rates, rates_2;
+    directional_rate a_t, b_t, bound_t, v1_t, wide_t, rate_t, share_t, v15_t, rates, rates_2;
     double a, b, bound, v2, v3, v1, v4, wide, v5, v6, v7, v8, v9, v10, v11, v12, v13, rate, v14, share, v15, v16, v17, v18, v19, v20;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+    EACH_DIRECTION each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
     a = AT(work, patch + layout__PATCH_HALF_LENGTH);
-    EACH_LANE each(b_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
+    EACH_DIRECTION each(b_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
     b = AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_DIRECTION each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     v2 = -a;
     v3 = v2 / b;
-    EACH_LANE each(rates) = (-each(a_t) - v3 * each(b_t)) / b;
+    EACH_DIRECTION each(rates) = (-each(a_t) - v3 * each(b_t)) / b;
     derivative_powers__exp_rule_t(&v1, &v1_t, v3, rates);
     v4 = 1.0 - v1;
-    EACH_LANE each(wide_t) = 6.3 * -each(v1_t);
+    EACH_DIRECTION each(wide_t) = 6.3 * -each(v1_t);
     wide = 1.0 + 6.3 * v4;
     v5 = 8.0 / 3.0;
     v6 = v5 * shear_modulus;
@@ -2693,17 +2693,17 @@ static inline void derivative_polach__spin_slope_t(double* out_0, lanes* out_1, 
     v11 = v10 * coefficient;
     v12 = bound * wide;
     v13 = v11 / v12;
-    EACH_LANE each(rate_t) = (((v5 * each(shear_modulus_t) * b + v6 * each(b_t)) * v9 + v7 * derivative_rates__root_rate(v9, each(a_t) * b + a * each(b_t))) * coefficient + v10 * each(coefficient_t) - v13 * (each(bound_t) * wide + bound * each(wide_t))) / v12;
+    EACH_DIRECTION each(rate_t) = (((v5 * each(shear_modulus_t) * b + v6 * each(b_t)) * v9 + v7 * derivative_rates__root_rate(v9, each(a_t) * b + a * each(b_t))) * coefficient + v10 * each(coefficient_t) - v13 * (each(bound_t) * wide + bound * each(wide_t))) / v12;
     rate = v13;
     v14 = -2.0 / 3.0;
-    EACH_LANE each(share_t) = v14 * each(rate_t);
+    EACH_DIRECTION each(share_t) = v14 * each(rate_t);
     share = v14 * rate;
     if (whole > polach__SMALLEST)
     {
-        EACH_LANE each(rates_2) = each(rate_t) * whole + rate * each(whole_t);
+        EACH_DIRECTION each(rates_2) = each(rate_t) * whole + rate * each(whole_t);
         derivative_polach__spin_share_t(&v15, &v15_t, rate * whole, rates_2);
         v16 = v15 / whole;
-        EACH_LANE each(share_t) = (each(v15_t) - v16 * each(whole_t)) / whole;
+        EACH_DIRECTION each(share_t) = (each(v15_t) - v16 * each(whole_t)) / whole;
         share = v16;
     }
     v17 = 9.0 / 16.0;
@@ -2711,19 +2711,19 @@ static inline void derivative_polach__spin_slope_t(double* out_0, lanes* out_1, 
     v19 = v18 * bound;
     v20 = v19 * wide;
     *out_0 = v20 * share;
-    EACH_LANE each(*out_1) = ((v17 * each(a_t) * bound + v18 * each(bound_t)) * wide + v19 * each(wide_t)) * share + v20 * each(share_t);
+    EACH_DIRECTION each(*out_1) = ((v17 * each(a_t) * bound + v18 * each(bound_t)) * wide + v19 * each(wide_t)) * share + v20 * each(share_t);
 }
 
 /* Derivative of ``spin_share``. */
-static inline void derivative_polach__spin_share_t(double* out_0, lanes* out_1, double e, lanes e_t)
+static inline void derivative_polach__spin_share_t(double* out_0, directional_rate* out_1, double e, directional_rate e_t)
 {
     double v1, v2, c, root, v3, v4, v5, v6, v7, v8, v9;
-    lanes c_t, root_t;
+    directional_rate c_t, root_t;
     v1 = 1.0 + e * e;
     v2 = 2.0 / v1;
-    EACH_LANE each(c_t) = -v2 * (each(e_t) * e + e * each(e_t)) / v1;
+    EACH_DIRECTION each(c_t) = -v2 * (each(e_t) * e + e * each(e_t)) / v1;
     c = v2;
-    EACH_LANE each(root_t) = each(e_t) * c + e * each(c_t);
+    EACH_DIRECTION each(root_t) = each(e_t) * c + e * each(c_t);
     root = e * c;
     v3 = 0.5 * e;
     v4 = v3 * c;
@@ -2733,47 +2733,47 @@ static inline void derivative_polach__spin_share_t(double* out_0, lanes* out_1, 
     v8 = root * root;
     v9 = v8 * root;
     *out_0 = v5 * v7 - v9 / 3.0;
-    EACH_LANE each(*out_1) = ((0.5 * each(e_t) * c + v3 * each(c_t)) * c + v4 * each(c_t)) * v7 + v5 * -(v6 * each(c_t)) - ((each(root_t) * root + root * each(root_t)) * root + v8 * each(root_t)) / 3.0;
+    EACH_DIRECTION each(*out_1) = ((0.5 * each(e_t) * c + v3 * each(c_t)) * c + v4 * each(c_t)) * v7 + v5 * -(v6 * each(c_t)) - ((each(root_t) * root + root * each(root_t)) * root + v8 * each(root_t)) / 3.0;
 }
 
 /* Derivative of ``cut_force``. */
-static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes bound_t, force_t;
+    directional_rate bound_t, force_t;
     double bound, v1, v2, force, v3, v4;
-    EACH_LANE each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_DIRECTION each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     v1 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y);
     v2 = sqrt(v1);
-    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
+    EACH_DIRECTION each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
     force = v2;
     if (force > bound)
     {
         v3 = bound / force;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * v3 + AT(work, patch + layout__PATCH_CREEP_X) * ((each(bound_t) - v3 * each(force_t)) / force);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * v3 + AT(work, patch + layout__PATCH_CREEP_X) * ((each(bound_t) - v3 * each(force_t)) / force);
         AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) * v3;
         v4 = bound / force;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * v4 + AT(work, patch + layout__PATCH_CREEP_Y) * ((each(bound_t) - v4 * each(force_t)) / force);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * v4 + AT(work, patch + layout__PATCH_CREEP_Y) * ((each(bound_t) - v4 * each(force_t)) / force);
         AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) * v4;
     }
     return 0;
 }
 
 /* Derivative of ``largest_shear``. */
-static inline void derivative_polach__largest_shear_t(double* v6_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_polach__largest_shear_t(double* v6_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     double v1, v2, force, v3, v4, v5, v6;
-    lanes force_t;
+    directional_rate force_t;
     v1 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y);
     v2 = sqrt(v1);
-    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
+    EACH_DIRECTION each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
     force = v2;
     v3 = 1.5 * force;
     v4 = M_PI * AT(work, patch + layout__PATCH_HALF_LENGTH);
     v5 = v4 * AT(work, patch + layout__PATCH_HALF_WIDTH);
     v6 = v3 / v5;
     *v6_out = v6;
-    EACH_LANE each(*out_1) = (1.5 * each(force_t) - v6 * (M_PI * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v4 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)))) / v5;
+    EACH_DIRECTION each(*out_1) = (1.5 * each(force_t) - v6 * (M_PI * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v4 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)))) / v5;
 }
 
 
@@ -2783,7 +2783,7 @@ static inline void derivative_polach__largest_shear_t(double* v6_out, lanes* out
  */
 
 /* Derivative of ``divide_into_strips``. */
-static inline int64_t derivative_rolling_strips__divide_into_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_rolling_strips__divide_into_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
@@ -2806,92 +2806,92 @@ static inline int64_t derivative_rolling_strips__divide_into_strips_t(array_doub
 }
 
 /* Derivative of ``clear_creep``. */
-static inline int64_t derivative_rolling_strips__clear_creep_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_rolling_strips__clear_creep_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t i, strip;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_X) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_X) = along_all(0.0);
     AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_Y) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_Y) = along_all(0.0);
     AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT) = along_all(0.0);
     AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE) = along_all(0.0);
     AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR) = along_all(0.0);
     AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X) = all_lanes(0.0);
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X) = along_all(0.0);
         AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = 0.0;
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y) = all_lanes(0.0);
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y) = along_all(0.0);
         AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = 0.0;
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT) = all_lanes(0.0);
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT) = along_all(0.0);
         AT(work, strip + layout__ROLLING_STRIP_MOMENT) = 0.0;
     }
     return 0;
 }
 
 /* Derivative of ``describe_ellipse``. */
-static inline int64_t derivative_rolling_strips__describe_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_rolling_strips__describe_ellipse_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t totals;
     double v1, v2, v3, v4, ratio, v5, v6, v7, v8, v9, v10;
-    lanes v3_t, v4_t, ratio_t;
+    directional_rate v3_t, v4_t, ratio_t;
     totals = patch + layout__PATCH_TOTALS;
-    RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH) = along_all(0.0);
     AT(work, patch + layout__PATCH_HALF_LENGTH) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH) = along_all(0.0);
     AT(work, patch + layout__PATCH_HALF_WIDTH) = 0.0;
     if (AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) > 0.0)
     {
         v1 = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
         v2 = v1 / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
         v3 = v2;
-        EACH_LANE each(v3_t) = (2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH))) / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
+        EACH_DIRECTION each(v3_t) = (2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH))) / AT(work, totals + layout__PATCH_TOTALS_WIDTH);
         if (rolling_strips__SHORTEST_PATCH > v3)
         {
             v3 = rolling_strips__SHORTEST_PATCH;
-            v3_t = all_lanes(0.0);
+            v3_t = along_all(0.0);
         }
         v4 = v3;
-        EACH_LANE each(v4_t) = each(v3_t);
+        EACH_DIRECTION each(v4_t) = each(v3_t);
         if (rolling_strips__LONGEST_PATCH < v4)
         {
             v4 = rolling_strips__LONGEST_PATCH;
-            v4_t = all_lanes(0.0);
+            v4_t = along_all(0.0);
         }
-        EACH_LANE each(ratio_t) = each(v4_t);
+        EACH_DIRECTION each(ratio_t) = each(v4_t);
         ratio = v4;
         v5 = AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI;
         v6 = v5 * ratio;
         v7 = sqrt(v6);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) = derivative_rates__root_rate(v7, each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio + v5 * each(ratio_t));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) = derivative_rates__root_rate(v7, each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio + v5 * each(ratio_t));
         AT(work, patch + layout__PATCH_HALF_LENGTH) = v7;
         v8 = AT(work, totals + layout__PATCH_TOTALS_AREA) / M_PI;
         v9 = v8 / ratio;
         v10 = sqrt(v9);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)) = derivative_rates__root_rate(v10, (each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI - v9 * each(ratio_t)) / ratio);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)) = derivative_rates__root_rate(v10, (each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI - v9 * each(ratio_t)) / ratio);
         AT(work, patch + layout__PATCH_HALF_WIDTH) = v10;
     }
     return 0;
 }
 
 /* Derivative of ``divide_patch``. */
-static inline int64_t derivative_rolling_strips__divide_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double start, lanes start_t, double stop, lanes stop_t)
+static inline int64_t derivative_rolling_strips__divide_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double start, directional_rate start_t, double stop, directional_rate stop_t)
 {
     double v1, middle, v2, half, before, here, edge, after, v3;
-    lanes middle_t, half_t, edge_t;
+    directional_rate middle_t, half_t, edge_t;
     int64_t i, strip;
     v1 = start + stop;
-    EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t));
+    EACH_DIRECTION each(middle_t) = 0.5 * (each(start_t) + each(stop_t));
     middle = 0.5 * v1;
     v2 = stop - start;
-    EACH_LANE each(half_t) = 0.5 * (each(stop_t) - each(start_t));
+    EACH_DIRECTION each(half_t) = 0.5 * (each(stop_t) - each(start_t));
     half = 0.5 * v2;
     before = rolling_strips__COSINE;
     here = 1.0;
-    EACH_LANE each(edge_t) = each(start_t);
+    EACH_DIRECTION each(edge_t) = each(start_t);
     edge = start;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
@@ -2899,75 +2899,75 @@ static inline int64_t derivative_rolling_strips__divide_patch_t(array_double_1d 
         after = 2.0 * rolling_strips__COSINE * here - before;
         before = here;
         here = after;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) = each(edge_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) = each(edge_t);
         AT(work, strip + layout__ROLLING_STRIP_START) = edge;
-        EACH_LANE each(edge_t) = each(middle_t) - each(half_t) * here;
+        EACH_DIRECTION each(edge_t) = each(middle_t) - each(half_t) * here;
         edge = middle - half * here;
         if (i == layout__ROLLING_STRIP_LIMIT - 1)
         {
-            EACH_LANE each(edge_t) = each(stop_t);
+            EACH_DIRECTION each(edge_t) = each(stop_t);
             edge = stop;
         }
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) = each(edge_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) = each(edge_t);
         AT(work, strip + layout__ROLLING_STRIP_STOP) = edge;
         v3 = AT(work, strip + layout__ROLLING_STRIP_START) + edge;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) + each(edge_t));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) + each(edge_t));
         AT(work, strip + layout__ROLLING_STRIP_STATION) = 0.5 * v3;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) = each(edge_t) - each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) = each(edge_t) - each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
         AT(work, strip + layout__ROLLING_STRIP_WIDTH) = edge - AT(work, strip + layout__ROLLING_STRIP_START);
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH) = all_lanes(0.0);
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH) = along_all(0.0);
         AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = 0.0;
-        RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD) = all_lanes(0.0);
+        RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD) = along_all(0.0);
         AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = 0.0;
     }
     return 0;
 }
 
 /* Derivative of ``divide_ellipse``. */
-static inline int64_t derivative_rolling_strips__divide_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_rolling_strips__divide_ellipse_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t totals, i, strip;
-    lanes square_t, third_t, low_t, high_t, share_t;
+    directional_rate square_t, third_t, low_t, high_t, share_t;
     double square, v1, v2, v3, third, low, high, v4, v5, share;
     totals = patch + layout__PATCH_TOTALS;
-    EACH_LANE each(square_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) + AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_DIRECTION each(square_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) + AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
     square = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
     v1 = 3.0 * AT(work, totals + layout__PATCH_TOTALS_STOP);
     v2 = v1 * AT(work, totals + layout__PATCH_TOTALS_STOP);
     v3 = 1.0 / v2;
-    EACH_LANE each(third_t) = -v3 * (3.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) * AT(work, totals + layout__PATCH_TOTALS_STOP) + v1 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP))) / v2;
+    EACH_DIRECTION each(third_t) = -v3 * (3.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) * AT(work, totals + layout__PATCH_TOTALS_STOP) + v1 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP))) / v2;
     third = v3;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(low_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
+        EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START));
         low = AT(work, strip + layout__ROLLING_STRIP_START);
-        EACH_LANE each(high_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
+        EACH_DIRECTION each(high_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
         high = AT(work, strip + layout__ROLLING_STRIP_STOP);
         v4 = low * low + low * high + high * high;
         v5 = 1.0 - third * v4;
-        EACH_LANE each(share_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) * v5 + AT(work, strip + layout__ROLLING_STRIP_WIDTH) * -(each(third_t) * v4 + third * (each(low_t) * low + low * each(low_t) + (each(low_t) * high + low * each(high_t)) + (each(high_t) * high + high * each(high_t))));
+        EACH_DIRECTION each(share_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) * v5 + AT(work, strip + layout__ROLLING_STRIP_WIDTH) * -(each(third_t) * v4 + third * (each(low_t) * low + low * each(low_t) + (each(low_t) * high + low * each(high_t)) + (each(high_t) * high + high * each(high_t))));
         share = AT(work, strip + layout__ROLLING_STRIP_WIDTH) * v5;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(square_t) * share + square * each(share_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(square_t) * share + square * each(share_t);
         AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = square * share;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(share_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(share_t);
         AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = share;
     }
     return 0;
 }
 
 /* Derivative of ``divide_strips``. */
-static inline int64_t derivative_rolling_strips__divide_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_rolling_strips__divide_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes low_t, low_square_t, low_load_t;
+    directional_rate low_t, low_square_t, low_load_t;
     double low, low_square, low_load;
     int64_t at, k, node, n1, k_end;
     bool inside, loaded;
-    EACH_LANE each(low_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
     low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
-    low_square_t = all_lanes(0.0);
+    low_square_t = along_all(0.0);
     low_square = 0.0;
-    low_load_t = all_lanes(0.0);
+    low_load_t = along_all(0.0);
     low_load = 0.0;
     at = 0;
     k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
@@ -2980,103 +2980,103 @@ static inline int64_t derivative_rolling_strips__divide_strips_t(array_double_1d
         {
             n1 = derivative_rolling_strips__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, node + layout__SOLVED_STRIP_STATION), RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION), AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, node + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
             at = n1;
-            EACH_LANE each(low_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION));
+            EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_STATION));
             low = AT(work, node + layout__SOLVED_STRIP_STATION);
-            EACH_LANE each(low_square_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            EACH_DIRECTION each(low_square_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
             low_square = AT(work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
-            EACH_LANE each(low_load_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
+            EACH_DIRECTION each(low_load_t) = each(RATE_AT(work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
             low_load = AT(work, node + layout__SOLVED_STRIP_LINE_LOAD);
         }
     }
-    derivative_rolling_strips__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), 0.0, all_lanes(0.0), 0.0, all_lanes(0.0));
+    derivative_rolling_strips__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP), 0.0, along_all(0.0), 0.0, along_all(0.0));
     return 0;
 }
 
 /* Derivative of ``add_piece``. */
-static inline int64_t derivative_rolling_strips__add_piece_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t at, double low, lanes low_t, double low_square, lanes low_square_t, double low_load, lanes low_load_t, double high, lanes high_t, double high_square, lanes high_square_t, double high_load, lanes high_load_t)
+static inline int64_t derivative_rolling_strips__add_piece_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t at, double low, directional_rate low_t, double low_square, directional_rate low_square_t, double low_load, directional_rate low_load_t, double high, directional_rate high_t, double high_square, directional_rate high_square_t, double high_load, directional_rate high_load_t)
 {
-    lanes width_t, square_slope_t, load_slope_t, start_t, stop_t, middle_t;
+    directional_rate width_t, square_slope_t, load_slope_t, start_t, stop_t, middle_t;
     double width, v1, v2, square_slope, v3, v4, load_slope, start, stop, v5, middle, v6, v7, v8, v9;
     int64_t strip;
-    EACH_LANE each(width_t) = each(high_t) - each(low_t);
+    EACH_DIRECTION each(width_t) = each(high_t) - each(low_t);
     width = high - low;
     v1 = high_square - low_square;
     v2 = v1 / width;
-    EACH_LANE each(square_slope_t) = (each(high_square_t) - each(low_square_t) - v2 * each(width_t)) / width;
+    EACH_DIRECTION each(square_slope_t) = (each(high_square_t) - each(low_square_t) - v2 * each(width_t)) / width;
     square_slope = v2;
     v3 = high_load - low_load;
     v4 = v3 / width;
-    EACH_LANE each(load_slope_t) = (each(high_load_t) - each(low_load_t) - v4 * each(width_t)) / width;
+    EACH_DIRECTION each(load_slope_t) = (each(high_load_t) - each(low_load_t) - v4 * each(width_t)) / width;
     load_slope = v4;
-    EACH_LANE each(start_t) = each(low_t);
+    EACH_DIRECTION each(start_t) = each(low_t);
     start = low;
     while (start < high)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * at;
-        EACH_LANE each(stop_t) = each(high_t);
+        EACH_DIRECTION each(stop_t) = each(high_t);
         stop = high;
         if (AT(work, strip + layout__ROLLING_STRIP_STOP) < high && at < layout__ROLLING_STRIP_LIMIT - 1)
         {
-            EACH_LANE each(stop_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
+            EACH_DIRECTION each(stop_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP));
             stop = AT(work, strip + layout__ROLLING_STRIP_STOP);
         }
         v5 = start + stop;
-        EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t)) - each(low_t);
+        EACH_DIRECTION each(middle_t) = 0.5 * (each(start_t) + each(stop_t)) - each(low_t);
         middle = 0.5 * v5 - low;
         v6 = stop - start;
         v7 = low_square + square_slope * middle;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + ((each(stop_t) - each(start_t)) * v7 + v6 * (each(low_square_t) + (each(square_slope_t) * middle + square_slope * each(middle_t))));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + ((each(stop_t) - each(start_t)) * v7 + v6 * (each(low_square_t) + (each(square_slope_t) * middle + square_slope * each(middle_t))));
         AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v6 * v7;
         v8 = stop - start;
         v9 = low_load + load_slope * middle;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) + ((each(stop_t) - each(start_t)) * v9 + v8 * (each(low_load_t) + (each(load_slope_t) * middle + load_slope * each(middle_t))));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) + ((each(stop_t) - each(start_t)) * v9 + v8 * (each(low_load_t) + (each(load_slope_t) * middle + load_slope * each(middle_t))));
         AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) + v8 * v9;
         if (stop < high)
         {
             at = at + 1;
         }
-        EACH_LANE each(start_t) = each(stop_t);
+        EACH_DIRECTION each(start_t) = each(stop_t);
         start = stop;
     }
     return at;
 }
 
 /* Derivative of ``finish_strips``. */
-static inline int64_t derivative_rolling_strips__finish_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_rolling_strips__finish_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes carried_t, scale_t;
+    directional_rate carried_t, scale_t;
     double carried, scale, v1, v2, v3, v4;
     int64_t i, strip;
-    carried_t = all_lanes(0.0);
+    carried_t = along_all(0.0);
     carried = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(carried_t) = each(carried_t) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+        EACH_DIRECTION each(carried_t) = each(carried_t) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
         carried = carried + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
     }
-    scale_t = all_lanes(0.0);
+    scale_t = along_all(0.0);
     scale = 0.0;
     if (carried > 0.0)
     {
         v1 = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) / carried;
-        EACH_LANE each(scale_t) = (each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v1 * each(carried_t)) / carried;
+        EACH_DIRECTION each(scale_t) = (each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v1 * each(carried_t)) / carried;
         scale = v1;
     }
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) - each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) - each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
         AT(work, strip + layout__ROLLING_STRIP_Y) = AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_SLANT)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SLANT) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_SLANT)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SLANT) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y));
         AT(work, strip + layout__ROLLING_STRIP_X) = AT(work, patch + layout__PATCH_SLANT) * AT(work, strip + layout__ROLLING_STRIP_Y);
         if (AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
         {
             v2 = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
             v3 = sqrt(v2);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v3, (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v3, (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) - v2 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
             AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) = v3;
             v4 = scale / AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * v4 + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * ((each(scale_t) - v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * v4 + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * ((each(scale_t) - v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) / AT(work, strip + layout__ROLLING_STRIP_WIDTH));
             AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * v4;
         }
     }
@@ -3084,17 +3084,17 @@ static inline int64_t derivative_rolling_strips__finish_strips_t(array_double_1d
 }
 
 /* Derivative of ``plane_slips``. */
-static inline int64_t derivative_rolling_strips__plane_slips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_rolling_strips__plane_slips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t i, strip;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_Y) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)));
         AT(work, strip + layout__ROLLING_STRIP_SLIP) = AT(work, patch + layout__PATCH_CREEPAGE_X) - AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_Y);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, patch + layout__PATCH_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)));
         AT(work, strip + layout__ROLLING_STRIP_LATERAL) = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = each(RATE_AT(work_t, patch + layout__PATCH_SPIN));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) = each(RATE_AT(work_t, patch + layout__PATCH_SPIN));
         AT(work, strip + layout__ROLLING_STRIP_SPIN) = AT(work, patch + layout__PATCH_SPIN);
     }
     return 0;
@@ -3107,10 +3107,10 @@ static inline int64_t derivative_rolling_strips__plane_slips_t(array_double_1d w
  */
 
 /* Derivative of ``find_stiffnesses``. */
-static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
     double v1, ratio, v2, place, half, v3, v4, v5, along, v6, across, v7, turning, v8, v9, v10, v11;
-    lanes ratio_t, v2_t, place_t, v3_t, along_t, v6_t, across_t, v7_t, turning_t, v10_t, v11_t;
+    directional_rate ratio_t, v2_t, place_t, v3_t, along_t, v6_t, across_t, v7_t, turning_t, v10_t, v11_t;
     int64_t i, block;
     derivative_stiffness__join_strips_t(work, work_t, patch);
     derivative_stiffness__fill_equations_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING));
@@ -3118,37 +3118,37 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
     derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, 1);
     derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, 1);
     v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_DIRECTION each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     ratio = v1;
     derivative_tractions__shape_place_t(&v2, &v2_t, ratio, ratio_t);
-    EACH_LANE each(place_t) = each(v2_t);
+    EACH_DIRECTION each(place_t) = each(v2_t);
     place = v2;
     half = 0.5 * AT(tables, layout__TABLES_SHEAR_MODULUS);
     derivative_tractions__shape_value_t(&v3, &v3_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 3, place, place_t);
     v4 = v3 * half;
     v5 = 1.0 - AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO);
-    EACH_LANE each(along_t) = each(v3_t) * half / v5;
+    EACH_DIRECTION each(along_t) = each(v3_t) * half / v5;
     along = v4 / v5;
     derivative_tractions__shape_value_t(&v6, &v6_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 4, place, place_t);
-    EACH_LANE each(across_t) = each(v6_t) * half;
+    EACH_DIRECTION each(across_t) = each(v6_t) * half;
     across = v6 * half;
     derivative_tractions__shape_value_t(&v7, &v7_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), 5, place, place_t);
-    EACH_LANE each(turning_t) = each(v7_t) * half;
+    EACH_DIRECTION each(turning_t) = each(v7_t) * half;
     turning = v7 * half;
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) = each(along_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT) + along * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT));
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) = each(along_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT) + along * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT));
         AT(work, block + layout__ROLLING_BLOCK_ALONG) = along * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i + layout__BLOCK_COUNT);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) = each(across_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT) + across * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT));
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) = each(across_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT) + across * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT));
         AT(work, block + layout__ROLLING_BLOCK_ACROSS) = across * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i + layout__BLOCK_COUNT);
         v8 = turning * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT);
         v9 = v8 / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = (each(turning_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT) + turning * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT)) - v9 * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = (each(turning_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT) + turning * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT)) - v9 * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
         AT(work, block + layout__ROLLING_BLOCK_TURNING) = v9;
     }
     derivative_stiffness__creepage_shift_t(&v10, &v10_t, work, work_t);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = each(v10_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = each(v10_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = v10;
     derivative_stiffness__mean_share_t(&v11, &v11_t, ratio, ratio_t);
     derivative_stiffness__spread_turning_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, v11, v11_t);
@@ -3156,7 +3156,7 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
 }
 
 /* Derivative of ``patch_stiffnesses``. */
-static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch)
 {
     int64_t kept, i_1, i_2, i_3, i_4;
     kept = layout__WORK_ROLLING + layout__ROLLING_STIFFNESSES + layout__KEPT_STIFFNESSES_SIZE * (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE);
@@ -3164,12 +3164,12 @@ static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d 
     {
         for (i_1 = 0; i_1 < 56; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1)) = each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1)) = each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1));
             AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1) = AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1);
         }
         for (i_2 = 0; i_2 < 80; i_2 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2)) = each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2)) = each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2));
             AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2) = AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2);
         }
         derivative_stiffness__renew_shift_t(work, work_t, patch);
@@ -3181,12 +3181,12 @@ static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d 
         {
             for (i_3 = 0; i_3 < 56; i_3 += 1)
             {
-                EACH_LANE each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3));
+                EACH_DIRECTION each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3));
                 AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3) = AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3);
             }
             for (i_4 = 0; i_4 < 80; i_4 += 1)
             {
-                EACH_LANE each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4));
+                EACH_DIRECTION each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4));
                 AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4) = AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4);
             }
         }
@@ -3195,85 +3195,85 @@ static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d 
 }
 
 /* Derivative of ``renew_shift``. */
-static inline int64_t derivative_stiffness__renew_shift_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_stiffness__renew_shift_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t side, i, block, row, k, pivot;
     double v1, v2, inverse, factor, v3;
-    lanes inverse_t, factor_t, v3_t;
+    directional_rate inverse_t, factor_t, v3_t;
     side = layout__BLOCK_COUNT + 1;
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
         v1 = AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * (each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP)) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP)));
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * (each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP)) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP)));
         AT(work, block + layout__ROLLING_BLOCK_SLIP) = 0.5 * v1;
-        EACH_LANE each(RATE_AT(work_t, row + side)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP));
+        EACH_DIRECTION each(RATE_AT(work_t, row + side)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP));
         AT(work, row + side) = AT(work, block + layout__ROLLING_BLOCK_SLIP);
     }
     for (k = 0; k < layout__BLOCK_COUNT; k += 1)
     {
         pivot = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * k;
         v2 = 1.0 / AT(work, pivot + k);
-        EACH_LANE each(inverse_t) = -v2 * each(RATE_AT(work_t, pivot + k)) / AT(work, pivot + k);
+        EACH_DIRECTION each(inverse_t) = -v2 * each(RATE_AT(work_t, pivot + k)) / AT(work, pivot + k);
         inverse = v2;
         for (i = k + 1; i < layout__BLOCK_COUNT; i += 1)
         {
             row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
-            EACH_LANE each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
+            EACH_DIRECTION each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
             factor = AT(work, row + k) * inverse;
-            EACH_LANE each(RATE_AT(work_t, row + side)) = each(RATE_AT(work_t, row + side)) - (each(factor_t) * AT(work, pivot + side) + factor * each(RATE_AT(work_t, pivot + side)));
+            EACH_DIRECTION each(RATE_AT(work_t, row + side)) = each(RATE_AT(work_t, row + side)) - (each(factor_t) * AT(work, pivot + side) + factor * each(RATE_AT(work_t, pivot + side)));
             AT(work, row + side) = AT(work, row + side) - factor * AT(work, pivot + side);
         }
     }
     derivative_stiffness__substitute_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, side);
     derivative_stiffness__creepage_shift_t(&v3, &v3_t, work, work_t);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = each(v3_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = each(v3_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = v3;
     return 0;
 }
 
 /* Derivative of ``join_strips``. */
-static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t i, block, low, high;
     double v1, v2, v3, v4, v5, square, least, v6, v7, v8;
-    lanes square_t, least_t;
+    directional_rate square_t, least_t;
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         low = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i);
         high = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)) = each(RATE_AT(work_t, low + layout__ROLLING_STRIP_START));
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)) = each(RATE_AT(work_t, low + layout__ROLLING_STRIP_START));
         AT(work, block + layout__ROLLING_BLOCK_START) = AT(work, low + layout__ROLLING_STRIP_START);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) = each(RATE_AT(work_t, high + layout__ROLLING_STRIP_STOP));
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) = each(RATE_AT(work_t, high + layout__ROLLING_STRIP_STOP));
         AT(work, block + layout__ROLLING_BLOCK_STOP) = AT(work, high + layout__ROLLING_STRIP_STOP);
         v1 = AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH);
         v2 = AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) * AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH);
         v3 = v1 * AT(work, low + layout__ROLLING_STRIP_WIDTH) + v2 * AT(work, high + layout__ROLLING_STRIP_WIDTH);
         v4 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
         v5 = v3 / v4;
-        EACH_LANE each(square_t) = ((each(RATE_AT(work_t, low + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) + AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, low + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, low + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, low + layout__ROLLING_STRIP_WIDTH)) + ((each(RATE_AT(work_t, high + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) + AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, high + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, high + layout__ROLLING_STRIP_WIDTH) + v2 * each(RATE_AT(work_t, high + layout__ROLLING_STRIP_WIDTH))) - v5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)))) / v4;
+        EACH_DIRECTION each(square_t) = ((each(RATE_AT(work_t, low + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) + AT(work, low + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, low + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, low + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, low + layout__ROLLING_STRIP_WIDTH)) + ((each(RATE_AT(work_t, high + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) + AT(work, high + layout__ROLLING_STRIP_HALF_LENGTH) * each(RATE_AT(work_t, high + layout__ROLLING_STRIP_HALF_LENGTH))) * AT(work, high + layout__ROLLING_STRIP_WIDTH) + v2 * each(RATE_AT(work_t, high + layout__ROLLING_STRIP_WIDTH))) - v5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)))) / v4;
         square = v5;
-        EACH_LANE each(least_t) = stiffness__SHORT * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
+        EACH_DIRECTION each(least_t) = stiffness__SHORT * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
         least = stiffness__SHORT * AT(work, patch + layout__PATCH_HALF_LENGTH);
         v6 = square + least * least;
         v7 = sqrt(v6);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = derivative_rates__root_rate(v7, each(square_t) + (each(least_t) * least + least * each(least_t)));
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = derivative_rates__root_rate(v7, each(square_t) + (each(least_t) * least + least * each(least_t)));
         AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) = v7;
         v8 = AT(work, low + layout__ROLLING_STRIP_SLIP) + AT(work, high + layout__ROLLING_STRIP_SLIP);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * (each(RATE_AT(work_t, low + layout__ROLLING_STRIP_SLIP)) + each(RATE_AT(work_t, high + layout__ROLLING_STRIP_SLIP)));
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * (each(RATE_AT(work_t, low + layout__ROLLING_STRIP_SLIP)) + each(RATE_AT(work_t, high + layout__ROLLING_STRIP_SLIP)));
         AT(work, block + layout__ROLLING_BLOCK_SLIP) = 0.5 * v8;
     }
     return 0;
 }
 
 /* Derivative of ``fill_equations``. */
-static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table)
+static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table)
 {
     int64_t i, block, along, across, turning, j, other;
     double v1, v2, v3, x, y, spin, v4, v5, v6, v7, scale, v8, middle, v9, v10, v11, v12, v13;
-    lanes x_t, y_t, spin_t, scale_t, middle_t, rates, rates_2, rates_3, rates_4, rates_5;
+    directional_rate x_t, y_t, spin_t, scale_t, middle_t, rates, rates_2, rates_3, rates_4, rates_5;
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
@@ -3283,21 +3283,21 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
         v1 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
         v2 = 0.5 * v1;
         v3 = v2 / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
-        EACH_LANE each(rates) = (0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START))) - v3 * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
+        EACH_DIRECTION each(rates) = (0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START))) - v3 * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
         derivative_stiffness__reaches_t(&x, &x_t, &y, &y_t, &spin, &spin_t, tables, table, v3, rates);
-        EACH_LANE each(RATE_AT(work_t, along + i)) = 2.0 * each(x_t);
+        EACH_DIRECTION each(RATE_AT(work_t, along + i)) = 2.0 * each(x_t);
         AT(work, along + i) = 2.0 * x;
-        EACH_LANE each(RATE_AT(work_t, across + i)) = 2.0 * each(y_t);
+        EACH_DIRECTION each(RATE_AT(work_t, across + i)) = 2.0 * each(y_t);
         AT(work, across + i) = 2.0 * y;
-        EACH_LANE each(RATE_AT(work_t, turning + i)) = 2.0 * each(spin_t);
+        EACH_DIRECTION each(RATE_AT(work_t, turning + i)) = 2.0 * each(spin_t);
         AT(work, turning + i) = 2.0 * spin;
-        RATE_AT(work_t, along + layout__BLOCK_COUNT) = all_lanes(0.0);
+        RATE_AT(work_t, along + layout__BLOCK_COUNT) = along_all(0.0);
         AT(work, along + layout__BLOCK_COUNT) = 1.0;
-        RATE_AT(work_t, across + layout__BLOCK_COUNT) = all_lanes(0.0);
+        RATE_AT(work_t, across + layout__BLOCK_COUNT) = along_all(0.0);
         AT(work, across + layout__BLOCK_COUNT) = 1.0;
-        EACH_LANE each(RATE_AT(work_t, turning + layout__BLOCK_COUNT)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        EACH_DIRECTION each(RATE_AT(work_t, turning + layout__BLOCK_COUNT)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         AT(work, turning + layout__BLOCK_COUNT) = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
-        EACH_LANE each(RATE_AT(work_t, along + (layout__BLOCK_COUNT + 1))) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP));
+        EACH_DIRECTION each(RATE_AT(work_t, along + (layout__BLOCK_COUNT + 1))) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP));
         AT(work, along + (layout__BLOCK_COUNT + 1)) = AT(work, block + layout__ROLLING_BLOCK_SLIP);
         for (j = i + 1; j < layout__BLOCK_COUNT; j += 1)
         {
@@ -3306,23 +3306,23 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
             v5 = 0.5 * v4;
             v6 = sqrt(v5);
             v7 = 1.0 / v6;
-            EACH_LANE each(scale_t) = -v7 * derivative_rates__root_rate(v6, 0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH))))) / v6;
+            EACH_DIRECTION each(scale_t) = -v7 * derivative_rates__root_rate(v6, 0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, other + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH))))) / v6;
             scale = v7;
             v8 = AT(work, block + layout__ROLLING_BLOCK_START) + AT(work, block + layout__ROLLING_BLOCK_STOP);
-            EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)));
+            EACH_DIRECTION each(middle_t) = 0.5 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)));
             middle = 0.5 * v8;
             v9 = AT(work, other + layout__ROLLING_BLOCK_START) - middle;
             v10 = AT(work, other + layout__ROLLING_BLOCK_STOP) - middle;
-            EACH_LANE each(rates_2) = (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) - each(middle_t)) * scale + v9 * each(scale_t);
-            EACH_LANE each(rates_3) = (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP)) - each(middle_t)) * scale + v10 * each(scale_t);
+            EACH_DIRECTION each(rates_2) = (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) - each(middle_t)) * scale + v9 * each(scale_t);
+            EACH_DIRECTION each(rates_3) = (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP)) - each(middle_t)) * scale + v10 * each(scale_t);
             derivative_stiffness__reach_beside_t(tables, work, work_t, table, i, j, v9 * scale, rates_2, v10 * scale, rates_3);
             v11 = AT(work, other + layout__ROLLING_BLOCK_START) + AT(work, other + layout__ROLLING_BLOCK_STOP);
-            EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP)));
+            EACH_DIRECTION each(middle_t) = 0.5 * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP)));
             middle = 0.5 * v11;
             v12 = middle - AT(work, block + layout__ROLLING_BLOCK_STOP);
             v13 = middle - AT(work, block + layout__ROLLING_BLOCK_START);
-            EACH_LANE each(rates_4) = (each(middle_t) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP))) * scale + v12 * each(scale_t);
-            EACH_LANE each(rates_5) = (each(middle_t) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START))) * scale + v13 * each(scale_t);
+            EACH_DIRECTION each(rates_4) = (each(middle_t) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP))) * scale + v12 * each(scale_t);
+            EACH_DIRECTION each(rates_5) = (each(middle_t) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START))) * scale + v13 * each(scale_t);
             derivative_stiffness__reach_beside_t(tables, work, work_t, table, j, i, v12 * scale, rates_4, v13 * scale, rates_5);
         }
     }
@@ -3330,92 +3330,92 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
 }
 
 /* Derivative of ``reach_beside``. */
-static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t i, int64_t j, double near, lanes near_t, double far, lanes far_t)
+static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t i, int64_t j, double near, directional_rate near_t, double far, directional_rate far_t)
 {
     double near_x, near_y, near_spin, far_x, far_y, far_spin;
-    lanes near_x_t, near_y_t, near_spin_t, far_x_t, far_y_t, far_spin_t;
+    directional_rate near_x_t, near_y_t, near_spin_t, far_x_t, far_y_t, far_spin_t;
     int64_t along, across, turning;
     derivative_stiffness__reaches_t(&near_x, &near_x_t, &near_y, &near_y_t, &near_spin, &near_spin_t, tables, table, near, near_t);
     derivative_stiffness__reaches_t(&far_x, &far_x_t, &far_y, &far_y_t, &far_spin, &far_spin_t, tables, table, far, far_t);
     along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
     across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + 10 * i;
     turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i;
-    EACH_LANE each(RATE_AT(work_t, along + j)) = each(far_x_t) - each(near_x_t);
+    EACH_DIRECTION each(RATE_AT(work_t, along + j)) = each(far_x_t) - each(near_x_t);
     AT(work, along + j) = far_x - near_x;
-    EACH_LANE each(RATE_AT(work_t, across + j)) = each(far_y_t) - each(near_y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, across + j)) = each(far_y_t) - each(near_y_t);
     AT(work, across + j) = far_y - near_y;
-    EACH_LANE each(RATE_AT(work_t, turning + j)) = each(far_spin_t) - each(near_spin_t);
+    EACH_DIRECTION each(RATE_AT(work_t, turning + j)) = each(far_spin_t) - each(near_spin_t);
     AT(work, turning + j) = far_spin - near_spin;
     return 0;
 }
 
 /* Derivative of ``reaches``. */
-static inline void derivative_stiffness__reaches_t(double* v6_out, lanes* v6_t_out, double* v7_out, lanes* v7_t_out, double* v8_out, lanes* v8_t_out, array_double_1d tables, int64_t table, double distance, lanes distance_t)
+static inline void derivative_stiffness__reaches_t(double* v6_out, directional_rate* v6_t_out, double* v7_out, directional_rate* v7_t_out, double* v8_out, directional_rate* v8_t_out, array_double_1d tables, int64_t table, double distance, directional_rate distance_t)
 {
     double v1, v2, v3, v4, v5, place, u, v6, v7, v8;
-    lanes v5_t, place_t, u_t, v6_t, v7_t, v8_t;
+    directional_rate v5_t, place_t, u_t, v6_t, v7_t, v8_t;
     int64_t cell, at;
     v1 = fabs(distance) + stiffness__NEAREST;
     v2 = sqrt(v1);
     v3 = sqrt(v2);
     v4 = layout__REACH_PER_UNIT * v3;
     v5 = (double)layout__REACH_CELLS;
-    v5_t = all_lanes(0.0);
+    v5_t = along_all(0.0);
     if (v4 < v5)
     {
         v5 = v4;
-        EACH_LANE each(v5_t) = layout__REACH_PER_UNIT * derivative_rates__root_rate(v3, derivative_rates__root_rate(v2, derivative_rates__size_rate(distance, each(distance_t))));
+        EACH_DIRECTION each(v5_t) = layout__REACH_PER_UNIT * derivative_rates__root_rate(v3, derivative_rates__root_rate(v2, derivative_rates__size_rate(distance, each(distance_t))));
     }
-    EACH_LANE each(place_t) = each(v5_t);
+    EACH_DIRECTION each(place_t) = each(v5_t);
     place = v5;
     cell = (int64_t)place;
-    EACH_LANE each(u_t) = each(place_t);
+    EACH_DIRECTION each(u_t) = each(place_t);
     u = place - (double)cell;
     at = layout__REACH_ROW * cell;
     derivative_stiffness__reach_cubic_t(&v6, &v6_t, tables, table, at, u, u_t);
     derivative_stiffness__reach_cubic_t(&v7, &v7_t, tables, table, at + 4, u, u_t);
     derivative_stiffness__reach_cubic_t(&v8, &v8_t, tables, table, at + 8, u, u_t);
     *v6_out = v6;
-    EACH_LANE each(*v6_t_out) = each(v6_t);
+    EACH_DIRECTION each(*v6_t_out) = each(v6_t);
     *v7_out = v7;
-    EACH_LANE each(*v7_t_out) = each(v7_t);
+    EACH_DIRECTION each(*v7_t_out) = each(v7_t);
     *v8_out = v8;
-    EACH_LANE each(*v8_t_out) = each(v8_t);
+    EACH_DIRECTION each(*v8_t_out) = each(v8_t);
 }
 
 /* Derivative of ``reach_cubic``. */
-static inline void derivative_stiffness__reach_cubic_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double u, lanes u_t)
+static inline void derivative_stiffness__reach_cubic_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double u, directional_rate u_t)
 {
-    lanes high_t;
+    directional_rate high_t;
     double high, v1;
-    EACH_LANE each(high_t) = each(u_t) * AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 3));
+    EACH_DIRECTION each(high_t) = each(u_t) * AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 3));
     high = AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 2)) + u * AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 3));
     v1 = AT(tables, table + layout__ROLLING_TABLE_REACHES + (at + 1)) + u * high;
     *out_0 = AT(tables, table + layout__ROLLING_TABLE_REACHES + at) + u * v1;
-    EACH_LANE each(*out_1) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
+    EACH_DIRECTION each(*out_1) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
 }
 
 /* Derivative of ``solve_blocks``. */
-static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t sides)
+static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_directional_rate_1d work_t, int64_t equations, int64_t sides)
 {
     int64_t stop, k, pivot, i, row, j, side;
     double v1, inverse, factor;
-    lanes inverse_t, factor_t;
+    directional_rate inverse_t, factor_t;
     stop = layout__BLOCK_COUNT + sides;
     for (k = 0; k < layout__BLOCK_COUNT; k += 1)
     {
         pivot = equations + 10 * k;
         v1 = 1.0 / AT(work, pivot + k);
-        EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, pivot + k)) / AT(work, pivot + k);
+        EACH_DIRECTION each(inverse_t) = -v1 * each(RATE_AT(work_t, pivot + k)) / AT(work, pivot + k);
         inverse = v1;
         for (i = k + 1; i < layout__BLOCK_COUNT; i += 1)
         {
             row = equations + 10 * i;
-            EACH_LANE each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
+            EACH_DIRECTION each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
             factor = AT(work, row + k) * inverse;
             for (j = k + 1; j < stop; j += 1)
             {
-                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, row + j)) - (each(factor_t) * AT(work, pivot + j) + factor * each(RATE_AT(work_t, pivot + j)));
+                EACH_DIRECTION each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, row + j)) - (each(factor_t) * AT(work, pivot + j) + factor * each(RATE_AT(work_t, pivot + j)));
                 AT(work, row + j) = AT(work, row + j) - factor * AT(work, pivot + j);
             }
         }
@@ -3428,114 +3428,114 @@ static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work,
 }
 
 /* Derivative of ``substitute``. */
-static inline int64_t derivative_stiffness__substitute_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t side)
+static inline int64_t derivative_stiffness__substitute_t(array_double_1d work, array_directional_rate_1d work_t, int64_t equations, int64_t side)
 {
     int64_t back, k, pivot, j, known;
-    lanes value_t;
+    directional_rate value_t;
     double value, v1;
     for (back = 0; back < layout__BLOCK_COUNT; back += 1)
     {
         k = layout__BLOCK_COUNT - 1 - back;
         pivot = equations + 10 * k;
-        EACH_LANE each(value_t) = each(RATE_AT(work_t, pivot + side));
+        EACH_DIRECTION each(value_t) = each(RATE_AT(work_t, pivot + side));
         value = AT(work, pivot + side);
         for (j = k + 1; j < layout__BLOCK_COUNT; j += 1)
         {
             known = equations + 10 * j;
-            EACH_LANE each(value_t) = each(value_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, known + side) + AT(work, pivot + j) * each(RATE_AT(work_t, known + side)));
+            EACH_DIRECTION each(value_t) = each(value_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, known + side) + AT(work, pivot + j) * each(RATE_AT(work_t, known + side)));
             value = value - AT(work, pivot + j) * AT(work, known + side);
         }
         v1 = value / AT(work, pivot + k);
-        EACH_LANE each(RATE_AT(work_t, pivot + side)) = (each(value_t) - v1 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
+        EACH_DIRECTION each(RATE_AT(work_t, pivot + side)) = (each(value_t) - v1 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
         AT(work, pivot + side) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``creepage_shift``. */
-static inline void derivative_stiffness__creepage_shift_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t)
+static inline void derivative_stiffness__creepage_shift_t(double* v3_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t)
 {
-    lanes missing_t, stiff_t, area_t;
+    directional_rate missing_t, stiff_t, area_t;
     double missing, stiff, v1, area, v2, v3;
     int64_t i, block, row;
-    missing_t = all_lanes(0.0);
+    missing_t = along_all(0.0);
     missing = 0.0;
-    stiff_t = all_lanes(0.0);
+    stiff_t = along_all(0.0);
     stiff = 0.0;
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
         v1 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
-        EACH_LANE each(area_t) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1 + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)));
+        EACH_DIRECTION each(area_t) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1 + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)));
         area = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * v1;
         v2 = AT(work, row + (layout__BLOCK_COUNT + 1)) - AT(work, row + layout__BLOCK_COUNT) * AT(work, block + layout__ROLLING_BLOCK_SLIP);
-        EACH_LANE each(missing_t) = each(missing_t) + (each(area_t) * v2 + area * (each(RATE_AT(work_t, row + (layout__BLOCK_COUNT + 1))) - (each(RATE_AT(work_t, row + layout__BLOCK_COUNT)) * AT(work, block + layout__ROLLING_BLOCK_SLIP) + AT(work, row + layout__BLOCK_COUNT) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)))));
+        EACH_DIRECTION each(missing_t) = each(missing_t) + (each(area_t) * v2 + area * (each(RATE_AT(work_t, row + (layout__BLOCK_COUNT + 1))) - (each(RATE_AT(work_t, row + layout__BLOCK_COUNT)) * AT(work, block + layout__ROLLING_BLOCK_SLIP) + AT(work, row + layout__BLOCK_COUNT) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)))));
         missing = missing + area * v2;
-        EACH_LANE each(stiff_t) = each(stiff_t) + (each(area_t) * AT(work, row + layout__BLOCK_COUNT) + area * each(RATE_AT(work_t, row + layout__BLOCK_COUNT)));
+        EACH_DIRECTION each(stiff_t) = each(stiff_t) + (each(area_t) * AT(work, row + layout__BLOCK_COUNT) + area * each(RATE_AT(work_t, row + layout__BLOCK_COUNT)));
         stiff = stiff + area * AT(work, row + layout__BLOCK_COUNT);
     }
     v3 = missing / stiff;
     *v3_out = v3;
-    EACH_LANE each(*out_1) = (each(missing_t) - v3 * each(stiff_t)) / stiff;
+    EACH_DIRECTION each(*out_1) = (each(missing_t) - v3 * each(stiff_t)) / stiff;
 }
 
 /* Derivative of ``mean_share``. */
-static inline void derivative_stiffness__mean_share_t(double* share_out, lanes* share_t_out, double ratio, lanes ratio_t)
+static inline void derivative_stiffness__mean_share_t(double* share_out, directional_rate* share_t_out, double ratio, directional_rate ratio_t)
 {
     double v1, v2, v3, v4, v5, share;
-    lanes v1_t, v4_t, v5_t, share_t;
+    directional_rate v1_t, v4_t, v5_t, share_t;
     derivative_powers__log_rule_t(&v1, &v1_t, ratio, ratio_t);
     v2 = v1 - stiffness__OWN_UNTIL;
     v3 = stiffness__MEAN_FROM - stiffness__OWN_UNTIL;
     v4 = v2 / v3;
-    EACH_LANE each(v4_t) = each(v1_t) / v3;
+    EACH_DIRECTION each(v4_t) = each(v1_t) / v3;
     if (0.0 > v4)
     {
         v4 = 0.0;
-        v4_t = all_lanes(0.0);
+        v4_t = along_all(0.0);
     }
     v5 = v4;
-    EACH_LANE each(v5_t) = each(v4_t);
+    EACH_DIRECTION each(v5_t) = each(v4_t);
     if (1.0 < v5)
     {
         v5 = 1.0;
-        v5_t = all_lanes(0.0);
+        v5_t = along_all(0.0);
     }
-    EACH_LANE each(share_t) = each(v5_t);
+    EACH_DIRECTION each(share_t) = each(v5_t);
     share = v5;
     *share_out = share;
-    EACH_LANE each(*share_t_out) = each(share_t);
+    EACH_DIRECTION each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``spread_turning``. */
-static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, int64_t blocks, double share, lanes share_t)
+static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_directional_rate_1d work_t, int64_t blocks, double share, directional_rate share_t)
 {
-    lanes total_t, mean_t, along_t, across_t, weight_t, v5_t, v8_t, v11_t, rates, rates_2, rates_3;
+    directional_rate total_t, mean_t, along_t, across_t, weight_t, v5_t, v8_t, v11_t, rates, rates_2, rates_3;
     double total, mean, along, across, v1, v2, weight, v3, v4, v6, v7, v5, v9, v10, v8, v12, v13, v11;
     int64_t i, block;
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
-    mean_t = all_lanes(0.0);
+    mean_t = along_all(0.0);
     mean = 0.0;
-    along_t = all_lanes(0.0);
+    along_t = along_all(0.0);
     along = 0.0;
-    across_t = all_lanes(0.0);
+    across_t = along_all(0.0);
     across = 0.0;
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
         block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         v1 = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
         v2 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
-        EACH_LANE each(weight_t) = (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * v2 + v1 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)));
+        EACH_DIRECTION each(weight_t) = (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * v2 + v1 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)));
         weight = v1 * v2;
-        EACH_LANE each(total_t) = each(total_t) + each(weight_t);
+        EACH_DIRECTION each(total_t) = each(total_t) + each(weight_t);
         total = total + weight;
-        EACH_LANE each(mean_t) = each(mean_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) * weight + AT(work, block + layout__ROLLING_BLOCK_TURNING) * each(weight_t));
+        EACH_DIRECTION each(mean_t) = each(mean_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) * weight + AT(work, block + layout__ROLLING_BLOCK_TURNING) * each(weight_t));
         mean = mean + AT(work, block + layout__ROLLING_BLOCK_TURNING) * weight;
-        EACH_LANE each(along_t) = each(along_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) * weight + AT(work, block + layout__ROLLING_BLOCK_ALONG) * each(weight_t));
+        EACH_DIRECTION each(along_t) = each(along_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) * weight + AT(work, block + layout__ROLLING_BLOCK_ALONG) * each(weight_t));
         along = along + AT(work, block + layout__ROLLING_BLOCK_ALONG) * weight;
-        EACH_LANE each(across_t) = each(across_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) * weight + AT(work, block + layout__ROLLING_BLOCK_ACROSS) * each(weight_t));
+        EACH_DIRECTION each(across_t) = each(across_t) + (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) * weight + AT(work, block + layout__ROLLING_BLOCK_ACROSS) * each(weight_t));
         across = across + AT(work, block + layout__ROLLING_BLOCK_ACROSS) * weight;
     }
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
@@ -3543,53 +3543,53 @@ static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d wor
         block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         v3 = mean / total;
         v4 = v3 - AT(work, block + layout__ROLLING_BLOCK_TURNING);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) + (each(share_t) * v4 + share * ((each(mean_t) - v3 * each(total_t)) / total - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING))));
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) + (each(share_t) * v4 + share * ((each(mean_t) - v3 * each(total_t)) / total - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING))));
         AT(work, block + layout__ROLLING_BLOCK_TURNING) = AT(work, block + layout__ROLLING_BLOCK_TURNING) + share * v4;
         v6 = stiffness__SOFTEST * mean;
         v7 = v6 / total;
-        EACH_LANE each(rates) = (stiffness__SOFTEST * each(mean_t) - v7 * each(total_t)) / total;
+        EACH_DIRECTION each(rates) = (stiffness__SOFTEST * each(mean_t) - v7 * each(total_t)) / total;
         derivative_stiffness__not_below_t(&v5, &v5_t, AT(work, block + layout__ROLLING_BLOCK_TURNING), RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING), v7, rates);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = each(v5_t);
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = each(v5_t);
         AT(work, block + layout__ROLLING_BLOCK_TURNING) = v5;
         v9 = stiffness__SOFTEST * along;
         v10 = v9 / total;
-        EACH_LANE each(rates_2) = (stiffness__SOFTEST * each(along_t) - v10 * each(total_t)) / total;
+        EACH_DIRECTION each(rates_2) = (stiffness__SOFTEST * each(along_t) - v10 * each(total_t)) / total;
         derivative_stiffness__not_below_t(&v8, &v8_t, AT(work, block + layout__ROLLING_BLOCK_ALONG), RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG), v10, rates_2);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) = each(v8_t);
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ALONG)) = each(v8_t);
         AT(work, block + layout__ROLLING_BLOCK_ALONG) = v8;
         v12 = stiffness__SOFTEST * across;
         v13 = v12 / total;
-        EACH_LANE each(rates_3) = (stiffness__SOFTEST * each(across_t) - v13 * each(total_t)) / total;
+        EACH_DIRECTION each(rates_3) = (stiffness__SOFTEST * each(across_t) - v13 * each(total_t)) / total;
         derivative_stiffness__not_below_t(&v11, &v11_t, AT(work, block + layout__ROLLING_BLOCK_ACROSS), RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS), v13, rates_3);
-        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) = each(v11_t);
+        EACH_DIRECTION each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_ACROSS)) = each(v11_t);
         AT(work, block + layout__ROLLING_BLOCK_ACROSS) = v11;
     }
     return 0;
 }
 
 /* Derivative of ``not_below``. */
-static inline void derivative_stiffness__not_below_t(double* value_out, lanes* value_t_out, double value, lanes value_t, double least, lanes least_t)
+static inline void derivative_stiffness__not_below_t(double* value_out, directional_rate* value_t_out, double value, directional_rate value_t, double least, directional_rate least_t)
 {
     double v1;
-    lanes v1_t;
+    directional_rate v1_t;
     v1 = value;
-    EACH_LANE each(v1_t) = each(value_t);
+    EACH_DIRECTION each(v1_t) = each(value_t);
     if (least > v1)
     {
         v1 = least;
-        EACH_LANE each(v1_t) = each(least_t);
+        EACH_DIRECTION each(v1_t) = each(least_t);
     }
-    EACH_LANE each(value_t) = each(v1_t);
+    EACH_DIRECTION each(value_t) = each(v1_t);
     value = v1;
     *value_out = value;
-    EACH_LANE each(*value_t_out) = each(value_t);
+    EACH_DIRECTION each(*value_t_out) = each(value_t);
 }
 
 /* Derivative of ``stiffnesses_at``. */
-static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double* turning_out, lanes* turning_t_out, array_double_1d work, array_lanes_1d work_t, int64_t blocks, int64_t index, double station, lanes station_t)
+static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, directional_rate* along_t_out, double* across_out, directional_rate* across_t_out, double* turning_out, directional_rate* turning_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t blocks, int64_t index, double station, directional_rate station_t)
 {
     int64_t own, towards, other;
-    lanes along_t, across_t, turning_t, middle_t, share_t;
+    directional_rate along_t, across_t, turning_t, middle_t, share_t;
     double along, across, turning, v1, middle, v2, v3, v4, v5, share, v6, v7, v8;
     own = blocks + layout__ROLLING_BLOCK_SIZE * floor_div(index, 2);
     towards = floor_div(index, 2) - 1;
@@ -3597,40 +3597,40 @@ static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lan
     {
         towards = floor_div(index, 2) + 1;
     }
-    EACH_LANE each(along_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_ALONG));
+    EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_ALONG));
     along = AT(work, own + layout__ROLLING_BLOCK_ALONG);
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_ACROSS));
+    EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_ACROSS));
     across = AT(work, own + layout__ROLLING_BLOCK_ACROSS);
-    EACH_LANE each(turning_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_TURNING));
+    EACH_DIRECTION each(turning_t) = each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_TURNING));
     turning = AT(work, own + layout__ROLLING_BLOCK_TURNING);
     if (towards >= 0 && towards < layout__BLOCK_COUNT)
     {
         other = blocks + layout__ROLLING_BLOCK_SIZE * towards;
         v1 = AT(work, own + layout__ROLLING_BLOCK_START) + AT(work, own + layout__ROLLING_BLOCK_STOP);
-        EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_STOP)));
+        EACH_DIRECTION each(middle_t) = 0.5 * (each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_STOP)));
         middle = 0.5 * v1;
         v2 = station - middle;
         v3 = AT(work, other + layout__ROLLING_BLOCK_START) + AT(work, other + layout__ROLLING_BLOCK_STOP);
         v4 = 0.5 * v3 - middle;
         v5 = v2 / v4;
-        EACH_LANE each(share_t) = (each(station_t) - each(middle_t) - v5 * (0.5 * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP))) - each(middle_t))) / v4;
+        EACH_DIRECTION each(share_t) = (each(station_t) - each(middle_t) - v5 * (0.5 * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_STOP))) - each(middle_t))) / v4;
         share = v5;
         v6 = AT(work, other + layout__ROLLING_BLOCK_ALONG) - along;
-        EACH_LANE each(along_t) = each(along_t) + (each(share_t) * v6 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_ALONG)) - each(along_t)));
+        EACH_DIRECTION each(along_t) = each(along_t) + (each(share_t) * v6 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_ALONG)) - each(along_t)));
         along = along + share * v6;
         v7 = AT(work, other + layout__ROLLING_BLOCK_ACROSS) - across;
-        EACH_LANE each(across_t) = each(across_t) + (each(share_t) * v7 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_ACROSS)) - each(across_t)));
+        EACH_DIRECTION each(across_t) = each(across_t) + (each(share_t) * v7 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_ACROSS)) - each(across_t)));
         across = across + share * v7;
         v8 = AT(work, other + layout__ROLLING_BLOCK_TURNING) - turning;
-        EACH_LANE each(turning_t) = each(turning_t) + (each(share_t) * v8 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_TURNING)) - each(turning_t)));
+        EACH_DIRECTION each(turning_t) = each(turning_t) + (each(share_t) * v8 + share * (each(RATE_AT(work_t, other + layout__ROLLING_BLOCK_TURNING)) - each(turning_t)));
         turning = turning + share * v8;
     }
     *along_out = along;
-    EACH_LANE each(*along_t_out) = each(along_t);
+    EACH_DIRECTION each(*along_t_out) = each(along_t);
     *across_out = across;
-    EACH_LANE each(*across_t_out) = each(across_t);
+    EACH_DIRECTION each(*across_t_out) = each(across_t);
     *turning_out = turning;
-    EACH_LANE each(*turning_t_out) = each(turning_t);
+    EACH_DIRECTION each(*turning_t_out) = each(turning_t);
 }
 
 
@@ -3640,143 +3640,143 @@ static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lan
  */
 
 /* Derivative of ``open_integrations``. */
-static inline int64_t derivative_traction_integration__open_integrations_t(array_double_1d work, array_lanes_1d work_t, double ratio, lanes ratio_t)
+static inline int64_t derivative_traction_integration__open_integrations_t(array_double_1d work, array_directional_rate_1d work_t, double ratio, directional_rate ratio_t)
 {
     int64_t i_1, q;
     double v1, v2, square, v3, v4;
-    lanes square_t;
+    directional_rate square_t;
     for (i_1 = 0; i_1 < layout__STRIP_INTEGRATIONS_SIZE; i_1 += 1)
     {
-        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + i_1) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + i_1) = along_all(0.0);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + i_1) = 0.0;
     }
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
-        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = along_all(0.0);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = -1.0;
     }
     v1 = ratio / traction_integration__SHARE_RATIO;
     v2 = ratio / traction_integration__SHARE_RATIO;
-    EACH_LANE each(square_t) = each(ratio_t) / traction_integration__SHARE_RATIO * v2 + v1 * (each(ratio_t) / traction_integration__SHARE_RATIO);
+    EACH_DIRECTION each(square_t) = each(ratio_t) / traction_integration__SHARE_RATIO * v2 + v1 * (each(ratio_t) / traction_integration__SHARE_RATIO);
     square = v1 * v2;
     v3 = 1.0 + square * square;
     v4 = traction_integration__SHARE / v3;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) = -v4 * (each(square_t) * square + square * each(square_t)) / v3;
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) = -v4 * (each(square_t) * square + square * each(square_t)) / v3;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) = v4;
     return 0;
 }
 
 /* Derivative of ``set_pushes``. */
-static inline int64_t derivative_traction_integration__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t)
+static inline int64_t derivative_traction_integration__set_pushes_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, int64_t number, double plane, directional_rate plane_t, double spinning, directional_rate spinning_t, double ratio, directional_rate ratio_t)
 {
-    lanes i1_t, i2_t, i3_t, s_t, x_t, y_t, z_t, centre_t, fills_t, scale_t, near_t, lag_t, along_t, across_t, turning_t;
+    directional_rate i1_t, i2_t, i3_t, s_t, x_t, y_t, z_t, centre_t, fills_t, scale_t, near_t, lag_t, along_t, across_t, turning_t;
     double i1, i2, i3, v1, v2, s, x, y, z, v3, v4, v5, centre, v6, v7, v8, fills, v9, v10, scale, v11, v12, v13, v14, near, v15, v16, v17, v18, v19, v20, v21, v22, v23, lag, v24, v25, v26, v27, v28, along, v29, across, v30, v31, turning;
-    EACH_LANE each(i1_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * plane + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(plane_t);
+    EACH_DIRECTION each(i1_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ALONG)) * plane + AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * each(plane_t);
     i1 = AT(work, integration + layout__STRIP_INTEGRATION_ALONG) * plane;
-    EACH_LANE each(i2_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * plane + AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) * each(plane_t);
+    EACH_DIRECTION each(i2_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_ACROSS)) * plane + AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) * each(plane_t);
     i2 = AT(work, integration + layout__STRIP_INTEGRATION_ACROSS) * plane;
-    EACH_LANE each(i3_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * spinning + AT(work, integration + layout__STRIP_INTEGRATION_TURNING) * each(spinning_t);
+    EACH_DIRECTION each(i3_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TURNING)) * spinning + AT(work, integration + layout__STRIP_INTEGRATION_TURNING) * each(spinning_t);
     i3 = AT(work, integration + layout__STRIP_INTEGRATION_TURNING) * spinning;
     v1 = 3.0 * M_PI / 32.0;
     v2 = v1 * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-    EACH_LANE each(s_t) = v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN));
+    EACH_DIRECTION each(s_t) = v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) * AT(work, integration + layout__STRIP_INTEGRATION_SPIN) + v2 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN));
     s = v2 * AT(work, integration + layout__STRIP_INTEGRATION_SPIN);
-    EACH_LANE each(x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) * AT(work, integration + layout__STRIP_INTEGRATION_SLIP) + AT(work, integration + layout__STRIP_INTEGRATION_SLIP) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP));
+    EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) * AT(work, integration + layout__STRIP_INTEGRATION_SLIP) + AT(work, integration + layout__STRIP_INTEGRATION_SLIP) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP));
     x = AT(work, integration + layout__STRIP_INTEGRATION_SLIP) * AT(work, integration + layout__STRIP_INTEGRATION_SLIP);
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) + AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) + AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL));
     y = AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) * AT(work, integration + layout__STRIP_INTEGRATION_LATERAL);
-    EACH_LANE each(z_t) = each(s_t) * s + s * each(s_t);
+    EACH_DIRECTION each(z_t) = each(s_t) * s + s * each(s_t);
     z = s * s;
     v3 = x * i1 + y * i2 + z * i3 + traction_integration__NOTHING * i1;
     v4 = x + y + z + traction_integration__NOTHING;
     v5 = v3 / v4;
-    EACH_LANE each(centre_t) = (each(x_t) * i1 + x * each(i1_t) + (each(y_t) * i2 + y * each(i2_t)) + (each(z_t) * i3 + z * each(i3_t)) + traction_integration__NOTHING * each(i1_t) - v5 * (each(x_t) + each(y_t) + each(z_t))) / v4;
+    EACH_DIRECTION each(centre_t) = (each(x_t) * i1 + x * each(i1_t) + (each(y_t) * i2 + y * each(i2_t)) + (each(z_t) * i3 + z * each(i3_t)) + traction_integration__NOTHING * each(i1_t) - v5 * (each(x_t) + each(y_t) + each(z_t))) / v4;
     centre = v5;
     v6 = x * i1;
     v7 = y * i2;
     v8 = z * i3;
-    EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v6 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v7 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v8 * each(i3_t));
+    EACH_DIRECTION each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v6 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v7 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v8 * each(i3_t));
     fills = v6 * i1 + v7 * i2 + v8 * i3;
     v9 = AT(work, integration + layout__STRIP_INTEGRATION_RATE) * AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     v10 = 4.0 / v9;
-    EACH_LANE each(scale_t) = -v10 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * AT(work, integration + layout__STRIP_INTEGRATION_RATE) + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / v9;
+    EACH_DIRECTION each(scale_t) = -v10 * (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE)) * AT(work, integration + layout__STRIP_INTEGRATION_RATE) + AT(work, integration + layout__STRIP_INTEGRATION_RATE) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / v9;
     scale = v10;
     v11 = scale * fills;
     v12 = traction_integration__FILLS * traction_integration__FILLS;
     v13 = 1.0 + v11 / v12;
     v14 = 1.0 / v13;
-    EACH_LANE each(near_t) = -v14 * ((each(scale_t) * fills + scale * each(fills_t)) / v12) / v13;
+    EACH_DIRECTION each(near_t) = -v14 * ((each(scale_t) * fills + scale * each(fills_t)) / v12) / v13;
     near = v14;
     v15 = i1 - centre;
-    EACH_LANE each(i1_t) = each(centre_t) + ((each(i1_t) - each(centre_t)) * near + v15 * each(near_t));
+    EACH_DIRECTION each(i1_t) = each(centre_t) + ((each(i1_t) - each(centre_t)) * near + v15 * each(near_t));
     i1 = centre + v15 * near;
     v16 = i2 - centre;
-    EACH_LANE each(i2_t) = each(centre_t) + ((each(i2_t) - each(centre_t)) * near + v16 * each(near_t));
+    EACH_DIRECTION each(i2_t) = each(centre_t) + ((each(i2_t) - each(centre_t)) * near + v16 * each(near_t));
     i2 = centre + v16 * near;
     v17 = i3 - centre;
-    EACH_LANE each(i3_t) = each(centre_t) + ((each(i3_t) - each(centre_t)) * near + v17 * each(near_t));
+    EACH_DIRECTION each(i3_t) = each(centre_t) + ((each(i3_t) - each(centre_t)) * near + v17 * each(near_t));
     i3 = centre + v17 * near;
     v18 = x * i1;
     v19 = y * i2;
     v20 = z * i3;
-    EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v18 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v19 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v20 * each(i3_t));
+    EACH_DIRECTION each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v18 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v19 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v20 * each(i3_t));
     fills = v18 * i1 + v19 * i2 + v20 * i3;
     v21 = traction_integration__LONG_LAG * ratio;
     v22 = ratio + traction_integration__LAG_RATIO;
     v23 = v21 / v22;
-    EACH_LANE each(lag_t) = (traction_integration__LONG_LAG * each(ratio_t) - v23 * each(ratio_t)) / v22;
+    EACH_DIRECTION each(lag_t) = (traction_integration__LONG_LAG * each(ratio_t) - v23 * each(ratio_t)) / v22;
     lag = traction_integration__LAG + v23;
     v24 = scale * fills;
     v25 = traction_integration__LAG_FILLS * traction_integration__LAG_FILLS;
     v26 = 1.0 + v24 / v25;
     v27 = lag / v26;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + number)) = (each(lag_t) - v27 * ((each(scale_t) * fills + scale * each(fills_t)) / v25)) / v26;
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + number)) = (each(lag_t) - v27 * ((each(scale_t) * fills + scale * each(fills_t)) / v25)) / v26;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + number) = v27;
     v28 = AT(work, integration + layout__STRIP_INTEGRATION_SLIP) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
-    EACH_LANE each(along_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) - v28 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_DIRECTION each(along_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SLIP)) - v28 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     along = v28;
     v29 = AT(work, integration + layout__STRIP_INTEGRATION_LATERAL) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
-    EACH_LANE each(across_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) - v29 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_DIRECTION each(across_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LATERAL)) - v29 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     across = v29;
     v30 = AT(work, integration + layout__STRIP_INTEGRATION_SPIN) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     v31 = v30 / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
-    EACH_LANE each(turning_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_SPIN) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - v31 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
+    EACH_DIRECTION each(turning_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_SPIN)) * AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) + AT(work, integration + layout__STRIP_INTEGRATION_SPIN) * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH)) - v31 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_RATE))) / AT(work, integration + layout__STRIP_INTEGRATION_RATE);
     turning = v31;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + number)) = each(along_t) * i1 + along * each(i1_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + number)) = each(along_t) * i1 + along * each(i1_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + number) = along * i1;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + number)) = each(across_t) * i2 + across * each(i2_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + number)) = each(across_t) * i2 + across * each(i2_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + number) = across * i2;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + number)) = each(turning_t) * i3 + turning * each(i3_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + number)) = each(turning_t) * i3 + turning * each(i3_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + number) = turning * i3;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + number)) = each(along_t) * centre + along * each(centre_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + number)) = each(along_t) * centre + along * each(centre_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + number) = along * centre;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + number)) = each(across_t) * centre + across * each(centre_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + number)) = each(across_t) * centre + across * each(centre_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + number) = across * centre;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + number)) = each(turning_t) * centre + turning * each(centre_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + number)) = each(turning_t) * centre + turning * each(centre_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + number) = turning * centre;
     return 0;
 }
 
 /* Derivative of ``set_stick``. */
-static inline int64_t derivative_traction_integration__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t integration, int64_t number)
+static inline int64_t derivative_traction_integration__set_stick_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t integration, int64_t number)
 {
-    lanes weight_t, depth_t, edge_t, lead_x_t, lead_y_t, inner_t;
+    directional_rate weight_t, depth_t, edge_t, lead_x_t, lead_y_t, inner_t;
     double weight, v1, v2, v3, depth, edge, behind, turning, v4, lead_x, v5, lead_y, v6, v7, inner, v8, v9, v10, v11, v12, v13;
     int64_t q;
-    EACH_LANE each(weight_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT));
+    EACH_DIRECTION each(weight_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT));
     weight = AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + number)) = -each(weight_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + number)) = -each(weight_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + number) = 1.0 - weight;
     v1 = 1.0 - weight;
     v2 = 1.0 - weight;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + number)) = -each(weight_t) * v2 + v1 * -each(weight_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + number)) = -each(weight_t) * v2 + v1 * -each(weight_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + number) = v1 * v2;
     if (weight > 0.0)
     {
         v3 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v3 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+        EACH_DIRECTION each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v3 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
         depth = v3;
-        EACH_LANE each(edge_t) = 2.0 * each(depth_t);
+        EACH_DIRECTION each(edge_t) = 2.0 * each(depth_t);
         edge = 2.0 * depth - 1.0;
         q = layout__POINT_LIMIT;
         behind = 0.0;
@@ -3787,35 +3787,35 @@ static inline int64_t derivative_traction_integration__set_stick_t(array_double_
             behind = behind + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
             turning = turning + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         }
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + number)) = each(weight_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + number)) = each(weight_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + number) = weight;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + number)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + number)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + number) = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + number)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + number)) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + number) = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + number)) = each(edge_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + number)) = each(edge_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + number) = edge;
         v4 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_X) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-        EACH_LANE each(lead_x_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) - v4 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * traction_integration__WHOLE;
+        EACH_DIRECTION each(lead_x_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_X)) - v4 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * traction_integration__WHOLE;
         lead_x = v4 * traction_integration__WHOLE;
         v5 = AT(work, integration + layout__STRIP_INTEGRATION_LEAD_Y) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-        EACH_LANE each(lead_y_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) - v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * traction_integration__WHOLE;
+        EACH_DIRECTION each(lead_y_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_LEAD_Y)) - v5 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH) * traction_integration__WHOLE;
         lead_y = v5 * traction_integration__WHOLE;
         v6 = 1.0 - depth;
         v7 = 1.0 - depth;
-        EACH_LANE each(inner_t) = -each(depth_t) * v7 + v6 * -each(depth_t);
+        EACH_DIRECTION each(inner_t) = -each(depth_t) * v7 + v6 * -each(depth_t);
         inner = v6 * v7;
         v8 = 2.0 - depth;
         v9 = lead_x * v8 - AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * behind;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) = each(weight_t) * v9 + weight * (each(lead_x_t) * v8 + lead_x * -each(depth_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * behind);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) = each(weight_t) * v9 + weight * (each(lead_x_t) * v8 + lead_x * -each(depth_t) - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * behind);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number) = weight * v9;
         v10 = 2.0 - depth;
         v11 = lead_y * v10 + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * traction_integration__WHOLE - AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * behind;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) = each(weight_t) * v11 + weight * (each(lead_y_t) * v10 + lead_y * -each(depth_t) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * traction_integration__WHOLE - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * behind);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) = each(weight_t) * v11 + weight * (each(lead_y_t) * v10 + lead_y * -each(depth_t) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * traction_integration__WHOLE - each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * behind);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number) = weight * v11;
         v12 = -weight;
         v13 = lead_y * inner + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * turning;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) = -each(weight_t) * v13 + v12 * (each(lead_y_t) * inner + lead_y * each(inner_t) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * turning);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) = -each(weight_t) * v13 + v12 * (each(lead_y_t) * inner + lead_y * each(inner_t) + each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * turning);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number) = v12 * v13;
         if (AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * AT(work, integration + layout__STRIP_INTEGRATION_TWIST) > 1.0)
         {
@@ -3823,9 +3823,9 @@ static inline int64_t derivative_traction_integration__set_stick_t(array_double_
         }
         if (q < layout__POINT_LIMIT)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q));
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q);
-            RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = all_lanes(0.0);
+            RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = along_all(0.0);
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_AT_POINT + q) = (double)number;
         }
     }
@@ -3833,46 +3833,46 @@ static inline int64_t derivative_traction_integration__set_stick_t(array_double_
 }
 
 /* Derivative of ``add_beyond``. */
-static inline int64_t derivative_traction_integration__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t integration, int64_t number, int64_t last)
+static inline int64_t derivative_traction_integration__add_beyond_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t integration, int64_t number, int64_t last)
 {
     double v1, depth, bound, away, v2, v3, inner, v4, root, v5, p_x, v6, p_y, cut_x, cut_y, weight, v7, v8, v9, v10;
-    lanes depth_t, away_t, inner_t, root_t, p_x_t, p_y_t, cut_x_t, cut_y_t, weight_t;
+    directional_rate depth_t, away_t, inner_t, root_t, p_x_t, p_y_t, cut_x_t, cut_y_t, weight_t;
     int64_t q;
     v1 = AT(work, integration + layout__STRIP_INTEGRATION_DEPTH) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
-    EACH_LANE each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
+    EACH_DIRECTION each(depth_t) = (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_DEPTH)) - v1 * each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_HALF_LENGTH))) / AT(work, integration + layout__STRIP_INTEGRATION_HALF_LENGTH);
     depth = v1;
     for (q = 0; q < last; q += 1)
     {
         bound = AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        EACH_LANE each(away_t) = -each(depth_t);
+        EACH_DIRECTION each(away_t) = -each(depth_t);
         away = AT(tables, table + layout__ROLLING_TABLE_COSINES + q) - depth;
         v2 = 1.0 - depth;
         v3 = 1.0 - depth;
-        EACH_LANE each(inner_t) = -each(depth_t) * v3 + v2 * -each(depth_t) - (each(away_t) * away + away * each(away_t));
+        EACH_DIRECTION each(inner_t) = -each(depth_t) * v3 + v2 * -each(depth_t) - (each(away_t) * away + away * each(away_t));
         inner = v2 * v3 - away * away;
         if (inner > 0.0)
         {
             v4 = sqrt(inner);
-            EACH_LANE each(root_t) = derivative_rates__root_rate(v4, each(inner_t));
+            EACH_DIRECTION each(root_t) = derivative_rates__root_rate(v4, each(inner_t));
             root = v4;
             v5 = bound - root;
-            EACH_LANE each(p_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * -each(root_t);
+            EACH_DIRECTION each(p_x_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_X)) * v5 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * -each(root_t);
             p_x = AT(work, integration + layout__STRIP_INTEGRATION_STICK_X) * v5;
             v6 = bound - root;
-            EACH_LANE each(p_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * v6 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * -each(root_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * root + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(root_t));
+            EACH_DIRECTION each(p_y_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_STICK_Y)) * v6 + AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * -each(root_t) + (each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_TWIST)) * root + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * each(root_t));
             p_y = AT(work, integration + layout__STRIP_INTEGRATION_STICK_Y) * v6 + AT(work, integration + layout__STRIP_INTEGRATION_TWIST) * root;
-            derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, all_lanes(0.0));
-            EACH_LANE each(weight_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) * bound;
+            derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, along_all(0.0));
+            EACH_DIRECTION each(weight_t) = each(RATE_AT(work_t, integration + layout__STRIP_INTEGRATION_WEIGHT)) * bound;
             weight = AT(work, integration + layout__STRIP_INTEGRATION_WEIGHT) * bound;
             v7 = cut_x - p_x;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) + (each(weight_t) * v7 + weight * (each(cut_x_t) - each(p_x_t)));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number)) + (each(weight_t) * v7 + weight * (each(cut_x_t) - each(p_x_t)));
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + number) + weight * v7;
             v8 = cut_y - p_y;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) + (each(weight_t) * v8 + weight * (each(cut_y_t) - each(p_y_t)));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number)) + (each(weight_t) * v8 + weight * (each(cut_y_t) - each(p_y_t)));
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + number) + weight * v8;
             v9 = weight * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
             v10 = cut_y - p_y;
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) + (each(weight_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q) * v10 + v9 * (each(cut_y_t) - each(p_y_t)));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number)) + (each(weight_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q) * v10 + v9 * (each(cut_y_t) - each(p_y_t)));
             AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + number) + v9 * v10;
         }
     }
@@ -3880,12 +3880,12 @@ static inline int64_t derivative_traction_integration__add_beyond_t(array_double
 }
 
 /* Derivative of ``integrate_strips``. */
-static inline int64_t derivative_traction_integration__integrate_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls)
+static inline int64_t derivative_traction_integration__integrate_strips_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, bool falls)
 {
     double before, x, bound, friction, v1, v2, v3;
     bool slipping;
     int64_t q, first, strip;
-    lanes friction_t;
+    directional_rate friction_t;
     before = 1.0;
     slipping = traction_integration__has_slip(work);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
@@ -3896,21 +3896,21 @@ static inline int64_t derivative_traction_integration__integrate_strips_t(array_
         strip = first;
         while (strip >= 0)
         {
-            derivative_traction_integration__reach_edge_t(work, work_t, strip, before, all_lanes(0.0), x, all_lanes(0.0), bound, all_lanes(0.0));
+            derivative_traction_integration__reach_edge_t(work, work_t, strip, before, along_all(0.0), x, along_all(0.0), bound, along_all(0.0));
             strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + strip);
         }
-        derivative_traction_integration__integrate_first_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
+        derivative_traction_integration__integrate_first_t(work, work_t, x, along_all(0.0), bound, along_all(0.0), before - x, along_all(0.0));
         if (falls)
         {
-            derivative_falling__find_shares_t(work, work_t, x, all_lanes(0.0));
+            derivative_falling__find_shares_t(work, work_t, x, along_all(0.0));
         }
         if (slipping)
         {
             if (falls)
             {
-                derivative_falling__weigh_slips_t(work, work_t, bound, all_lanes(0.0));
+                derivative_falling__weigh_slips_t(work, work_t, bound, along_all(0.0));
             }
-            derivative_traction_integration__integrate_second_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
+            derivative_traction_integration__integrate_second_t(work, work_t, x, along_all(0.0), bound, along_all(0.0), before - x, along_all(0.0));
             if (falls)
             {
                 derivative_falling__restore_slips_t(work, work_t);
@@ -3919,19 +3919,19 @@ static inline int64_t derivative_traction_integration__integrate_strips_t(array_
         strip = first;
         while (strip >= 0)
         {
-            friction_t = all_lanes(0.0);
+            friction_t = along_all(0.0);
             friction = 1.0;
             if (falls)
             {
-                EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip));
+                EACH_DIRECTION each(friction_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip));
                 friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
                 v1 = bound * bound;
                 v2 = v1 * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + strip);
                 v3 = 1.0 - friction;
-                EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) + (v1 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + strip)) * v3 + v2 * -each(friction_t));
+                EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) + (v1 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + strip)) * v3 + v2 * -each(friction_t));
                 AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) + v2 * v3;
             }
-            derivative_traction_integration__leave_edge_t(work, work_t, strip, x, all_lanes(0.0), bound, all_lanes(0.0), friction, friction_t);
+            derivative_traction_integration__leave_edge_t(work, work_t, strip, x, along_all(0.0), bound, along_all(0.0), friction, friction_t);
             slipping = true;
             strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NEXT + strip);
         }
@@ -3941,336 +3941,336 @@ static inline int64_t derivative_traction_integration__integrate_strips_t(array_
 }
 
 /* Derivative of ``integrate_first``. */
-static inline int64_t derivative_traction_integration__integrate_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
+static inline int64_t derivative_traction_integration__integrate_first_t(array_double_1d work, array_directional_rate_1d work_t, double x, directional_rate x_t, double bound, directional_rate bound_t, double step, directional_rate step_t)
 {
-    lanes limit_t, at_t, along_t, across_t, v2_t, square_t, cut_t;
+    directional_rate limit_t, at_t, along_t, across_t, v2_t, square_t, cut_t;
     double limit, at, along, v1, across, v2, square, v3, v4, cut;
     int64_t i;
-    EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
+    EACH_DIRECTION each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
     limit = bound * bound;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t));
+        EACH_DIRECTION each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t));
         at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step;
-        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i)));
+        EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i)));
         along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_X + i);
         v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i) * at;
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) - (each(step_t) * v1 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i) * each(at_t))));
+        EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) - (each(step_t) * v1 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_PUSH_TURN + i) * each(at_t))));
         across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) - step * v1;
         v2 = along * along + across * across;
-        EACH_LANE each(v2_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
+        EACH_DIRECTION each(v2_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
         if (limit > v2)
         {
             v2 = limit;
-            EACH_LANE each(v2_t) = each(limit_t);
+            EACH_DIRECTION each(v2_t) = each(limit_t);
         }
-        EACH_LANE each(square_t) = each(v2_t);
+        EACH_DIRECTION each(square_t) = each(v2_t);
         square = v2;
         v3 = sqrt(square);
         v4 = bound / v3;
-        EACH_LANE each(cut_t) = (each(bound_t) - v4 * derivative_rates__root_rate(v3, each(square_t))) / v3;
+        EACH_DIRECTION each(cut_t) = (each(bound_t) - v4 * derivative_rates__root_rate(v3, each(square_t))) / v3;
         cut = v4;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) = each(cut_t) * along + cut * each(along_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) = each(cut_t) * along + cut * each(along_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) = cut * along;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) = each(cut_t) * across + cut * each(across_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) = each(cut_t) * across + cut * each(across_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) = cut * across;
     }
     return 0;
 }
 
 /* Derivative of ``integrate_second``. */
-static inline int64_t derivative_traction_integration__integrate_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
+static inline int64_t derivative_traction_integration__integrate_second_t(array_double_1d work, array_directional_rate_1d work_t, double x, directional_rate x_t, double bound, directional_rate bound_t, double step, directional_rate step_t)
 {
-    lanes share_t, limit_t, soft_t, at_t, second_x_t, second_y_t, v3_t, square_t, cut_t, along_t, across_t, scale_t, v14_t, largest_t;
+    directional_rate share_t, limit_t, soft_t, at_t, second_x_t, second_y_t, v3_t, square_t, cut_t, along_t, across_t, scale_t, v14_t, largest_t;
     double share, limit, v1, soft, at, second_x, v2, second_y, v3, square, v4, v5, cut, v6, along, v7, across, v8, v9, v10, v11, scale, v12, v13, v14, largest, v15;
     int64_t i;
-    EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE));
+    EACH_DIRECTION each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE));
     share = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE);
-    EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
+    EACH_DIRECTION each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
     limit = bound * bound;
     v1 = traction_integration__SOFT * traction_integration__SOFT;
-    EACH_LANE each(soft_t) = v1 * each(limit_t);
+    EACH_DIRECTION each(soft_t) = v1 * each(limit_t);
     soft = v1 * limit;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
-        EACH_LANE each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t));
+        EACH_DIRECTION each(at_t) = each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t));
         at = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step;
-        EACH_LANE each(second_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i)));
+        EACH_DIRECTION each(second_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i)));
         second_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i);
         v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * at;
-        EACH_LANE each(second_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) - (each(step_t) * v2 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * each(at_t))));
+        EACH_DIRECTION each(second_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) - (each(step_t) * v2 + step * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i)) * at + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * each(at_t))));
         second_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) - step * v2;
         v3 = second_x * second_x + second_y * second_y;
-        EACH_LANE each(v3_t) = each(second_x_t) * second_x + second_x * each(second_x_t) + (each(second_y_t) * second_y + second_y * each(second_y_t));
+        EACH_DIRECTION each(v3_t) = each(second_x_t) * second_x + second_x * each(second_x_t) + (each(second_y_t) * second_y + second_y * each(second_y_t));
         if (limit > v3)
         {
             v3 = limit;
-            EACH_LANE each(v3_t) = each(limit_t);
+            EACH_DIRECTION each(v3_t) = each(limit_t);
         }
-        EACH_LANE each(square_t) = each(v3_t);
+        EACH_DIRECTION each(square_t) = each(v3_t);
         square = v3;
         v4 = sqrt(square);
         v5 = bound / v4;
-        EACH_LANE each(cut_t) = (each(bound_t) - v5 * derivative_rates__root_rate(v4, each(square_t))) / v4;
+        EACH_DIRECTION each(cut_t) = (each(bound_t) - v5 * derivative_rates__root_rate(v4, each(square_t))) / v4;
         cut = v5;
-        EACH_LANE each(second_x_t) = each(second_x_t) * cut + second_x * each(cut_t);
+        EACH_DIRECTION each(second_x_t) = each(second_x_t) * cut + second_x * each(cut_t);
         second_x = second_x * cut;
-        EACH_LANE each(second_y_t) = each(second_y_t) * cut + second_y * each(cut_t);
+        EACH_DIRECTION each(second_y_t) = each(second_y_t) * cut + second_y * each(cut_t);
         second_y = second_y * cut;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) = each(second_x_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) = each(second_x_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) = second_x;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) = each(second_y_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) = each(second_y_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) = second_y;
         v6 = second_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i);
-        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) + (each(share_t) * v6 + share * (each(second_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i))));
+        EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) + (each(share_t) * v6 + share * (each(second_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i))));
         along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) + share * v6;
         v7 = second_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i);
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) + (each(share_t) * v7 + share * (each(second_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i))));
+        EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) + (each(share_t) * v7 + share * (each(second_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i))));
         across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) + share * v7;
-        EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
+        EACH_DIRECTION each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
         square = along * along + across * across;
         v8 = 1.0 - traction_integration__SOFT * traction_integration__SOFT;
         v9 = v8 * square + soft;
         v10 = sqrt(v9);
         v11 = bound / v10;
-        EACH_LANE each(scale_t) = (each(bound_t) - v11 * derivative_rates__root_rate(v10, v8 * each(square_t) + each(soft_t))) / v10;
+        EACH_DIRECTION each(scale_t) = (each(bound_t) - v11 * derivative_rates__root_rate(v10, v8 * each(square_t) + each(soft_t))) / v10;
         scale = v11;
         v12 = square * scale;
         v13 = v12 * scale;
         v14 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) * v13;
-        EACH_LANE each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) * v13 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) * ((each(square_t) * scale + square * each(scale_t)) * scale + v12 * each(scale_t));
+        EACH_DIRECTION each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i)) * v13 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) * ((each(square_t) * scale + square * each(scale_t)) * scale + v12 * each(scale_t));
         if (AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) > v14)
         {
             v14 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i);
-            EACH_LANE each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i));
+            EACH_DIRECTION each(v14_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i));
         }
-        EACH_LANE each(largest_t) = each(v14_t);
+        EACH_DIRECTION each(largest_t) = each(v14_t);
         largest = v14;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) = each(largest_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) = each(largest_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) = largest;
         v15 = bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
-        EACH_LANE each(scale_t) = each(scale_t) * v15 + scale * (each(bound_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) + bound * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)));
+        EACH_DIRECTION each(scale_t) = each(scale_t) * v15 + scale * (each(bound_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) + bound * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)));
         scale = scale * v15;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(scale_t) * along + scale * each(along_t));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(scale_t) * along + scale * each(along_t));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + scale * along;
-        EACH_LANE each(across_t) = each(across_t) * scale + across * each(scale_t);
+        EACH_DIRECTION each(across_t) = each(across_t) * scale + across * each(scale_t);
         across = across * scale;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + each(across_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + each(across_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + across;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + (each(x_t) * across + x * each(across_t));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + (each(x_t) * across + x * each(across_t));
         AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + x * across;
     }
     return 0;
 }
 
 /* Derivative of ``reach_edge``. */
-static inline int64_t derivative_traction_integration__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t)
+static inline int64_t derivative_traction_integration__reach_edge_t(array_double_1d work, array_directional_rate_1d work_t, int64_t i, double before, directional_rate before_t, double x, directional_rate x_t, double bound, directional_rate bound_t)
 {
-    lanes edge_t, weight_t, v1_t, edge_bound_t, start_x_t, start_y_t, to_x_t, to_y_t, near_t, rates, rates_2;
+    directional_rate edge_t, weight_t, v1_t, edge_bound_t, start_x_t, start_y_t, to_x_t, to_y_t, near_t, rates, rates_2;
     double edge, weight, v1, edge_bound, v2, start_x, v3, start_y, to_x, to_y, v4, v5, v6, v7, v8, near, v9, v10, v11, v12;
-    EACH_LANE each(edge_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i));
+    EACH_DIRECTION each(edge_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i));
     edge = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i);
-    EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i));
+    EACH_DIRECTION each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i));
     weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i);
-    EACH_LANE each(rates) = -(each(edge_t) * edge + edge * each(edge_t));
+    EACH_DIRECTION each(rates) = -(each(edge_t) * edge + edge * each(edge_t));
     derivative_traction_integration__sqrt_of_t(&v1, &v1_t, 1.0 - edge * edge, rates);
-    EACH_LANE each(edge_bound_t) = each(v1_t);
+    EACH_DIRECTION each(edge_bound_t) = each(v1_t);
     edge_bound = v1;
     v2 = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i);
-    EACH_LANE each(start_x_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i))) * edge_bound + v2 * each(edge_bound_t);
+    EACH_DIRECTION each(start_x_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i))) * edge_bound + v2 * each(edge_bound_t);
     start_x = v2 * edge_bound;
     v3 = weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i);
-    EACH_LANE each(start_y_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i))) * edge_bound + v3 * each(edge_bound_t);
+    EACH_DIRECTION each(start_y_t) = (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i))) * edge_bound + v3 * each(edge_bound_t);
     start_y = v3 * edge_bound;
     if (weight < 1.0)
     {
-        EACH_LANE each(rates_2) = each(before_t) - each(edge_t);
+        EACH_DIRECTION each(rates_2) = each(before_t) - each(edge_t);
         derivative_traction_integration__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i), edge, edge_t, before - edge, rates_2);
         derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, edge_bound, edge_bound_t);
         v4 = 1.0 - weight;
-        EACH_LANE each(start_x_t) = each(start_x_t) + (-each(weight_t) * to_x + v4 * each(to_x_t));
+        EACH_DIRECTION each(start_x_t) = each(start_x_t) + (-each(weight_t) * to_x + v4 * each(to_x_t));
         start_x = start_x + v4 * to_x;
         v5 = 1.0 - weight;
-        EACH_LANE each(start_y_t) = each(start_y_t) + (-each(weight_t) * to_y + v5 * each(to_y_t));
+        EACH_DIRECTION each(start_y_t) = each(start_y_t) + (-each(weight_t) * to_y + v5 * each(to_y_t));
         start_y = start_y + v5 * to_y;
     }
     derivative_traction_integration__note_largest_t(work, work_t, i, start_x, start_x_t, start_y, start_y_t);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i)) = each(start_x_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i)) = each(start_x_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i) = start_x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i)) = each(start_y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i)) = each(start_y_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i) = start_y;
     v6 = edge - x;
     v7 = before - x;
     v8 = v6 / v7;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i)) = (each(edge_t) - each(x_t) - v8 * (each(before_t) - each(x_t))) / v7;
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i)) = (each(edge_t) - each(x_t) - v8 * (each(before_t) - each(x_t))) / v7;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i) = v8;
-    EACH_LANE each(near_t) = -each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i));
+    EACH_DIRECTION each(near_t) = -each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i));
     near = 1.0 - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i);
     v9 = 1.0 - weight;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(near_t) * v9 + near * -each(weight_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i)) = each(near_t) * v9 + near * -each(weight_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = near * v9;
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = along_all(0.0);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = 0.0;
     v10 = near * bound;
     v11 = v10 * bound;
-    EACH_LANE each(weight_t) = each(weight_t) * v11 + weight * ((each(near_t) * bound + near * each(bound_t)) * bound + v10 * each(bound_t));
+    EACH_DIRECTION each(weight_t) = each(weight_t) * v11 + weight * ((each(near_t) * bound + near * each(bound_t)) * bound + v10 * each(bound_t));
     weight = weight * v11;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i)));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i)));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i);
     v12 = weight * x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + ((each(weight_t) * x + weight * each(x_t)) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + v12 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + ((each(weight_t) * x + weight * each(x_t)) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + v12 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i)));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + v12 * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i);
     return 0;
 }
 
 /* Derivative of ``leave_edge``. */
-static inline int64_t derivative_traction_integration__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t)
+static inline int64_t derivative_traction_integration__leave_edge_t(array_double_1d work, array_directional_rate_1d work_t, int64_t i, double x, directional_rate x_t, double bound, directional_rate bound_t, double friction, directional_rate friction_t)
 {
-    lanes weight_t, near_t, p_x_t, p_y_t, slip_x_t, slip_y_t, step_t, to_x_t, to_y_t, kept_t, share_t, rates, rates_2;
+    directional_rate weight_t, near_t, p_x_t, p_y_t, slip_x_t, slip_y_t, step_t, to_x_t, to_y_t, kept_t, share_t, rates, rates_2;
     double weight, near, p_x, p_y, slip_x, slip_y, v1, v2, step, to_x, to_y, kept, v3, v4, share, v5, v6, v7, v8, v9;
-    EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i));
+    EACH_DIRECTION each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i));
     weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICKS + i);
-    EACH_LANE each(near_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i));
+    EACH_DIRECTION each(near_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i));
     near = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i);
-    p_x_t = all_lanes(0.0);
+    p_x_t = along_all(0.0);
     p_x = 0.0;
-    p_y_t = all_lanes(0.0);
+    p_y_t = along_all(0.0);
     p_y = 0.0;
     if (weight < 1.0)
     {
         derivative_traction_integration__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
         v1 = near * friction;
-        EACH_LANE each(p_x_t) = (each(near_t) * friction + near * each(friction_t)) * slip_x + v1 * each(slip_x_t);
+        EACH_DIRECTION each(p_x_t) = (each(near_t) * friction + near * each(friction_t)) * slip_x + v1 * each(slip_x_t);
         p_x = v1 * slip_x;
         v2 = near * friction;
-        EACH_LANE each(p_y_t) = (each(near_t) * friction + near * each(friction_t)) * slip_y + v2 * each(slip_y_t);
+        EACH_DIRECTION each(p_y_t) = (each(near_t) * friction + near * each(friction_t)) * slip_y + v2 * each(slip_y_t);
         p_y = v2 * slip_y;
     }
-    EACH_LANE each(step_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i)) - each(x_t);
+    EACH_DIRECTION each(step_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i)) - each(x_t);
     step = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE + i) - x;
     derivative_traction_integration__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i), RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_Y + i), x, x_t, step, step_t);
     derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, bound, bound_t);
     if (weight < traction_integration__FAINT)
     {
-        EACH_LANE each(kept_t) = each(weight_t) / traction_integration__FAINT;
+        EACH_DIRECTION each(kept_t) = each(weight_t) / traction_integration__FAINT;
         kept = weight / traction_integration__FAINT;
         v3 = to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i);
-        EACH_LANE each(to_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) + (each(kept_t) * v3 + kept * (each(to_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i))));
+        EACH_DIRECTION each(to_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) + (each(kept_t) * v3 + kept * (each(to_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i))));
         to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) + kept * v3;
         v4 = to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i);
-        EACH_LANE each(to_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) + (each(kept_t) * v4 + kept * (each(to_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i))));
+        EACH_DIRECTION each(to_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) + (each(kept_t) * v4 + kept * (each(to_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i))));
         to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) + kept * v4;
     }
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) = each(to_x_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) = each(to_x_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) = to_x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) = each(to_y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) = each(to_y_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) = to_y;
     derivative_traction_integration__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
-    EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i));
+    EACH_DIRECTION each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i));
     share = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_EDGE_SHARE + i);
     v5 = share * friction;
-    EACH_LANE each(slip_x_t) = each(slip_x_t) * v5 + slip_x * (each(share_t) * friction + share * each(friction_t));
+    EACH_DIRECTION each(slip_x_t) = each(slip_x_t) * v5 + slip_x * (each(share_t) * friction + share * each(friction_t));
     slip_x = slip_x * v5;
     v6 = share * friction;
-    EACH_LANE each(slip_y_t) = each(slip_y_t) * v6 + slip_y * (each(share_t) * friction + share * each(friction_t));
+    EACH_DIRECTION each(slip_y_t) = each(slip_y_t) * v6 + slip_y * (each(share_t) * friction + share * each(friction_t));
     slip_y = slip_y * v6;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(bound_t) * slip_x + bound * each(slip_x_t));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i)) + (each(bound_t) * slip_x + bound * each(slip_x_t));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_X + i) + bound * slip_x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + (each(bound_t) * slip_y + bound * each(slip_y_t));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i)) + (each(bound_t) * slip_y + bound * each(slip_y_t));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_Y + i) + bound * slip_y;
     v7 = bound * x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v7 * each(slip_y_t));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i)) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v7 * each(slip_y_t));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SUM_MOMENT + i) + v7 * slip_y;
     v8 = 1.0 - share;
     v9 = v8 * bound;
-    EACH_LANE each(weight_t) = each(weight_t) * v9 + weight * (-each(share_t) * bound + v8 * each(bound_t));
+    EACH_DIRECTION each(weight_t) = each(weight_t) * v9 + weight * (-each(share_t) * bound + v8 * each(bound_t));
     weight = weight * v9;
-    EACH_LANE each(rates) = each(p_x_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i))) + each(slip_x_t);
-    EACH_LANE each(rates_2) = each(p_y_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i))) + each(slip_y_t);
+    EACH_DIRECTION each(rates) = each(p_x_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i))) + each(slip_x_t);
+    EACH_DIRECTION each(rates_2) = each(p_y_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i))) + each(slip_y_t);
     derivative_traction_integration__note_largest_t(work, work_t, i, p_x + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_X + i) + slip_x, rates, p_y + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_STICK_Y + i) + slip_y, rates_2);
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = along_all(0.0);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SLIPS + i) = 1.0;
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = along_all(0.0);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_NOTED + i) = 1.0;
     return 0;
 }
 
 /* Derivative of ``stepped``. */
-static inline void derivative_traction_integration__stepped_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t)
+static inline void derivative_traction_integration__stepped_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t i, double p_x, directional_rate p_x_t, double p_y, directional_rate p_y_t, double x, directional_rate x_t, double step, directional_rate step_t)
 {
     double v1, across;
-    lanes across_t;
+    directional_rate across_t;
     v1 = x + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * step;
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * (each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t))));
+    EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * (each(x_t) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i)) * step + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LAG + i) * each(step_t))));
     across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_TURN + i) * v1;
     *out_0 = p_x - step * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i);
-    EACH_LANE each(*out_1) = each(p_x_t) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i)));
+    EACH_DIRECTION each(*out_1) = each(p_x_t) - (each(step_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i) + step * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_CENTRE_X + i)));
     *out_2 = p_y - step * across;
-    EACH_LANE each(*out_3) = each(p_y_t) - (each(step_t) * across + step * each(across_t));
+    EACH_DIRECTION each(*out_3) = each(p_y_t) - (each(step_t) * across + step * each(across_t));
 }
 
 /* Derivative of ``slip_traction``. */
-static inline void derivative_traction_integration__slip_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t)
+static inline void derivative_traction_integration__slip_traction_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t i, double bound, directional_rate bound_t)
 {
     double v1, along, v2, across, square, v3, v4, v5, v6, v7, scale;
-    lanes along_t, across_t, square_t, scale_t;
+    directional_rate along_t, across_t, square_t, scale_t;
     v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i);
-    EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i))));
+    EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) * v1 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_X + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i))));
     along = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_X + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * v1;
     v2 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i) - AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i);
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) * v2 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i))));
+    EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE)) * v2 + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SECOND_Y + i)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i))));
     across = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_FIRST_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_SHARE) * v2;
-    EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
+    EACH_DIRECTION each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
     square = along * along + across * across;
     v3 = traction_integration__SOFT * traction_integration__SOFT;
     v4 = bound * bound - square;
     v5 = square + v3 * v4;
     v6 = sqrt(v5);
     v7 = bound / v6;
-    EACH_LANE each(scale_t) = (each(bound_t) - v7 * derivative_rates__root_rate(v6, each(square_t) + v3 * (each(bound_t) * bound + bound * each(bound_t) - each(square_t)))) / v6;
+    EACH_DIRECTION each(scale_t) = (each(bound_t) - v7 * derivative_rates__root_rate(v6, each(square_t) + v3 * (each(bound_t) * bound + bound * each(bound_t) - each(square_t)))) / v6;
     scale = v7;
     *out_0 = along * scale;
-    EACH_LANE each(*out_1) = each(along_t) * scale + along * each(scale_t);
+    EACH_DIRECTION each(*out_1) = each(along_t) * scale + along * each(scale_t);
     *out_2 = across * scale;
-    EACH_LANE each(*out_3) = each(across_t) * scale + across * each(scale_t);
+    EACH_DIRECTION each(*out_3) = each(across_t) * scale + across * each(scale_t);
 }
 
 /* Derivative of ``note_largest``. */
-static inline int64_t derivative_traction_integration__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t)
+static inline int64_t derivative_traction_integration__note_largest_t(array_double_1d work, array_directional_rate_1d work_t, int64_t i, double p_x, directional_rate p_x_t, double p_y, directional_rate p_y_t)
 {
-    lanes square_t, v1_t;
+    directional_rate square_t, v1_t;
     double square, v1;
-    EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
+    EACH_DIRECTION each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
     square = p_x * p_x + p_y * p_y;
     v1 = AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i);
-    EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i));
+    EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i));
     if (square > v1)
     {
         v1 = square;
-        EACH_LANE each(v1_t) = each(square_t);
+        EACH_DIRECTION each(v1_t) = each(square_t);
     }
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) = each(v1_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i)) = each(v1_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_INTEGRATIONS + layout__STRIP_INTEGRATIONS_LARGEST + i) = v1;
     return 0;
 }
 
 /* Derivative of ``sqrt_of``. */
-static inline void derivative_traction_integration__sqrt_of_t(double* root_out, lanes* root_t_out, double value, lanes value_t)
+static inline void derivative_traction_integration__sqrt_of_t(double* root_out, directional_rate* root_t_out, double value, directional_rate value_t)
 {
-    lanes root_t;
+    directional_rate root_t;
     double root, v1;
-    root_t = all_lanes(0.0);
+    root_t = along_all(0.0);
     root = 0.0;
     if (value > 0.0)
     {
         v1 = sqrt(value);
-        EACH_LANE each(root_t) = derivative_rates__root_rate(v1, each(value_t));
+        EACH_DIRECTION each(root_t) = derivative_rates__root_rate(v1, each(value_t));
         root = v1;
     }
     *root_out = root;
-    EACH_LANE each(*root_t_out) = each(root_t);
+    EACH_DIRECTION each(*root_t_out) = each(root_t);
 }
 
 
@@ -4280,38 +4280,38 @@ static inline void derivative_traction_integration__sqrt_of_t(double* root_out, 
  */
 
 /* Derivative of ``shape_place``. */
-static inline void derivative_tractions__shape_place_t(double* out_0, lanes* out_1, double axis_ratio, lanes axis_ratio_t)
+static inline void derivative_tractions__shape_place_t(double* out_0, directional_rate* out_1, double axis_ratio, directional_rate axis_ratio_t)
 {
     double v1, v2;
-    lanes v1_t;
+    directional_rate v1_t;
     derivative_powers__log_rule_t(&v1, &v1_t, axis_ratio, axis_ratio_t);
     v2 = v1 - layout__SHAPE_START;
     *out_0 = v2 * layout__SHAPE_PER_UNIT;
-    EACH_LANE each(*out_1) = each(v1_t) * layout__SHAPE_PER_UNIT;
+    EACH_DIRECTION each(*out_1) = each(v1_t) * layout__SHAPE_PER_UNIT;
 }
 
 /* Derivative of ``shape_value``. */
-static inline void derivative_tractions__shape_value_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t column, double place, lanes place_t)
+static inline void derivative_tractions__shape_value_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t column, double place, directional_rate place_t)
 {
     int64_t cell, at;
     double u, high, v1;
-    lanes u_t, high_t;
-    derivative_tables__table_cell_t(&cell, &u, &u_t, place, place_t, (double)layout__SHAPE_CELLS, all_lanes(0.0));
+    directional_rate u_t, high_t;
+    derivative_tables__table_cell_t(&cell, &u, &u_t, place, place_t, (double)layout__SHAPE_CELLS, along_all(0.0));
     at = layout__SHAPE_ROW * cell + 4 * column;
-    EACH_LANE each(high_t) = each(u_t) * AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 3));
+    EACH_DIRECTION each(high_t) = each(u_t) * AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 3));
     high = AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 2)) + u * AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 3));
     v1 = AT(tables, table + layout__ROLLING_TABLE_SHAPES + (at + 1)) + u * high;
     *out_0 = AT(tables, table + layout__ROLLING_TABLE_SHAPES + at) + u * v1;
-    EACH_LANE each(*out_1) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
+    EACH_DIRECTION each(*out_1) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
 }
 
 /* Derivative of ``kalker_coefficients``. */
-static inline void derivative_tractions__kalker_coefficients_t(double* v3_out, lanes* out_1, double* v5_out, lanes* out_3, double* v7_out, lanes* out_5, array_double_1d tables, int64_t table, double axis_ratio, lanes axis_ratio_t)
+static inline void derivative_tractions__kalker_coefficients_t(double* v3_out, directional_rate* out_1, double* v5_out, directional_rate* out_3, double* v7_out, directional_rate* out_5, array_double_1d tables, int64_t table, double axis_ratio, directional_rate axis_ratio_t)
 {
     double v1, place, v2, v3, v4, v5, v6, v7;
-    lanes v1_t, place_t, v2_t, v4_t, v6_t;
+    directional_rate v1_t, place_t, v2_t, v4_t, v6_t;
     derivative_tractions__shape_place_t(&v1, &v1_t, axis_ratio, axis_ratio_t);
-    EACH_LANE each(place_t) = each(v1_t);
+    EACH_DIRECTION each(place_t) = each(v1_t);
     place = v1;
     derivative_tractions__shape_value_t(&v2, &v2_t, tables, table, 0, place, place_t);
     v3 = 1.0 / v2;
@@ -4320,21 +4320,21 @@ static inline void derivative_tractions__kalker_coefficients_t(double* v3_out, l
     derivative_tractions__shape_value_t(&v6, &v6_t, tables, table, 2, place, place_t);
     v7 = 1.0 / v6;
     *v3_out = v3;
-    EACH_LANE each(*out_1) = -v3 * each(v2_t) / v2;
+    EACH_DIRECTION each(*out_1) = -v3 * each(v2_t) / v2;
     *v5_out = v5;
-    EACH_LANE each(*out_3) = -v5 * each(v4_t) / v4;
+    EACH_DIRECTION each(*out_3) = -v5 * each(v4_t) / v4;
     *v7_out = v7;
-    EACH_LANE each(*out_5) = -v7 * each(v6_t) / v6;
+    EACH_DIRECTION each(*out_5) = -v7 * each(v6_t) / v6;
 }
 
 /* Derivative of ``bound_rate``. */
-static inline void derivative_tractions__bound_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+static inline void derivative_tractions__bound_rate_t(double* rate_out, directional_rate* rate_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip)
 {
-    lanes a_t, rate_t;
+    directional_rate a_t, rate_t;
     double a, rate, v1, v2, v3, v4, v5;
-    EACH_LANE each(a_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    EACH_DIRECTION each(a_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     a = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-    rate_t = all_lanes(0.0);
+    rate_t = along_all(0.0);
     rate = 0.0;
     if (AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * AT(work, patch + layout__PATCH_HALF_WIDTH) > tractions__SLIGHT * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) && a > tractions__SLIGHT * AT(work, patch + layout__PATCH_HALF_LENGTH))
     {
@@ -4343,79 +4343,79 @@ static inline void derivative_tractions__bound_rate_t(double* rate_out, lanes* r
         v3 = M_PI * a;
         v4 = v3 * a;
         v5 = v2 / v4;
-        EACH_LANE each(rate_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * 2.0 * AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) - v5 * (M_PI * each(a_t) * a + v3 * each(a_t))) / v4;
+        EACH_DIRECTION each(rate_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * 2.0 * AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) - v5 * (M_PI * each(a_t) * a + v3 * each(a_t))) / v4;
         rate = v5;
     }
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
 }
 
 /* Derivative of ``cut_to``. */
-static inline void derivative_tractions__cut_to_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double along, lanes along_t, double across, lanes across_t, double bound, lanes bound_t)
+static inline void derivative_tractions__cut_to_t(double* along_out, directional_rate* along_t_out, double* across_out, directional_rate* across_t_out, double along, directional_rate along_t, double across, directional_rate across_t, double bound, directional_rate bound_t)
 {
-    lanes square_t, share_t;
+    directional_rate square_t, share_t;
     double square, v1, v2, share;
-    EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
+    EACH_DIRECTION each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
     square = along * along + across * across;
     if (square > bound * bound)
     {
         v1 = sqrt(square);
         v2 = bound / v1;
-        EACH_LANE each(share_t) = (each(bound_t) - v2 * derivative_rates__root_rate(v1, each(square_t))) / v1;
+        EACH_DIRECTION each(share_t) = (each(bound_t) - v2 * derivative_rates__root_rate(v1, each(square_t))) / v1;
         share = v2;
-        EACH_LANE each(along_t) = each(along_t) * share + along * each(share_t);
+        EACH_DIRECTION each(along_t) = each(along_t) * share + along * each(share_t);
         along = along * share;
-        EACH_LANE each(across_t) = each(across_t) * share + across * each(share_t);
+        EACH_DIRECTION each(across_t) = each(across_t) * share + across * each(share_t);
         across = across * share;
     }
     *along_out = along;
-    EACH_LANE each(*along_t_out) = each(along_t);
+    EACH_DIRECTION each(*along_t_out) = each(along_t);
     *across_out = across;
-    EACH_LANE each(*across_t_out) = each(across_t);
+    EACH_DIRECTION each(*across_t_out) = each(across_t);
 }
 
 /* Derivative of ``add_strip``. */
-static inline int64_t derivative_tractions__add_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double across, lanes across_t, double moment, lanes moment_t)
+static inline int64_t derivative_tractions__add_strip_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip, double along, directional_rate along_t, double across, directional_rate across_t, double moment, directional_rate moment_t)
 {
     double v1;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = each(along_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = each(along_t);
     AT(work, strip + layout__ROLLING_STRIP_FORCE_X) = along;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) = each(across_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) = each(across_t);
     AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) = across;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) = each(moment_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t));
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) = each(moment_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t));
     AT(work, strip + layout__ROLLING_STRIP_MOMENT) = moment + AT(work, strip + layout__ROLLING_STRIP_X) * across;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(along_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + along * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(along_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + along * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
     AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + along * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(across_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + across * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(across_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + across * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
     AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + across * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     v1 = moment + AT(work, strip + layout__ROLLING_STRIP_X) * across - AT(work, strip + layout__ROLLING_STRIP_Y) * along;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((each(moment_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) * along + AT(work, strip + layout__ROLLING_STRIP_Y) * each(along_t))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((each(moment_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) * along + AT(work, strip + layout__ROLLING_STRIP_Y) * each(along_t))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
     AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v1 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     return 0;
 }
 
 /* Derivative of ``patch_area``. */
-static inline void derivative_tractions__patch_area_t(double* area_out, lanes* area_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline void derivative_tractions__patch_area_t(double* area_out, directional_rate* area_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes area_t;
+    directional_rate area_t;
     double area, v1;
     int64_t i, strip;
-    area_t = all_lanes(0.0);
+    area_t = along_all(0.0);
     area = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         v1 = 2.0 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-        EACH_LANE each(area_t) = each(area_t) + (2.0 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        EACH_DIRECTION each(area_t) = each(area_t) + (2.0 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
         area = area + v1 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
     }
     *area_out = area;
-    EACH_LANE each(*area_t_out) = each(area_t);
+    EACH_DIRECTION each(*area_t_out) = each(area_t);
 }
 
 /* Derivative of ``point_weight``. */
-static inline void derivative_tractions__point_weight_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t strip)
+static inline void derivative_tractions__point_weight_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t strip)
 {
     *out_0 = tractions__WEIGHT * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-    EACH_LANE each(*out_1) = tractions__WEIGHT * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    EACH_DIRECTION each(*out_1) = tractions__WEIGHT * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
 }

@@ -8,28 +8,64 @@
  */
 
 /* Derivative of ``sine_cosine_rule``. */
-static inline void derivative_circle__sine_cosine_rule_t(double* sine_out, lanes* out_1, double* cosine_out, lanes* out_3, double x, lanes x_t)
+static inline void derivative_circle__sine_cosine_rule_t(double* sine_out, directional_rate* out_1, double* cosine_out, directional_rate* out_3, double x, directional_rate x_t)
 {
     double sine, cosine;
     circle__sine_cosine(&sine, &cosine, x);
     *sine_out = sine;
-    EACH_LANE each(*out_1) = cosine * each(x_t);
+    EACH_DIRECTION each(*out_1) = cosine * each(x_t);
     *cosine_out = cosine;
-    EACH_LANE each(*out_3) = -sine * each(x_t);
+    EACH_DIRECTION each(*out_3) = -sine * each(x_t);
 }
 
 /* Derivative of ``atan_rule``. */
-static inline void derivative_circle__atan_rule_t(double* out_0, lanes* out_1, double x, lanes x_t)
+static inline void derivative_circle__atan_rule_t(double* out_0, directional_rate* out_1, double x, directional_rate x_t)
 {
     *out_0 = circle__atan(x);
-    EACH_LANE each(*out_1) = each(x_t) / (1.0 + x * x);
+    EACH_DIRECTION each(*out_1) = each(x_t) / (1.0 + x * x);
 }
 
 /* Derivative of ``atan2_rule``. */
-static inline void derivative_circle__atan2_rule_t(double* out_0, lanes* out_1, double up, lanes up_t, double along, lanes along_t)
+static inline void derivative_circle__atan2_rule_t(double* out_0, directional_rate* out_1, double up, directional_rate up_t, double along, directional_rate along_t)
 {
     *out_0 = circle__atan2(up, along);
-    EACH_LANE each(*out_1) = (along * each(up_t) - up * each(along_t)) / (along * along + up * up);
+    EACH_DIRECTION each(*out_1) = (along * each(up_t) - up * each(along_t)) / (along * along + up * up);
+}
+
+
+/* ---- From derivative_pair.py; change that one.
+ *
+ * Derivatives of pair.py.
+ */
+
+/* Derivative of ``solve_pair``. */
+static inline void derivative_pair__solve_pair_t(double* determinant_out, directional_rate* determinant_t_out, double* x_out, directional_rate* x_t_out, double* y_out, directional_rate* y_t_out, double first, directional_rate first_t, double second, directional_rate second_t, double first_x, directional_rate first_x_t, double first_y, directional_rate first_y_t, double second_x, directional_rate second_x_t, double second_y, directional_rate second_y_t)
+{
+    directional_rate determinant_t, x_t, y_t;
+    double determinant, x, y, v1, v2, v3, v4;
+    EACH_DIRECTION each(determinant_t) = each(first_x_t) * second_y + first_x * each(second_y_t) - (each(second_x_t) * first_y + second_x * each(first_y_t));
+    determinant = first_x * second_y - second_x * first_y;
+    x_t = along_all(0.0);
+    x = 0.0;
+    y_t = along_all(0.0);
+    y = 0.0;
+    if (determinant != 0.0)
+    {
+        v1 = second * first_y - first * second_y;
+        v2 = v1 / determinant;
+        EACH_DIRECTION each(x_t) = (each(second_t) * first_y + second * each(first_y_t) - (each(first_t) * second_y + first * each(second_y_t)) - v2 * each(determinant_t)) / determinant;
+        x = v2;
+        v3 = first * second_x - second * first_x;
+        v4 = v3 / determinant;
+        EACH_DIRECTION each(y_t) = (each(first_t) * second_x + first * each(second_x_t) - (each(second_t) * first_x + second * each(first_x_t)) - v4 * each(determinant_t)) / determinant;
+        y = v4;
+    }
+    *determinant_out = determinant;
+    EACH_DIRECTION each(*determinant_t_out) = each(determinant_t);
+    *x_out = x;
+    EACH_DIRECTION each(*x_t_out) = each(x_t);
+    *y_out = y;
+    EACH_DIRECTION each(*y_t_out) = each(y_t);
 }
 
 
@@ -39,32 +75,32 @@ static inline void derivative_circle__atan2_rule_t(double* out_0, lanes* out_1, 
  */
 
 /* Derivative of ``exp_rule``. */
-static inline void derivative_powers__exp_rule_t(double* value_out, lanes* out_1, double x, lanes x_t)
+static inline void derivative_powers__exp_rule_t(double* value_out, directional_rate* out_1, double x, directional_rate x_t)
 {
     double value;
     value = powers__exp(x);
     *value_out = value;
-    EACH_LANE each(*out_1) = value * each(x_t);
+    EACH_DIRECTION each(*out_1) = value * each(x_t);
 }
 
 /* Derivative of ``log_rule``. */
-static inline void derivative_powers__log_rule_t(double* out_0, lanes* out_1, double x, lanes x_t)
+static inline void derivative_powers__log_rule_t(double* out_0, directional_rate* out_1, double x, directional_rate x_t)
 {
     *out_0 = powers__log(x);
-    EACH_LANE each(*out_1) = each(x_t) / x;
+    EACH_DIRECTION each(*out_1) = each(x_t) / x;
 }
 
 /* Derivative of ``cube_root_rule``. */
-static inline void derivative_powers__cube_root_rule_t(double* root_out, lanes* rate_out, double x, lanes x_t)
+static inline void derivative_powers__cube_root_rule_t(double* root_out, directional_rate* rate_out, double x, directional_rate x_t)
 {
     double root;
-    lanes rate;
+    directional_rate rate;
     root = powers__cube_root(x);
-    rate = all_lanes(0.0);
+    rate = along_all(0.0);
     if (x != 0.0)
     {
-        EACH_LANE each(rate) = root / (3.0 * x) * each(x_t);
+        EACH_DIRECTION each(rate) = root / (3.0 * x) * each(x_t);
     }
     *root_out = root;
-    EACH_LANE each(*rate_out) = each(rate);
+    EACH_DIRECTION each(*rate_out) = each(rate);
 }

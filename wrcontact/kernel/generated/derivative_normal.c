@@ -8,117 +8,117 @@
  */
 
 /* Derivative of ``region_influence``. */
-static inline void derivative_analyn__region_influence_t(double* result_out, lanes* result_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t one, int64_t other)
+static inline void derivative_analyn__region_influence_t(double* result_out, directional_rate* result_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t one, int64_t other)
 {
-    lanes distance_t, v1_t, lead_t, squares_t, apart_t, result_t, v7_t;
+    directional_rate distance_t, v1_t, lead_t, squares_t, apart_t, result_t, v7_t;
     double distance, v1, lead, squares, v2, v3, apart, v4, v5, v6, result, v7;
-    EACH_LANE each(distance_t) = each(RATE_AT(work_t, one + layout__REGION_OFFSET)) + each(RATE_AT(work_t, one + layout__REGION_MIDDLE)) - each(RATE_AT(work_t, other + layout__REGION_OFFSET)) - each(RATE_AT(work_t, other + layout__REGION_MIDDLE));
+    EACH_DIRECTION each(distance_t) = each(RATE_AT(work_t, one + layout__REGION_OFFSET)) + each(RATE_AT(work_t, one + layout__REGION_MIDDLE)) - each(RATE_AT(work_t, other + layout__REGION_OFFSET)) - each(RATE_AT(work_t, other + layout__REGION_MIDDLE));
     distance = AT(work, one + layout__REGION_OFFSET) + AT(work, one + layout__REGION_MIDDLE) - AT(work, other + layout__REGION_OFFSET) - AT(work, other + layout__REGION_MIDDLE);
     derivative_analyn__region_lead_t(&v1, &v1_t, work, work_t, one, other);
-    EACH_LANE each(lead_t) = each(v1_t);
+    EACH_DIRECTION each(lead_t) = each(v1_t);
     lead = v1;
-    EACH_LANE each(squares_t) = each(RATE_AT(work_t, one + layout__REGION_SQUARE)) + each(RATE_AT(work_t, other + layout__REGION_SQUARE));
+    EACH_DIRECTION each(squares_t) = each(RATE_AT(work_t, one + layout__REGION_SQUARE)) + each(RATE_AT(work_t, other + layout__REGION_SQUARE));
     squares = AT(work, one + layout__REGION_SQUARE) + AT(work, other + layout__REGION_SQUARE);
     v2 = distance * distance + lead * lead + analyn__ELONGATED * squares;
     v3 = sqrt(v2);
-    EACH_LANE each(apart_t) = derivative_rates__root_rate(v3, each(distance_t) * distance + distance * each(distance_t) + (each(lead_t) * lead + lead * each(lead_t)) + analyn__ELONGATED * each(squares_t));
+    EACH_DIRECTION each(apart_t) = derivative_rates__root_rate(v3, each(distance_t) * distance + distance * each(distance_t) + (each(lead_t) * lead + lead * each(lead_t)) + analyn__ELONGATED * each(squares_t));
     apart = v3;
     v4 = M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
     v5 = v4 * apart;
     v6 = 1.0 / v5;
-    EACH_LANE each(result_t) = -v6 * (v4 * each(apart_t)) / v5;
+    EACH_DIRECTION each(result_t) = -v6 * (v4 * each(apart_t)) / v5;
     result = v6;
     derivative_analyn__planes_cosine_t(&v7, &v7_t, work, work_t, one, other);
-    EACH_LANE each(result_t) = each(result_t) * v7 + result * each(v7_t);
+    EACH_DIRECTION each(result_t) = each(result_t) * v7 + result * each(v7_t);
     result = result * v7;
     *result_out = result;
-    EACH_LANE each(*result_t_out) = each(result_t);
+    EACH_DIRECTION each(*result_t_out) = each(result_t);
 }
 
 /* Derivative of ``region_lead``. */
-static inline void derivative_analyn__region_lead_t(double* lead_out, lanes* lead_t_out, array_double_1d work, array_lanes_1d work_t, int64_t one, int64_t other)
+static inline void derivative_analyn__region_lead_t(double* lead_out, directional_rate* lead_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t one, int64_t other)
 {
-    lanes lead_t;
+    directional_rate lead_t;
     double lead;
-    lead_t = all_lanes(0.0);
+    lead_t = along_all(0.0);
     lead = 0.0;
     if (analyn__planes_cosine(work, one, other) < analyn__INCLINED)
     {
-        EACH_LANE each(lead_t) = each(RATE_AT(work_t, one + layout__REGION_X_TRACK)) - each(RATE_AT(work_t, other + layout__REGION_X_TRACK));
+        EACH_DIRECTION each(lead_t) = each(RATE_AT(work_t, one + layout__REGION_X_TRACK)) - each(RATE_AT(work_t, other + layout__REGION_X_TRACK));
         lead = AT(work, one + layout__REGION_X_TRACK) - AT(work, other + layout__REGION_X_TRACK);
     }
     *lead_out = lead;
-    EACH_LANE each(*lead_t_out) = each(lead_t);
+    EACH_DIRECTION each(*lead_t_out) = each(lead_t);
 }
 
 /* Derivative of ``planes_cosine``. */
-static inline void derivative_analyn__planes_cosine_t(double* cosine_out, lanes* cosine_t_out, array_double_1d work, array_lanes_1d work_t, int64_t one, int64_t other)
+static inline void derivative_analyn__planes_cosine_t(double* cosine_out, directional_rate* cosine_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t one, int64_t other)
 {
-    lanes cosine_t, v1_t;
+    directional_rate cosine_t, v1_t;
     double cosine, v1;
-    cosine_t = all_lanes(0.0);
+    cosine_t = along_all(0.0);
     cosine = 1.0;
     if (AT(work, one + layout__REGION_OWN) == 1.0 || AT(work, other + layout__REGION_OWN) == 1.0)
     {
         v1 = AT(work, one + layout__REGION_COS) * AT(work, other + layout__REGION_COS) + AT(work, one + layout__REGION_SIN) * AT(work, other + layout__REGION_SIN);
-        EACH_LANE each(v1_t) = each(RATE_AT(work_t, one + layout__REGION_COS)) * AT(work, other + layout__REGION_COS) + AT(work, one + layout__REGION_COS) * each(RATE_AT(work_t, other + layout__REGION_COS)) + (each(RATE_AT(work_t, one + layout__REGION_SIN)) * AT(work, other + layout__REGION_SIN) + AT(work, one + layout__REGION_SIN) * each(RATE_AT(work_t, other + layout__REGION_SIN)));
+        EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, one + layout__REGION_COS)) * AT(work, other + layout__REGION_COS) + AT(work, one + layout__REGION_COS) * each(RATE_AT(work_t, other + layout__REGION_COS)) + (each(RATE_AT(work_t, one + layout__REGION_SIN)) * AT(work, other + layout__REGION_SIN) + AT(work, one + layout__REGION_SIN) * each(RATE_AT(work_t, other + layout__REGION_SIN)));
         if (0.0 > v1)
         {
             v1 = 0.0;
-            v1_t = all_lanes(0.0);
+            v1_t = along_all(0.0);
         }
-        EACH_LANE each(cosine_t) = each(v1_t);
+        EACH_DIRECTION each(cosine_t) = each(v1_t);
         cosine = v1;
     }
     *cosine_out = cosine;
-    EACH_LANE each(*cosine_t_out) = each(cosine_t);
+    EACH_DIRECTION each(*cosine_t_out) = each(cosine_t);
 }
 
 /* Derivative of ``clip_to_bound``. */
-static inline void derivative_analyn__clip_to_bound_t(double* stop_out, lanes* stop_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, lanes stop_t)
+static inline void derivative_analyn__clip_to_bound_t(double* stop_out, directional_rate* stop_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, directional_rate stop_t)
 {
     double v1, v2, reach, v3, v4, v5, v6;
-    lanes reach_t, v5_t, v6_t;
+    directional_rate reach_t, v5_t, v6_t;
     v1 = AT(work, region + layout__REGION_HIGH) - AT(work, region + layout__REGION_STATION);
     v2 = v1 / AT(work, region + layout__REGION_SPACING);
-    EACH_LANE each(reach_t) = (each(RATE_AT(work_t, region + layout__REGION_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_STATION)) - v2 * each(RATE_AT(work_t, region + layout__REGION_SPACING))) / AT(work, region + layout__REGION_SPACING);
+    EACH_DIRECTION each(reach_t) = (each(RATE_AT(work_t, region + layout__REGION_HIGH)) - each(RATE_AT(work_t, region + layout__REGION_STATION)) - v2 * each(RATE_AT(work_t, region + layout__REGION_SPACING))) / AT(work, region + layout__REGION_SPACING);
     reach = v2 - (double)k;
     if (outward < 0)
     {
         v3 = AT(work, region + layout__REGION_STATION) - AT(work, region + layout__REGION_LOW);
         v4 = v3 / AT(work, region + layout__REGION_SPACING);
-        EACH_LANE each(reach_t) = (each(RATE_AT(work_t, region + layout__REGION_STATION)) - each(RATE_AT(work_t, region + layout__REGION_LOW)) - v4 * each(RATE_AT(work_t, region + layout__REGION_SPACING))) / AT(work, region + layout__REGION_SPACING);
+        EACH_DIRECTION each(reach_t) = (each(RATE_AT(work_t, region + layout__REGION_STATION)) - each(RATE_AT(work_t, region + layout__REGION_LOW)) - v4 * each(RATE_AT(work_t, region + layout__REGION_SPACING))) / AT(work, region + layout__REGION_SPACING);
         reach = v4 + (double)k;
     }
     v5 = stop;
-    EACH_LANE each(v5_t) = each(stop_t);
+    EACH_DIRECTION each(v5_t) = each(stop_t);
     if (reach < v5)
     {
         v5 = reach;
-        EACH_LANE each(v5_t) = each(reach_t);
+        EACH_DIRECTION each(v5_t) = each(reach_t);
     }
     v6 = v5;
-    EACH_LANE each(v6_t) = each(v5_t);
+    EACH_DIRECTION each(v6_t) = each(v5_t);
     if (0.0 > v6)
     {
         v6 = 0.0;
-        v6_t = all_lanes(0.0);
+        v6_t = along_all(0.0);
     }
-    EACH_LANE each(stop_t) = each(v6_t);
+    EACH_DIRECTION each(stop_t) = each(v6_t);
     stop = v6;
     *stop_out = stop;
-    EACH_LANE each(*stop_t_out) = each(stop_t);
+    EACH_DIRECTION each(*stop_t_out) = each(stop_t);
 }
 
 /* Derivative of ``region_load``. */
-static inline void derivative_analyn__region_load_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
+static inline void derivative_analyn__region_load_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes, double local_penetration, directional_rate local_penetration_t)
 {
-    lanes load_t, stiffness_t, d_before_t, c_before_t, d_low_t, c_low_t, d_high_t, c_high_t, f_low_t, f_high_t, v2_t, start_t, stop_t, v4_t, v5_t, v6_t, rates, rates_2, rates_3;
+    directional_rate load_t, stiffness_t, d_before_t, c_before_t, d_low_t, c_low_t, d_high_t, c_high_t, f_low_t, f_high_t, v2_t, start_t, stop_t, v4_t, v5_t, v6_t, rates, rates_2, rates_3;
     double load, stiffness, d_before, c_before, d_low, c_low, d_high, c_high, f_low, f_high, v1, v2, v3, start, stop, v4, v5, v6, v7, v8, v9, v10, v11;
     int64_t outward, last, k, at;
-    load_t = all_lanes(0.0);
+    load_t = along_all(0.0);
     load = 0.0;
-    stiffness_t = all_lanes(0.0);
+    stiffness_t = along_all(0.0);
     stiffness = 0.0;
     if (local_penetration > 0.0)
     {
@@ -129,34 +129,34 @@ static inline void derivative_analyn__region_load_t(double* out_0, lanes* out_1,
             {
                 last = -((int64_t)AT(work, region + layout__REGION_FIRST));
             }
-            EACH_LANE each(d_before_t) = each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + -outward));
+            EACH_DIRECTION each(d_before_t) = each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + -outward));
             d_before = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + -outward);
-            EACH_LANE each(c_before_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + -outward));
+            EACH_DIRECTION each(c_before_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + -outward));
             c_before = AT(work, nodes + layout__NODES_LINE + 128 + -outward);
-            EACH_LANE each(d_low_t) = each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + 0));
+            EACH_DIRECTION each(d_low_t) = each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + 0));
             d_low = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + 0);
-            EACH_LANE each(c_low_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + 0));
+            EACH_DIRECTION each(c_low_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + 0));
             c_low = AT(work, nodes + layout__NODES_LINE + 128 + 0);
             for (k = 0; k < last; k += 1)
             {
                 at = outward * (k + 1);
-                EACH_LANE each(d_high_t) = each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + at));
+                EACH_DIRECTION each(d_high_t) = each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + at));
                 d_high = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + at);
-                EACH_LANE each(c_high_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + at));
+                EACH_DIRECTION each(c_high_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + at));
                 c_high = AT(work, nodes + layout__NODES_LINE + 128 + at);
-                EACH_LANE each(f_low_t) = each(c_low_t) * d_low + c_low * each(d_low_t);
+                EACH_DIRECTION each(f_low_t) = each(c_low_t) * d_low + c_low * each(d_low_t);
                 f_low = c_low * d_low;
-                EACH_LANE each(f_high_t) = each(c_high_t) * d_high + c_high * each(d_high_t);
+                EACH_DIRECTION each(f_high_t) = each(c_high_t) * d_high + c_high * each(d_high_t);
                 f_high = c_high * d_high;
                 if (d_low > 0.0 && d_high > 0.0 && k < last - 1)
                 {
                     v1 = f_low + f_high;
-                    EACH_LANE each(rates) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                    EACH_DIRECTION each(rates) = each(c_before_t) * d_before + c_before * each(d_before_t);
                     derivative_quadrature__bend_of_t(&v2, &v2_t, c_before * d_before, rates, f_low, f_low_t, f_high, f_high_t);
-                    EACH_LANE each(load_t) = each(load_t) + (0.5 * (each(f_low_t) + each(f_high_t)) - each(v2_t) / 6.0);
+                    EACH_DIRECTION each(load_t) = each(load_t) + (0.5 * (each(f_low_t) + each(f_high_t)) - each(v2_t) / 6.0);
                     load = load + (0.5 * v1 - v2 / 6.0);
                     v3 = c_low + c_high;
-                    EACH_LANE each(stiffness_t) = each(stiffness_t) + 0.5 * (each(c_low_t) + each(c_high_t));
+                    EACH_DIRECTION each(stiffness_t) = each(stiffness_t) + 0.5 * (each(c_low_t) + each(c_high_t));
                     stiffness = stiffness + 0.5 * v3;
                 }
                 else if (d_low > 0.0 || d_high > 0.0)
@@ -165,81 +165,81 @@ static inline void derivative_analyn__region_load_t(double* out_0, lanes* out_1,
                     if (k == last - 1)
                     {
                         derivative_analyn__clip_to_bound_t(&v4, &v4_t, work, work_t, region, outward * k, outward, stop, stop_t);
-                        EACH_LANE each(stop_t) = each(v4_t);
+                        EACH_DIRECTION each(stop_t) = each(v4_t);
                         stop = v4;
                     }
                     if (stop > start)
                     {
-                        EACH_LANE each(rates_2) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                        EACH_DIRECTION each(rates_2) = each(c_before_t) * d_before + c_before * each(d_before_t);
                         derivative_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, rates_2, f_low, f_low_t, f_high, f_high_t, stop, stop_t);
-                        EACH_LANE each(rates_3) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                        EACH_DIRECTION each(rates_3) = each(c_before_t) * d_before + c_before * each(d_before_t);
                         derivative_quadrature__quadratic_integral_t(&v6, &v6_t, c_before * d_before, rates_3, f_low, f_low_t, f_high, f_high_t, start, start_t);
-                        EACH_LANE each(load_t) = each(load_t) + (each(v5_t) - each(v6_t));
+                        EACH_DIRECTION each(load_t) = each(load_t) + (each(v5_t) - each(v6_t));
                         load = load + (v5 - v6);
                         v7 = stop - start;
                         v8 = stop + start;
                         v9 = 0.5 * v8;
                         v10 = c_high - c_low;
                         v11 = c_low + v9 * v10;
-                        EACH_LANE each(stiffness_t) = each(stiffness_t) + ((each(stop_t) - each(start_t)) * v11 + v7 * (each(c_low_t) + (0.5 * (each(stop_t) + each(start_t)) * v10 + v9 * (each(c_high_t) - each(c_low_t)))));
+                        EACH_DIRECTION each(stiffness_t) = each(stiffness_t) + ((each(stop_t) - each(start_t)) * v11 + v7 * (each(c_low_t) + (0.5 * (each(stop_t) + each(start_t)) * v10 + v9 * (each(c_high_t) - each(c_low_t)))));
                         stiffness = stiffness + v7 * v11;
                     }
                 }
-                EACH_LANE each(d_before_t) = each(d_low_t);
+                EACH_DIRECTION each(d_before_t) = each(d_low_t);
                 d_before = d_low;
-                EACH_LANE each(c_before_t) = each(c_low_t);
+                EACH_DIRECTION each(c_before_t) = each(c_low_t);
                 c_before = c_low;
-                EACH_LANE each(d_low_t) = each(d_high_t);
+                EACH_DIRECTION each(d_low_t) = each(d_high_t);
                 d_low = d_high;
-                EACH_LANE each(c_low_t) = each(c_high_t);
+                EACH_DIRECTION each(c_low_t) = each(c_high_t);
                 c_low = c_high;
             }
         }
     }
     *out_0 = load * AT(work, region + layout__REGION_SPACING);
-    EACH_LANE each(*out_1) = each(load_t) * AT(work, region + layout__REGION_SPACING) + load * each(RATE_AT(work_t, region + layout__REGION_SPACING));
+    EACH_DIRECTION each(*out_1) = each(load_t) * AT(work, region + layout__REGION_SPACING) + load * each(RATE_AT(work_t, region + layout__REGION_SPACING));
     *out_2 = stiffness * AT(work, region + layout__REGION_SPACING);
-    EACH_LANE each(*out_3) = each(stiffness_t) * AT(work, region + layout__REGION_SPACING) + stiffness * each(RATE_AT(work_t, region + layout__REGION_SPACING));
+    EACH_DIRECTION each(*out_3) = each(stiffness_t) * AT(work, region + layout__REGION_SPACING) + stiffness * each(RATE_AT(work_t, region + layout__REGION_SPACING));
 }
 
 /* Derivative of ``load_regions``. */
-static inline void derivative_analyn__load_regions_t(double* total_out, lanes* total_t_out, array_double_1d work, array_lanes_1d work_t, int64_t count)
+static inline void derivative_analyn__load_regions_t(double* total_out, directional_rate* total_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t count)
 {
-    lanes total_t, load_t, stiffness_t;
+    directional_rate total_t, load_t, stiffness_t;
     double total, load, stiffness;
     int64_t i, region;
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
     for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, AT(work, region + layout__REGION_LOCAL_PENETRATION), RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOAD)) = each(load_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_LOAD)) = each(load_t);
         AT(work, region + layout__REGION_LOAD) = load;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) = each(stiffness_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) = each(stiffness_t);
         AT(work, region + layout__REGION_STIFFNESS) = stiffness;
-        EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, region + layout__REGION_SHARE)) * load + AT(work, region + layout__REGION_SHARE) * each(load_t));
+        EACH_DIRECTION each(total_t) = each(total_t) + (each(RATE_AT(work_t, region + layout__REGION_SHARE)) * load + AT(work, region + layout__REGION_SHARE) * each(load_t));
         total = total + AT(work, region + layout__REGION_SHARE) * load;
     }
     *total_out = total;
-    EACH_LANE each(*total_t_out) = each(total_t);
+    EACH_DIRECTION each(*total_t_out) = each(total_t);
 }
 
 /* Derivative of ``penetrations_rule``. */
-static inline void derivative_analyn__penetrations_rule_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool prescribed)
+static inline void derivative_analyn__penetrations_rule_t(double* penetration_out, directional_rate* penetration_t_out, bool* satisfied_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t count, double force, directional_rate force_t, double penetration, directional_rate penetration_t, bool prescribed)
 {
-    lanes given_t, v1_t, total_t, pushed_t, share_t, v2_t, rest_t, load_t, stiffness_t, n4, rates;
+    directional_rate given_t, v1_t, total_t, pushed_t, share_t, v2_t, rest_t, load_t, stiffness_t, n4, rates;
     double given, v1, total, pushed, share, v2, rest, load, stiffness, per_level, n3;
     bool satisfied;
     int64_t size, i, region, last, block, row, j;
-    EACH_LANE each(given_t) = each(penetration_t);
+    EACH_DIRECTION each(given_t) = each(penetration_t);
     given = penetration;
     analyn__solve_penetrations(&penetration, &satisfied, work, tables, count, force, penetration, prescribed);
-    penetration_t = all_lanes(0.0);
+    penetration_t = along_all(0.0);
     if (!satisfied)
     {
         *penetration_out = penetration;
-        EACH_LANE each(*penetration_t_out) = each(penetration_t);
+        EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
         *satisfied_out = satisfied;
         return;
     }
@@ -247,86 +247,86 @@ static inline void derivative_analyn__penetrations_rule_t(double* penetration_ou
     for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION) = all_lanes(0.0);
+        RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION) = along_all(0.0);
     }
     derivative_analyn__load_regions_t(&v1, &v1_t, work, work_t, count);
-    EACH_LANE each(total_t) = each(v1_t);
+    EACH_DIRECTION each(total_t) = each(v1_t);
     total = v1;
     last = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * count;
     for (i = 0; i < count; i += 1)
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
-        pushed_t = all_lanes(0.0);
+        pushed_t = along_all(0.0);
         pushed = 0.0;
         for (j = 0; j < count; j += 1)
         {
-            share_t = all_lanes(0.0);
+            share_t = along_all(0.0);
             share = 0.0;
             if (j != i)
             {
                 derivative_analyn__region_influence_t(&v2, &v2_t, work, work_t, tables, block, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j);
-                EACH_LANE each(share_t) = each(v2_t);
+                EACH_DIRECTION each(share_t) = each(v2_t);
                 share = v2;
             }
-            EACH_LANE each(pushed_t) = each(pushed_t) + (each(share_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD) + share * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)));
+            EACH_DIRECTION each(pushed_t) = each(pushed_t) + (each(share_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD) + share * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)));
             pushed = pushed + share * AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD);
-            RATE_AT(work_t, row + j) = all_lanes(0.0);
+            RATE_AT(work_t, row + j) = along_all(0.0);
             AT(work, row + j) = share;
         }
-        EACH_LANE each(rest_t) = each(RATE_AT(work_t, block + layout__REGION_ALIGNMENT)) * penetration - each(RATE_AT(work_t, block + layout__REGION_GAP)) - each(pushed_t);
+        EACH_DIRECTION each(rest_t) = each(RATE_AT(work_t, block + layout__REGION_ALIGNMENT)) * penetration - each(RATE_AT(work_t, block + layout__REGION_GAP)) - each(pushed_t);
         rest = AT(work, block + layout__REGION_ALIGNMENT) * penetration - AT(work, block + layout__REGION_GAP) - pushed;
-        RATE_AT(work_t, row + count) = all_lanes(0.0);
+        RATE_AT(work_t, row + count) = along_all(0.0);
         AT(work, row + count) = -AT(work, block + layout__REGION_ALIGNMENT);
-        EACH_LANE each(RATE_AT(work_t, row + size)) = each(rest_t);
+        EACH_DIRECTION each(RATE_AT(work_t, row + size)) = each(rest_t);
         AT(work, row + size) = 0.0;
-        RATE_AT(work_t, row + (size + 1)) = all_lanes(0.0);
+        RATE_AT(work_t, row + (size + 1)) = along_all(0.0);
         AT(work, row + (size + 1)) = 0.0;
     }
     for (j = 0; j < count; j += 1)
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j;
-        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * j, AT(work, block + layout__REGION_LOCAL_PENETRATION), all_lanes(1.0));
-        EACH_LANE each(rates) = each(load_t) - each(RATE_AT(work_t, block + layout__REGION_LOAD));
+        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * j, AT(work, block + layout__REGION_LOCAL_PENETRATION), along_all(1.0));
+        EACH_DIRECTION each(rates) = each(load_t) - each(RATE_AT(work_t, block + layout__REGION_LOAD));
         per_level = derivative_rates__common_rate(rates);
         for (i = 0; i < count; i += 1)
         {
-            RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i + j) = all_lanes(0.0);
+            RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i + j) = along_all(0.0);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i + j) = AT(work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i + j) * per_level;
         }
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * j + j) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * j + j) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * j + j) = AT(work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * j + j) + 1.0;
-        RATE_AT(work_t, last + j) = all_lanes(0.0);
+        RATE_AT(work_t, last + j) = along_all(0.0);
         AT(work, last + j) = 0.0;
         if (!prescribed)
         {
-            RATE_AT(work_t, last + j) = all_lanes(0.0);
+            RATE_AT(work_t, last + j) = along_all(0.0);
             AT(work, last + j) = AT(work, block + layout__REGION_SHARE) * per_level;
         }
     }
-    RATE_AT(work_t, last + count) = all_lanes(0.0);
+    RATE_AT(work_t, last + count) = along_all(0.0);
     AT(work, last + count) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, last + size)) = each(force_t) - each(total_t);
+    EACH_DIRECTION each(RATE_AT(work_t, last + size)) = each(force_t) - each(total_t);
     AT(work, last + size) = 0.0;
-    RATE_AT(work_t, last + (size + 1)) = all_lanes(0.0);
+    RATE_AT(work_t, last + (size + 1)) = along_all(0.0);
     AT(work, last + (size + 1)) = 0.0;
     if (prescribed)
     {
-        RATE_AT(work_t, last + count) = all_lanes(0.0);
+        RATE_AT(work_t, last + count) = along_all(0.0);
         AT(work, last + count) = 1.0;
-        EACH_LANE each(RATE_AT(work_t, last + size)) = each(given_t);
+        EACH_DIRECTION each(RATE_AT(work_t, last + size)) = each(given_t);
         AT(work, last + size) = 0.0;
     }
     derivative_strip_pressures__eliminate_t(work, work_t, size);
     for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i + size));
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i + size));
     }
     derivative_analyn__load_regions_t(&n3, &n4, work, work_t, count);
-    EACH_LANE each(penetration_t) = each(RATE_AT(work_t, last + size));
+    EACH_DIRECTION each(penetration_t) = each(RATE_AT(work_t, last + size));
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *satisfied_out = satisfied;
 }
 
@@ -337,10 +337,10 @@ static inline void derivative_analyn__penetrations_rule_t(double* penetration_ou
  */
 
 /* Derivative of ``analyn_contact``. */
-static inline void derivative_analyn_contact__analyn_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_analyn_contact__analyn_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t)
 {
     double penetration;
-    lanes penetration_t;
+    directional_rate penetration_t;
     int64_t count;
     bool satisfied;
     derivative_analyn_contact__solve_analyn_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
@@ -349,13 +349,13 @@ static inline void derivative_analyn_contact__analyn_contact_t(double* penetrati
         derivative_analyn_contact__fill_from_analyn_t(tables, work, work_t, pair, side, count);
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *count_out = count;
     *satisfied_out = satisfied;
 }
 
 /* Derivative of ``fill_from_analyn``. */
-static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count)
+static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, int64_t count)
 {
     derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
     derivative_node_patches__fill_from_nodes_t(work, work_t, side, count);
@@ -363,26 +363,26 @@ static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double
 }
 
 /* Derivative of ``solve_analyn``. */
-static inline void derivative_analyn_contact__solve_analyn_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_analyn_contact__solve_analyn_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t)
 {
     bool by_penetration, satisfied;
-    lanes penetration_t, v1_t, estimate_t;
+    directional_rate penetration_t, v1_t, estimate_t;
     double penetration, v1, estimate;
     int64_t count, repeat, n2;
     by_penetration = false;
-    EACH_LANE each(penetration_t) = each(prescribed_t);
+    EACH_DIRECTION each(penetration_t) = each(prescribed_t);
     penetration = prescribed;
     if (isfinite(prescribed))
     {
         by_penetration = true;
     }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION) = 0.0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
         derivative_analyn_contact__solve_estimated_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), force, force_t, by_penetration);
         *penetration_out = penetration;
-        EACH_LANE each(*penetration_t_out) = each(penetration_t);
+        EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
         *count_out = count;
         *satisfied_out = satisfied;
         return;
@@ -390,7 +390,7 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
     if (!by_penetration)
     {
         derivative_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, pair, force, force_t);
-        EACH_LANE each(penetration_t) = each(v1_t);
+        EACH_DIRECTION each(penetration_t) = each(v1_t);
         penetration = v1;
         derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
@@ -398,13 +398,13 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
     satisfied = false;
     for (repeat = 0; repeat < analyn_contact__ESTIMATE_REPEATS; repeat += 1)
     {
-        EACH_LANE each(estimate_t) = each(penetration_t);
+        EACH_DIRECTION each(estimate_t) = each(penetration_t);
         estimate = penetration;
         n2 = derivative_penetrated_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
         if (n2 == 0)
         {
             *penetration_out = penetration;
-            EACH_LANE each(*penetration_t_out) = each(penetration_t);
+            EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
             *count_out = 0;
             *satisfied_out = false;
             return;
@@ -416,17 +416,17 @@ static inline void derivative_analyn_contact__solve_analyn_t(double* penetration
         }
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *count_out = count;
     *satisfied_out = satisfied;
 }
 
 /* Derivative of ``solve_estimated``. */
-static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration)
+static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double estimate, directional_rate estimate_t, double force, directional_rate force_t, bool by_penetration)
 {
     int64_t n1, count, n2;
     double penetration;
-    lanes penetration_t;
+    directional_rate penetration_t;
     bool satisfied;
     n1 = derivative_analyn_contact__gather_regions_t(tables, work, work_t, pair, estimate, estimate_t);
     count = n1;
@@ -439,19 +439,19 @@ static inline void derivative_analyn_contact__solve_estimated_t(double* penetrat
         derivative_analyn_contact__solve_fine_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, estimate, estimate_t, by_penetration);
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *count_out = count;
     *satisfied_out = satisfied;
 }
 
 /* Derivative of ``gather_regions``. */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t)
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double penetration, directional_rate penetration_t)
 {
     int64_t i, n1, count, trial;
     bool follows;
     for (i = 0; i < layout__REGION_LIMIT; i += 1)
     {
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT) = 0.0;
     }
     n1 = derivative_penetrated_regions__gather_overlaps_t(tables, work, work_t, pair);
@@ -471,11 +471,11 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
 }
 
 /* Derivative of ``keep_trial``. */
-static inline int64_t derivative_analyn_contact__keep_trial_t(array_double_1d work, array_lanes_1d work_t, int64_t count)
+static inline int64_t derivative_analyn_contact__keep_trial_t(array_double_1d work, array_directional_rate_1d work_t, int64_t count)
 {
     int64_t trial, i;
     trial = layout__WORK_CONTACT + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_TRIAL);
-    RATE_AT(work_t, trial + layout__DEEP_POINTS_WIDTH_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, trial + layout__DEEP_POINTS_WIDTH_COUNT) = along_all(0.0);
     AT(work, trial + layout__DEEP_POINTS_WIDTH_COUNT) = (double)count;
     for (i = 0; i < count; i += 1)
     {
@@ -485,19 +485,19 @@ static inline int64_t derivative_analyn_contact__keep_trial_t(array_double_1d wo
 }
 
 /* Derivative of ``solve_fine``. */
-static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration)
+static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, directional_rate* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count, double force, directional_rate force_t, double penetration, directional_rate penetration_t, bool by_penetration)
 {
-    lanes start_t;
+    directional_rate start_t;
     double start, enlarge;
     bool satisfied;
     int64_t repeat;
-    EACH_LANE each(start_t) = each(penetration_t);
+    EACH_DIRECTION each(start_t) = each(penetration_t);
     start = penetration;
     enlarge = 1.0;
     satisfied = false;
     for (repeat = 0; repeat < analyn_contact__COVER_REPEATS; repeat += 1)
     {
-        derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, all_lanes(0.0));
+        derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, along_all(0.0));
         if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK) == 1.0))
         {
             derivative_analyn_contact__keep_trial_t(work, work_t, count);
@@ -506,7 +506,7 @@ static inline void derivative_analyn_contact__solve_fine_t(double* penetration_o
         if (!satisfied)
         {
             *penetration_out = start;
-            EACH_LANE each(*penetration_t_out) = each(start_t);
+            EACH_DIRECTION each(*penetration_t_out) = each(start_t);
             *satisfied_out = satisfied;
             return;
         }
@@ -517,13 +517,13 @@ static inline void derivative_analyn_contact__solve_fine_t(double* penetration_o
         if (repeat < analyn_contact__COVER_REPEATS - 1)
         {
             enlarge = enlarge * analyn_contact__ENLARGED;
-            EACH_LANE each(start_t) = each(penetration_t);
+            EACH_DIRECTION each(start_t) = each(penetration_t);
             start = penetration;
             derivative_estimate__start_penetrations_t(work, work_t, count, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
         }
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *satisfied_out = satisfied;
 }
 
@@ -534,31 +534,31 @@ static inline void derivative_analyn_contact__solve_fine_t(double* penetration_o
  */
 
 /* Derivative of ``auto_contact``. */
-static inline void derivative_auto_contact__auto_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_auto_contact__auto_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t)
 {
     bool sunk, satisfied, solved;
     double penetration, error, v1, v2, share, v3, load, found, v4, v5, v6, v7, v8, v9;
-    lanes penetration_t, error_t, v1_t, v2_t, share_t, v3_t, load_t, found_t, rates;
+    directional_rate penetration_t, error_t, v1_t, v2_t, share_t, v3_t, load_t, found_t, rates;
     int64_t count, strip_count;
     sunk = !(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0);
     derivative_analyn_contact__solve_analyn_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
-    error_t = all_lanes(0.0);
+    error_t = along_all(0.0);
     error = auto_contact__FULL;
     if (satisfied)
     {
         derivative_model_error__analyn_error_t(&v1, &v1_t, work, work_t, tables, count);
-        EACH_LANE each(error_t) = each(v1_t);
+        EACH_DIRECTION each(error_t) = each(v1_t);
         error = v1;
     }
     derivative_auto_contact__strips_share_t(&v2, &v2_t, error, error_t);
-    EACH_LANE each(share_t) = each(v2_t);
+    EACH_DIRECTION each(share_t) = each(v2_t);
     share = v2;
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(error_t);
+    EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(error_t);
     AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = error;
     if (share > 0.0 && !(AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) == 1.0))
     {
         derivative_auto_contact__total_load_t(&v3, &v3_t, work, work_t, count);
-        EACH_LANE each(load_t) = each(v3_t);
+        EACH_DIRECTION each(load_t) = each(v3_t);
         load = v3;
         derivative_penetrated_regions__raise_wheel_t(work, work_t, sunk);
         derivative_strip_contact__strip_contact_t(&found, &found_t, &strip_count, &solved, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
@@ -566,24 +566,24 @@ static inline void derivative_auto_contact__auto_contact_t(double* penetration_o
         {
             v4 = 1.0 - model_error__STRIPS_MISS;
             v5 = 1.0 - share * v4;
-            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(error_t) * v5 + error * -(each(share_t) * v4);
+            EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(error_t) * v5 + error * -(each(share_t) * v4);
             AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = error * v5;
             if (satisfied && share < 1.0)
             {
                 v6 = found - penetration;
-                EACH_LANE each(found_t) = each(penetration_t) + (each(share_t) * v6 + share * (each(found_t) - each(penetration_t)));
+                EACH_DIRECTION each(found_t) = each(penetration_t) + (each(share_t) * v6 + share * (each(found_t) - each(penetration_t)));
                 found = penetration + share * v6;
                 if (isfinite(prescribed) && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
                 {
                     v7 = 1.0 - share;
                     v8 = v7 * load;
                     v9 = v8 / AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-                    EACH_LANE each(rates) = each(share_t) + (-each(share_t) * load + v7 * each(load_t) - v9 * each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+                    EACH_DIRECTION each(rates) = each(share_t) + (-each(share_t) * load + v7 * each(load_t) - v9 * each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD);
                     derivative_auto_contact__scale_patches_t(work, work_t, side, share + v9, rates, strip_count);
                 }
             }
             *penetration_out = found;
-            EACH_LANE each(*penetration_t_out) = each(found_t);
+            EACH_DIRECTION each(*penetration_t_out) = each(found_t);
             *count_out = strip_count;
             *satisfied_out = true;
             return;
@@ -596,69 +596,69 @@ static inline void derivative_auto_contact__auto_contact_t(double* penetration_o
         derivative_analyn_contact__fill_from_analyn_t(tables, work, work_t, pair, side, count);
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *count_out = count;
     *satisfied_out = satisfied;
 }
 
 /* Derivative of ``strips_share``. */
-static inline void derivative_auto_contact__strips_share_t(double* out_0, lanes* out_1, double error, lanes error_t)
+static inline void derivative_auto_contact__strips_share_t(double* out_0, directional_rate* out_1, double error, directional_rate error_t)
 {
     double v1, v2, v3, v4, u, v5, v6;
-    lanes v3_t, v4_t, u_t;
+    directional_rate v3_t, v4_t, u_t;
     v1 = error - auto_contact__FIRST;
     v2 = auto_contact__FULL - auto_contact__FIRST;
     v3 = v1 / v2;
-    EACH_LANE each(v3_t) = each(error_t) / v2;
+    EACH_DIRECTION each(v3_t) = each(error_t) / v2;
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = all_lanes(0.0);
+        v3_t = along_all(0.0);
     }
     v4 = v3;
-    EACH_LANE each(v4_t) = each(v3_t);
+    EACH_DIRECTION each(v4_t) = each(v3_t);
     if (1.0 < v4)
     {
         v4 = 1.0;
-        v4_t = all_lanes(0.0);
+        v4_t = along_all(0.0);
     }
-    EACH_LANE each(u_t) = each(v4_t);
+    EACH_DIRECTION each(u_t) = each(v4_t);
     u = v4;
     v5 = u * u;
     v6 = 3.0 - 2.0 * u;
     *out_0 = v5 * v6;
-    EACH_LANE each(*out_1) = (each(u_t) * u + u * each(u_t)) * v6 + v5 * -(2.0 * each(u_t));
+    EACH_DIRECTION each(*out_1) = (each(u_t) * u + u * each(u_t)) * v6 + v5 * -(2.0 * each(u_t));
 }
 
 /* Derivative of ``total_load``. */
-static inline void derivative_auto_contact__total_load_t(double* load_out, lanes* load_t_out, array_double_1d work, array_lanes_1d work_t, int64_t count)
+static inline void derivative_auto_contact__total_load_t(double* load_out, directional_rate* load_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t count)
 {
-    lanes load_t;
+    directional_rate load_t;
     double load;
     int64_t index;
-    load_t = all_lanes(0.0);
+    load_t = along_all(0.0);
     load = 0.0;
     for (index = 0; index < count; index += 1)
     {
-        EACH_LANE each(load_t) = each(load_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_LOAD));
+        EACH_DIRECTION each(load_t) = each(load_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_LOAD));
         load = load + AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_LOAD);
     }
     *load_out = load;
-    EACH_LANE each(*load_t_out) = each(load_t);
+    EACH_DIRECTION each(*load_t_out) = each(load_t);
 }
 
 /* Derivative of ``scale_patches``. */
-static inline int64_t derivative_auto_contact__scale_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, double factor, lanes factor_t, int64_t count)
+static inline int64_t derivative_auto_contact__scale_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, double factor, directional_rate factor_t, int64_t count)
 {
     int64_t index, region, number, number_end;
     for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CARRIED)) = each(RATE_AT(work_t, region + layout__REGION_CARRIED)) * factor + AT(work, region + layout__REGION_CARRIED) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_CARRIED)) = each(RATE_AT(work_t, region + layout__REGION_CARRIED)) * factor + AT(work, region + layout__REGION_CARRIED) * each(factor_t);
         AT(work, region + layout__REGION_CARRIED) = AT(work, region + layout__REGION_CARRIED) * factor;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_MOMENT)) = each(RATE_AT(work_t, region + layout__REGION_MOMENT)) * factor + AT(work, region + layout__REGION_MOMENT) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_MOMENT)) = each(RATE_AT(work_t, region + layout__REGION_MOMENT)) * factor + AT(work, region + layout__REGION_MOMENT) * each(factor_t);
         AT(work, region + layout__REGION_MOMENT) = AT(work, region + layout__REGION_MOMENT) * factor;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) = each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) * factor + AT(work, region + layout__REGION_STIFFNESS) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) = each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) * factor + AT(work, region + layout__REGION_STIFFNESS) * each(factor_t);
         AT(work, region + layout__REGION_STIFFNESS) = AT(work, region + layout__REGION_STIFFNESS) * factor;
     }
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -666,45 +666,45 @@ static inline int64_t derivative_auto_contact__scale_patches_t(array_double_1d w
     {
         derivative_auto_contact__scale_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, factor, factor_t);
     }
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) * each(factor_t);
     AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) * factor;
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD) * each(factor_t);
     AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD) = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_LOAD) * factor;
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
     AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT) = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * factor;
     return 0;
 }
 
 /* Derivative of ``scale_patch``. */
-static inline int64_t derivative_auto_contact__scale_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
+static inline int64_t derivative_auto_contact__scale_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double factor, directional_rate factor_t)
 {
     int64_t totals, index, k, strip, k_end;
     double v1, v2;
     totals = patch + layout__PATCH_TOTALS;
-    EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, totals + layout__PATCH_TOTALS_LOAD) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, totals + layout__PATCH_TOTALS_LOAD) * each(factor_t);
     AT(work, totals + layout__PATCH_TOTALS_LOAD) = AT(work, totals + layout__PATCH_TOTALS_LOAD) * factor;
-    EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, totals + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, totals + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
     AT(work, totals + layout__PATCH_TOTALS_MOMENT) = AT(work, totals + layout__PATCH_TOTALS_MOMENT) * factor;
-    EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) * factor + AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) * factor + AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * each(factor_t);
     AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * factor;
     v1 = factor * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) * v1 + AT(work, patch + layout__PATCH_PRESSURE_SQUARE) * (each(factor_t) * factor + factor * each(factor_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) * v1 + AT(work, patch + layout__PATCH_PRESSURE_SQUARE) * (each(factor_t) * factor + factor * each(factor_t));
     AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = AT(work, patch + layout__PATCH_PRESSURE_SQUARE) * v1;
     for (index = 0; index < layout__REGION_LIMIT; index += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_LOADS + index)) = each(RATE_AT(work_t, patch + layout__PATCH_LOADS + index)) * factor + AT(work, patch + layout__PATCH_LOADS + index) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_LOADS + index)) = each(RATE_AT(work_t, patch + layout__PATCH_LOADS + index)) * factor + AT(work, patch + layout__PATCH_LOADS + index) * each(factor_t);
         AT(work, patch + layout__PATCH_LOADS + index) = AT(work, patch + layout__PATCH_LOADS + index) * factor;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + index)) = each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + index)) * factor + AT(work, patch + layout__PATCH_MOMENTS + index) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + index)) = each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + index)) * factor + AT(work, patch + layout__PATCH_MOMENTS + index) * each(factor_t);
         AT(work, patch + layout__PATCH_MOMENTS + index) = AT(work, patch + layout__PATCH_MOMENTS + index) * factor;
     }
     k_end = (int64_t)AT(work, patch + layout__PATCH_LAST) + 1;
     for (k = (int64_t)AT(work, patch + layout__PATCH_FIRST); k < k_end; k += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * k;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) * factor + AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) * factor + AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) * each(factor_t);
         AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) = AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) * factor;
         v2 = factor * factor;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) * v2 + AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) * (each(factor_t) * factor + factor * each(factor_t));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) * v2 + AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) * (each(factor_t) * factor + factor * each(factor_t));
         AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) = AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) * v2;
     }
     return 0;
@@ -717,138 +717,138 @@ static inline int64_t derivative_auto_contact__scale_patch_t(array_double_1d wor
  */
 
 /* Derivative of ``table_value``. */
-static inline void derivative_coefficients__table_value_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t column, double ratio, lanes ratio_t)
+static inline void derivative_coefficients__table_value_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t column, double ratio, directional_rate ratio_t)
 {
     double v1, v2, v3, v4, v5, place, u, v6, high, v7, v8;
-    lanes v1_t, v2_t, place_t, u_t, high_t;
+    directional_rate v1_t, v2_t, place_t, u_t, high_t;
     int64_t octave, cell, at;
     v1 = coefficients__LEAST_RATIO;
-    v1_t = all_lanes(0.0);
+    v1_t = along_all(0.0);
     if (ratio > v1)
     {
         v1 = ratio;
-        EACH_LANE each(v1_t) = each(ratio_t);
+        EACH_DIRECTION each(v1_t) = each(ratio_t);
     }
     v2 = v1;
-    EACH_LANE each(v2_t) = each(v1_t);
+    EACH_DIRECTION each(v2_t) = each(v1_t);
     if (coefficients__MOST_RATIO < v2)
     {
         v2 = coefficients__MOST_RATIO;
-        v2_t = all_lanes(0.0);
+        v2_t = along_all(0.0);
     }
-    EACH_LANE each(ratio_t) = each(v2_t);
+    EACH_DIRECTION each(ratio_t) = each(v2_t);
     ratio = v2;
     octave = binary__exponent(ratio);
     v3 = (double)layout__HERTZ_CELLS;
     v4 = binary__power_of_two(-octave);
     v5 = ratio * v4 - 1.0;
-    EACH_LANE each(place_t) = v3 * (each(ratio_t) * v4);
+    EACH_DIRECTION each(place_t) = v3 * (each(ratio_t) * v4);
     place = v3 * v5;
     cell = (int64_t)place;
-    EACH_LANE each(u_t) = each(place_t);
+    EACH_DIRECTION each(u_t) = each(place_t);
     u = place - (double)cell;
     at = layout__HERTZ_ROW * (layout__HERTZ_CELLS * (octave + layout__HERTZ_OCTAVES) + cell) + column;
     v6 = AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 4)) + u * AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 5));
-    EACH_LANE each(high_t) = each(u_t) * v6 + u * (each(u_t) * AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 5)));
+    EACH_DIRECTION each(high_t) = each(u_t) * v6 + u * (each(u_t) * AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 5)));
     high = AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 3)) + u * v6;
     v7 = AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 2)) + u * high;
     v8 = AT(tables, table + layout__HERTZ_TABLE_ROWS + (at + 1)) + u * v7;
     *out_0 = AT(tables, table + layout__HERTZ_TABLE_ROWS + at) + u * v8;
-    EACH_LANE each(*out_1) = each(u_t) * v8 + u * (each(u_t) * v7 + u * (each(u_t) * high + u * each(high_t)));
+    EACH_DIRECTION each(*out_1) = each(u_t) * v8 + u * (each(u_t) * v7 + u * (each(u_t) * high + u * each(high_t)));
 }
 
 /* Derivative of ``hertz_coefficients``. */
-static inline void derivative_coefficients__hertz_coefficients_t(double* v2_out, lanes* v2_t_out, double* v3_out, lanes* v3_t_out, double* v5_out, lanes* v5_t_out, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t)
+static inline void derivative_coefficients__hertz_coefficients_t(double* v2_out, directional_rate* v2_t_out, double* v3_out, directional_rate* v3_t_out, double* v5_out, directional_rate* v5_t_out, array_double_1d tables, int64_t table, double A, directional_rate A_t, double B, directional_rate B_t)
 {
     double v1, ratio, v2, v4, v3, v5;
-    lanes ratio_t, v2_t, v3_t, v5_t, rates;
+    directional_rate ratio_t, v2_t, v3_t, v5_t, rates;
     v1 = B / A;
-    EACH_LANE each(ratio_t) = (each(B_t) - v1 * each(A_t)) / A;
+    EACH_DIRECTION each(ratio_t) = (each(B_t) - v1 * each(A_t)) / A;
     ratio = v1;
     derivative_coefficients__table_value_t(&v2, &v2_t, tables, table, 0, ratio, ratio_t);
     v4 = A / B;
-    EACH_LANE each(rates) = (each(A_t) - v4 * each(B_t)) / B;
+    EACH_DIRECTION each(rates) = (each(A_t) - v4 * each(B_t)) / B;
     derivative_coefficients__table_value_t(&v3, &v3_t, tables, table, 0, v4, rates);
     derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, 6, ratio, ratio_t);
     *v2_out = v2;
-    EACH_LANE each(*v2_t_out) = each(v2_t);
+    EACH_DIRECTION each(*v2_t_out) = each(v2_t);
     *v3_out = v3;
-    EACH_LANE each(*v3_t_out) = each(v3_t);
+    EACH_DIRECTION each(*v3_t_out) = each(v3_t);
     *v5_out = v5;
-    EACH_LANE each(*v5_t_out) = each(v5_t);
+    EACH_DIRECTION each(*v5_t_out) = each(v5_t);
 }
 
 /* Derivative of ``skewed_coefficients``. */
-static inline void derivative_coefficients__skewed_coefficients_t(double* v17_out, lanes* out_1, double* v18_out, lanes* out_3, double* out_4, lanes* out_5, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t, double slant, lanes slant_t)
+static inline void derivative_coefficients__skewed_coefficients_t(double* v17_out, directional_rate* out_1, double* v18_out, directional_rate* out_3, double* out_4, directional_rate* out_5, array_double_1d tables, int64_t table, double A, directional_rate A_t, double B, directional_rate B_t, double slant, directional_rate slant_t)
 {
     double v1, v2, v3, cross, diagonal, v4, half, v5, v6, spread, v7, large, v8, v9, small, along, across, nr, cosine, v10, v11, v12, length, v13, v14, v15, v16, width, v17, v18, v19, v20;
-    lanes cross_t, diagonal_t, half_t, spread_t, large_t, small_t, along_t, across_t, nr_t, cosine_t, length_t, width_t;
+    directional_rate cross_t, diagonal_t, half_t, spread_t, large_t, small_t, along_t, across_t, nr_t, cosine_t, length_t, width_t;
     if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
         v1 = coefficients__STEEPEST_SLANT * B;
         v2 = v1 / A;
         v3 = sqrt(v2);
-        EACH_LANE each(slant_t) = derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * each(B_t) - v2 * each(A_t)) / A);
+        EACH_DIRECTION each(slant_t) = derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * each(B_t) - v2 * each(A_t)) / A);
         slant = v3;
     }
-    EACH_LANE each(cross_t) = each(A_t) * slant + A * each(slant_t);
+    EACH_DIRECTION each(cross_t) = each(A_t) * slant + A * each(slant_t);
     cross = A * slant;
-    EACH_LANE each(diagonal_t) = each(B_t) + (each(cross_t) * slant + cross * each(slant_t));
+    EACH_DIRECTION each(diagonal_t) = each(B_t) + (each(cross_t) * slant + cross * each(slant_t));
     diagonal = B + cross * slant;
     v4 = A - diagonal;
-    EACH_LANE each(half_t) = 0.5 * (each(A_t) - each(diagonal_t));
+    EACH_DIRECTION each(half_t) = 0.5 * (each(A_t) - each(diagonal_t));
     half = 0.5 * v4;
     v5 = half * half + cross * cross;
     v6 = sqrt(v5);
-    EACH_LANE each(spread_t) = derivative_rates__root_rate(v6, each(half_t) * half + half * each(half_t) + (each(cross_t) * cross + cross * each(cross_t)));
+    EACH_DIRECTION each(spread_t) = derivative_rates__root_rate(v6, each(half_t) * half + half * each(half_t) + (each(cross_t) * cross + cross * each(cross_t)));
     spread = v6;
     v7 = A + diagonal;
-    EACH_LANE each(large_t) = 0.5 * (each(A_t) + each(diagonal_t)) + each(spread_t);
+    EACH_DIRECTION each(large_t) = 0.5 * (each(A_t) + each(diagonal_t)) + each(spread_t);
     large = 0.5 * v7 + spread;
     v8 = A * B;
     v9 = v8 / large;
-    EACH_LANE each(small_t) = (each(A_t) * B + A * each(B_t) - v9 * each(large_t)) / large;
+    EACH_DIRECTION each(small_t) = (each(A_t) * B + A * each(B_t) - v9 * each(large_t)) / large;
     small = v9;
     derivative_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    EACH_LANE each(along_t) = each(along_t) * small + along * each(small_t);
+    EACH_DIRECTION each(along_t) = each(along_t) * small + along * each(small_t);
     along = along * small;
-    EACH_LANE each(across_t) = each(across_t) * large + across * each(large_t);
+    EACH_DIRECTION each(across_t) = each(across_t) * large + across * each(large_t);
     across = across * large;
-    cosine_t = all_lanes(0.0);
+    cosine_t = along_all(0.0);
     cosine = 0.5;
     if (spread > coefficients__TILTED * large)
     {
         v10 = 0.5 * half;
         v11 = v10 / spread;
-        EACH_LANE each(cosine_t) = -((0.5 * each(half_t) - v11 * each(spread_t)) / spread);
+        EACH_DIRECTION each(cosine_t) = -((0.5 * each(half_t) - v11 * each(spread_t)) / spread);
         cosine = 0.5 - v11;
     }
     v12 = 1.0 - cosine;
-    EACH_LANE each(length_t) = each(cosine_t) * along + cosine * each(along_t) + (-each(cosine_t) * across + v12 * each(across_t));
+    EACH_DIRECTION each(length_t) = each(cosine_t) * along + cosine * each(along_t) + (-each(cosine_t) * across + v12 * each(across_t));
     length = cosine * along + v12 * across;
     v13 = along * across;
     v14 = 1.0 - cosine;
     v15 = cosine * along + v14 * across;
     v16 = v13 / v15;
-    EACH_LANE each(width_t) = (each(along_t) * across + along * each(across_t) - v16 * (each(cosine_t) * along + cosine * each(along_t) + (-each(cosine_t) * across + v14 * each(across_t)))) / v15;
+    EACH_DIRECTION each(width_t) = (each(along_t) * across + along * each(across_t) - v16 * (each(cosine_t) * along + cosine * each(along_t) + (-each(cosine_t) * across + v14 * each(across_t)))) / v15;
     width = v16;
     v17 = length / A;
     v18 = width / B;
     v19 = length / along;
     v20 = sqrt(v19);
     *v17_out = v17;
-    EACH_LANE each(*out_1) = (each(length_t) - v17 * each(A_t)) / A;
+    EACH_DIRECTION each(*out_1) = (each(length_t) - v17 * each(A_t)) / A;
     *v18_out = v18;
-    EACH_LANE each(*out_3) = (each(width_t) - v18 * each(B_t)) / B;
+    EACH_DIRECTION each(*out_3) = (each(width_t) - v18 * each(B_t)) / B;
     *out_4 = nr * v20;
-    EACH_LANE each(*out_5) = each(nr_t) * v20 + nr * derivative_rates__root_rate(v20, (each(length_t) - v19 * each(along_t)) / along);
+    EACH_DIRECTION each(*out_5) = each(nr_t) * v20 + nr * derivative_rates__root_rate(v20, (each(length_t) - v19 * each(along_t)) / along);
 }
 
 /* Derivative of ``middle_slant``. */
-static inline void derivative_coefficients__middle_slant_t(double* v20_out, lanes* out_1, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t, double slant, lanes slant_t)
+static inline void derivative_coefficients__middle_slant_t(double* v20_out, directional_rate* out_1, array_double_1d tables, int64_t table, double A, directional_rate A_t, double B, directional_rate B_t, double slant, directional_rate slant_t)
 {
     double v1, v2, v3, v4, v5, v6, cross, diagonal, v7, half, v8, v9, spread, v10, large, v11, v12, small, along, across, nr, v13, v14, cosine, v15, length, v16, v17, v18, v19, v20;
-    lanes cross_t, diagonal_t, half_t, spread_t, large_t, small_t, along_t, across_t, nr_t, cosine_t, length_t;
+    directional_rate cross_t, diagonal_t, half_t, spread_t, large_t, small_t, along_t, across_t, nr_t, cosine_t, length_t;
     if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
     {
         v1 = coefficients__STEEPEST_SLANT * B;
@@ -857,44 +857,44 @@ static inline void derivative_coefficients__middle_slant_t(double* v20_out, lane
         v4 = v3 * slant;
         v5 = fabs(slant);
         v6 = v4 / v5;
-        EACH_LANE each(slant_t) = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * each(B_t) - v2 * each(A_t)) / A) * slant + v3 * each(slant_t) - v6 * derivative_rates__size_rate(slant, each(slant_t))) / v5;
+        EACH_DIRECTION each(slant_t) = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * each(B_t) - v2 * each(A_t)) / A) * slant + v3 * each(slant_t) - v6 * derivative_rates__size_rate(slant, each(slant_t))) / v5;
         slant = v6;
     }
-    EACH_LANE each(cross_t) = each(A_t) * slant + A * each(slant_t);
+    EACH_DIRECTION each(cross_t) = each(A_t) * slant + A * each(slant_t);
     cross = A * slant;
-    EACH_LANE each(diagonal_t) = each(B_t) + (each(cross_t) * slant + cross * each(slant_t));
+    EACH_DIRECTION each(diagonal_t) = each(B_t) + (each(cross_t) * slant + cross * each(slant_t));
     diagonal = B + cross * slant;
     v7 = A - diagonal;
-    EACH_LANE each(half_t) = 0.5 * (each(A_t) - each(diagonal_t));
+    EACH_DIRECTION each(half_t) = 0.5 * (each(A_t) - each(diagonal_t));
     half = 0.5 * v7;
     v8 = half * half + cross * cross;
     v9 = sqrt(v8);
-    EACH_LANE each(spread_t) = derivative_rates__root_rate(v9, each(half_t) * half + half * each(half_t) + (each(cross_t) * cross + cross * each(cross_t)));
+    EACH_DIRECTION each(spread_t) = derivative_rates__root_rate(v9, each(half_t) * half + half * each(half_t) + (each(cross_t) * cross + cross * each(cross_t)));
     spread = v9;
     v10 = A + diagonal;
-    EACH_LANE each(large_t) = 0.5 * (each(A_t) + each(diagonal_t)) + each(spread_t);
+    EACH_DIRECTION each(large_t) = 0.5 * (each(A_t) + each(diagonal_t)) + each(spread_t);
     large = 0.5 * v10 + spread;
     v11 = A * B;
     v12 = v11 / large;
-    EACH_LANE each(small_t) = (each(A_t) * B + A * each(B_t) - v12 * each(large_t)) / large;
+    EACH_DIRECTION each(small_t) = (each(A_t) * B + A * each(B_t) - v12 * each(large_t)) / large;
     small = v12;
     if (!(spread > coefficients__TILTED * large))
     {
         *v20_out = slant;
-        EACH_LANE each(*out_1) = each(slant_t);
+        EACH_DIRECTION each(*out_1) = each(slant_t);
         return;
     }
     derivative_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    EACH_LANE each(along_t) = each(along_t) * small + along * each(small_t);
+    EACH_DIRECTION each(along_t) = each(along_t) * small + along * each(small_t);
     along = along * small;
-    EACH_LANE each(across_t) = each(across_t) * large + across * each(large_t);
+    EACH_DIRECTION each(across_t) = each(across_t) * large + across * each(large_t);
     across = across * large;
     v13 = 0.5 * half;
     v14 = v13 / spread;
-    EACH_LANE each(cosine_t) = -((0.5 * each(half_t) - v14 * each(spread_t)) / spread);
+    EACH_DIRECTION each(cosine_t) = -((0.5 * each(half_t) - v14 * each(spread_t)) / spread);
     cosine = 0.5 - v14;
     v15 = 1.0 - cosine;
-    EACH_LANE each(length_t) = each(cosine_t) * along + cosine * each(along_t) + (-each(cosine_t) * across + v15 * each(across_t));
+    EACH_DIRECTION each(length_t) = each(cosine_t) * along + cosine * each(along_t) + (-each(cosine_t) * across + v15 * each(across_t));
     length = cosine * along + v15 * across;
     v16 = across - along;
     v17 = cross * v16;
@@ -902,11 +902,11 @@ static inline void derivative_coefficients__middle_slant_t(double* v20_out, lane
     v19 = v18 * length;
     v20 = v17 / v19;
     *v20_out = v20;
-    EACH_LANE each(*out_1) = (each(cross_t) * v16 + cross * (each(across_t) - each(along_t)) - v20 * ((each(large_t) - each(small_t)) * length + v18 * each(length_t))) / v19;
+    EACH_DIRECTION each(*out_1) = (each(cross_t) * v16 + cross * (each(across_t) - each(along_t)) - v20 * ((each(large_t) - each(small_t)) * length + v18 * each(length_t))) / v19;
 }
 
 /* Derivative of ``hertz_stiffness``. */
-static inline void derivative_coefficients__hertz_stiffness_t(double* v6_out, lanes* out_1, double one_beta, lanes one_beta_t, double nr, lanes nr_t, double B, lanes B_t, double contact_modulus, lanes contact_modulus_t)
+static inline void derivative_coefficients__hertz_stiffness_t(double* v6_out, directional_rate* out_1, double one_beta, directional_rate one_beta_t, double nr, directional_rate nr_t, double B, directional_rate B_t, double contact_modulus, directional_rate contact_modulus_t)
 {
     double v1, v2, v3, v4, v5, v6;
     v1 = 4.0 / 3.0;
@@ -916,53 +916,53 @@ static inline void derivative_coefficients__hertz_stiffness_t(double* v6_out, la
     v5 = nr * v4;
     v6 = v2 / v5;
     *v6_out = v6;
-    EACH_LANE each(*out_1) = (v1 * each(contact_modulus_t) - v6 * (each(nr_t) * v4 + nr * derivative_rates__root_rate(v4, each(one_beta_t) * B + one_beta * each(B_t)))) / v5;
+    EACH_DIRECTION each(*out_1) = (v1 * each(contact_modulus_t) - v6 * (each(nr_t) * v4 + nr * derivative_rates__root_rate(v4, each(one_beta_t) * B + one_beta * each(B_t)))) / v5;
 }
 
 /* Derivative of ``second_difference``. */
-static inline void derivative_coefficients__second_difference_t(double* v5_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t k, double spacing, lanes spacing_t, int64_t window)
+static inline void derivative_coefficients__second_difference_t(double* v5_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t values, int64_t k, double spacing, directional_rate spacing_t, int64_t window)
 {
     double v1, width, v2, v3, v4, v5;
-    lanes width_t;
+    directional_rate width_t;
     v1 = (double)window;
-    EACH_LANE each(width_t) = each(spacing_t) * v1;
+    EACH_DIRECTION each(width_t) = each(spacing_t) * v1;
     width = spacing * v1;
     v2 = AT(work, values + 128 + (k + window)) - 2.0 * AT(work, values + 128 + k) + AT(work, values + 128 + (k - window));
     v3 = 2.0 * width;
     v4 = v3 * width;
     v5 = v2 / v4;
     *v5_out = v5;
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, values + 128 + (k + window))) - 2.0 * each(RATE_AT(work_t, values + 128 + k)) + each(RATE_AT(work_t, values + 128 + (k - window))) - v5 * (2.0 * each(width_t) * width + v3 * each(width_t))) / v4;
+    EACH_DIRECTION each(*out_1) = (each(RATE_AT(work_t, values + 128 + (k + window))) - 2.0 * each(RATE_AT(work_t, values + 128 + k)) + each(RATE_AT(work_t, values + 128 + (k - window))) - v5 * (2.0 * each(width_t) * width + v3 * each(width_t))) / v4;
 }
 
 /* Derivative of ``secant_curvature``. */
-static inline void derivative_coefficients__secant_curvature_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t gaps, int64_t k, double spacing, lanes spacing_t, int64_t window, double middle, lanes middle_t)
+static inline void derivative_coefficients__secant_curvature_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t gaps, int64_t k, double spacing, directional_rate spacing_t, int64_t window, double middle, directional_rate middle_t)
 {
     double v1, s, v2, v3, v4, width, v5, v6, edge, v7, v8, v9, v10, v11, v12;
-    lanes s_t, width_t, edge_t;
+    directional_rate s_t, width_t, edge_t;
     if (k >= window || k <= -window)
     {
         v1 = (double)k;
-        EACH_LANE each(s_t) = each(spacing_t) * v1;
+        EACH_DIRECTION each(s_t) = each(spacing_t) * v1;
         s = spacing * v1;
         v2 = s * s;
         v3 = AT(work, gaps + 128 + k) / v2;
         *out_0 = v3;
-        EACH_LANE each(*out_1) = (each(RATE_AT(work_t, gaps + 128 + k)) - v3 * (each(s_t) * s + s * each(s_t))) / v2;
+        EACH_DIRECTION each(*out_1) = (each(RATE_AT(work_t, gaps + 128 + k)) - v3 * (each(s_t) * s + s * each(s_t))) / v2;
         return;
     }
     v4 = (double)window;
-    EACH_LANE each(width_t) = each(spacing_t) * v4;
+    EACH_DIRECTION each(width_t) = each(spacing_t) * v4;
     width = spacing * v4;
     v5 = width * width;
     v6 = AT(work, gaps + 128 + window) / v5;
-    EACH_LANE each(edge_t) = (each(RATE_AT(work_t, gaps + 128 + window)) - v6 * (each(width_t) * width + width * each(width_t))) / v5;
+    EACH_DIRECTION each(edge_t) = (each(RATE_AT(work_t, gaps + 128 + window)) - v6 * (each(width_t) * width + width * each(width_t))) / v5;
     edge = v6;
     if (k < 0)
     {
         v7 = width * width;
         v8 = AT(work, gaps + 128 + -window) / v7;
-        EACH_LANE each(edge_t) = (each(RATE_AT(work_t, gaps + 128 + -window)) - v8 * (each(width_t) * width + width * each(width_t))) / v7;
+        EACH_DIRECTION each(edge_t) = (each(RATE_AT(work_t, gaps + 128 + -window)) - v8 * (each(width_t) * width + width * each(width_t))) / v7;
         edge = v8;
     }
     v9 = edge - middle;
@@ -970,156 +970,156 @@ static inline void derivative_coefficients__secant_curvature_t(double* out_0, la
     v11 = v9 * v10;
     v12 = (double)window;
     *out_0 = middle + v11 / v12;
-    EACH_LANE each(*out_1) = each(middle_t) + (each(edge_t) - each(middle_t)) * v10 / v12;
+    EACH_DIRECTION each(*out_1) = each(middle_t) + (each(edge_t) - each(middle_t)) * v10 / v12;
 }
 
 /* Derivative of ``windowed_curvature``. */
-static inline void derivative_coefficients__windowed_curvature_t(double* v6_out, lanes* out_1, double averaged, lanes averaged_t, double secant, lanes secant_t, double share, lanes share_t)
+static inline void derivative_coefficients__windowed_curvature_t(double* v6_out, directional_rate* out_1, double averaged, directional_rate averaged_t, double secant, directional_rate secant_t, double share, directional_rate share_t)
 {
     double v1, v2, grown, v3, v4, v5, v6;
-    lanes v2_t, grown_t;
+    directional_rate v2_t, grown_t;
     v1 = coefficients__WINDOW_FLOOR * secant;
     v2 = averaged;
-    EACH_LANE each(v2_t) = each(averaged_t);
+    EACH_DIRECTION each(v2_t) = each(averaged_t);
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = coefficients__WINDOW_FLOOR * each(secant_t);
+        EACH_DIRECTION each(v2_t) = coefficients__WINDOW_FLOOR * each(secant_t);
     }
-    EACH_LANE each(averaged_t) = each(v2_t);
+    EACH_DIRECTION each(averaged_t) = each(v2_t);
     averaged = v2;
-    EACH_LANE each(grown_t) = each(secant_t);
+    EACH_DIRECTION each(grown_t) = each(secant_t);
     grown = secant;
     if (averaged > secant)
     {
         v3 = coefficients__GROWTH * share;
         v4 = averaged - secant;
-        EACH_LANE each(grown_t) = each(grown_t) + (coefficients__GROWTH * each(share_t) * v4 + v3 * (each(averaged_t) - each(secant_t)));
+        EACH_DIRECTION each(grown_t) = each(grown_t) + (coefficients__GROWTH * each(share_t) * v4 + v3 * (each(averaged_t) - each(secant_t)));
         grown = grown + v3 * v4;
     }
     v5 = averaged * grown;
     v6 = sqrt(v5);
     *v6_out = v6;
-    EACH_LANE each(*out_1) = derivative_rates__root_rate(v6, each(averaged_t) * grown + averaged * each(grown_t));
+    EACH_DIRECTION each(*out_1) = derivative_rates__root_rate(v6, each(averaged_t) * grown + averaged * each(grown_t));
 }
 
 /* Derivative of ``adaptive_curvatures``. */
-static inline void derivative_coefficients__adaptive_curvatures_t(double* secant_out, lanes* secant_t_out, double* side_out, lanes* side_t_out, double* B_out, lanes* B_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, lanes middle_t, double mean, lanes mean_t, double least, lanes least_t)
+static inline void derivative_coefficients__adaptive_curvatures_t(double* secant_out, directional_rate* secant_t_out, double* side_out, directional_rate* side_t_out, double* B_out, directional_rate* B_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, directional_rate middle_t, double mean, directional_rate mean_t, double least, directional_rate least_t)
 {
-    lanes spacing_t, v1_t, v2_t, secant_t, v6_t, share_t, v8_t, v7_t, v9_t, B_t, side_t, v10_t;
+    directional_rate spacing_t, v1_t, v2_t, secant_t, v6_t, share_t, v8_t, v7_t, v9_t, B_t, side_t, v10_t;
     double spacing, v1, v2, secant, v3, v4, v5, v6, share, v8, v7, v9, B, side, v10;
-    EACH_LANE each(spacing_t) = each(RATE_AT(work_t, region + layout__REGION_SPACING));
+    EACH_DIRECTION each(spacing_t) = each(RATE_AT(work_t, region + layout__REGION_SPACING));
     spacing = AT(work, region + layout__REGION_SPACING);
     derivative_coefficients__secant_curvature_t(&v1, &v1_t, work, work_t, gaps, k, spacing, spacing_t, window, middle, middle_t);
     v2 = v1;
-    EACH_LANE each(v2_t) = each(v1_t);
+    EACH_DIRECTION each(v2_t) = each(v1_t);
     if (least > v2)
     {
         v2 = least;
-        EACH_LANE each(v2_t) = each(least_t);
+        EACH_DIRECTION each(v2_t) = each(least_t);
     }
-    EACH_LANE each(secant_t) = each(v2_t);
+    EACH_DIRECTION each(secant_t) = each(v2_t);
     secant = v2;
     v3 = fabs((double)k);
     v4 = v3 * spacing;
     v5 = v4 / mean;
     v6 = v5;
-    EACH_LANE each(v6_t) = (v3 * each(spacing_t) - v5 * each(mean_t)) / mean;
+    EACH_DIRECTION each(v6_t) = (v3 * each(spacing_t) - v5 * each(mean_t)) / mean;
     if (1.0 < v6)
     {
         v6 = 1.0;
-        v6_t = all_lanes(0.0);
+        v6_t = along_all(0.0);
     }
-    EACH_LANE each(share_t) = each(v6_t);
+    EACH_DIRECTION each(share_t) = each(v6_t);
     share = v6;
     derivative_coefficients__second_difference_t(&v8, &v8_t, work, work_t, gaps, k, spacing, spacing_t, window);
     derivative_coefficients__windowed_curvature_t(&v7, &v7_t, v8, v8_t, secant, secant_t, share, share_t);
     v9 = v7;
-    EACH_LANE each(v9_t) = each(v7_t);
+    EACH_DIRECTION each(v9_t) = each(v7_t);
     if (least > v9)
     {
         v9 = least;
-        EACH_LANE each(v9_t) = each(least_t);
+        EACH_DIRECTION each(v9_t) = each(least_t);
     }
-    EACH_LANE each(B_t) = each(v9_t);
+    EACH_DIRECTION each(B_t) = each(v9_t);
     B = v9;
-    EACH_LANE each(side_t) = each(RATE_AT(work_t, region + layout__REGION_SIDE_HIGH));
+    EACH_DIRECTION each(side_t) = each(RATE_AT(work_t, region + layout__REGION_SIDE_HIGH));
     side = AT(work, region + layout__REGION_SIDE_HIGH);
     if (k < 0)
     {
-        EACH_LANE each(side_t) = each(RATE_AT(work_t, region + layout__REGION_SIDE_LOW));
+        EACH_DIRECTION each(side_t) = each(RATE_AT(work_t, region + layout__REGION_SIDE_LOW));
         side = AT(work, region + layout__REGION_SIDE_LOW);
     }
     v10 = side;
-    EACH_LANE each(v10_t) = each(side_t);
+    EACH_DIRECTION each(v10_t) = each(side_t);
     if (least > v10)
     {
         v10 = least;
-        EACH_LANE each(v10_t) = each(least_t);
+        EACH_DIRECTION each(v10_t) = each(least_t);
     }
-    EACH_LANE each(side_t) = each(v10_t);
+    EACH_DIRECTION each(side_t) = each(v10_t);
     side = v10;
     *secant_out = secant;
-    EACH_LANE each(*secant_t_out) = each(secant_t);
+    EACH_DIRECTION each(*secant_t_out) = each(secant_t);
     *side_out = side;
-    EACH_LANE each(*side_t_out) = each(side_t);
+    EACH_DIRECTION each(*side_t_out) = each(side_t);
     *B_out = B;
-    EACH_LANE each(*B_t_out) = each(B_t);
+    EACH_DIRECTION each(*B_t_out) = each(B_t);
 }
 
 /* Derivative of ``weigh_nodes``. */
-static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
+static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
 {
     int64_t table, k, k_end;
     bool prepared;
-    lanes alpha_factor_t, beta_factor_t, nr_factor_t, mean_t, v2_t, v3_t, middle_t, A_t, least_t, v4_t, B_t, secant_t, side_t, v5_t, alpha_t, v7_t, beta_t, v9_t, nr_t, rates, rates_2, rates_3;
+    directional_rate alpha_factor_t, beta_factor_t, nr_factor_t, mean_t, v2_t, v3_t, middle_t, A_t, least_t, v4_t, B_t, secant_t, side_t, v5_t, alpha_t, v7_t, beta_t, v9_t, nr_t, rates, rates_2, rates_3;
     double alpha_factor, beta_factor, nr_factor, v1, mean, v2, v3, middle, A, least, v4, B, secant, side, v6, v5, alpha, v8, v7, beta, v10, v9, nr, v11;
     table = (int64_t)AT(tables, layout__TABLES_HERTZ);
     prepared = (int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE;
-    alpha_factor_t = all_lanes(0.0);
+    alpha_factor_t = along_all(0.0);
     alpha_factor = 1.0;
-    beta_factor_t = all_lanes(0.0);
+    beta_factor_t = along_all(0.0);
     beta_factor = 1.0;
-    nr_factor_t = all_lanes(0.0);
+    nr_factor_t = along_all(0.0);
     nr_factor = 1.0;
     if (yawed)
     {
         derivative_coefficients__skew_factors_t(&alpha_factor, &alpha_factor_t, &beta_factor, &beta_factor_t, &nr_factor, &nr_factor_t, work, work_t, tables, region, AT(work, nodes + layout__NODES_A + 128 + 0), RATE_AT(work_t, nodes + layout__NODES_A + 128 + 0));
     }
     v1 = AT(work, region + layout__REGION_WIDTH_LOW) + AT(work, region + layout__REGION_WIDTH_HIGH);
-    EACH_LANE each(mean_t) = 0.5 * (each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) + each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)));
+    EACH_DIRECTION each(mean_t) = 0.5 * (each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) + each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)));
     mean = 0.5 * v1;
     derivative_coefficients__second_difference_t(&v2, &v2_t, work, work_t, nodes + layout__NODES_GAP, 0, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING), window);
     v3 = v2;
-    EACH_LANE each(v3_t) = each(v2_t);
+    EACH_DIRECTION each(v3_t) = each(v2_t);
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = all_lanes(0.0);
+        v3_t = along_all(0.0);
     }
-    EACH_LANE each(middle_t) = each(v3_t);
+    EACH_DIRECTION each(middle_t) = each(v3_t);
     middle = v3;
     k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
     for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
     {
-        EACH_LANE each(A_t) = each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + k));
+        EACH_DIRECTION each(A_t) = each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + k));
         A = AT(work, nodes + layout__NODES_A + 128 + k);
-        EACH_LANE each(least_t) = coefficients__FLOOR * each(A_t);
+        EACH_DIRECTION each(least_t) = coefficients__FLOOR * each(A_t);
         least = coefficients__FLOOR * A;
         if (prepared)
         {
             v4 = AT(work, nodes + layout__NODES_B + 128 + k);
-            EACH_LANE each(v4_t) = each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + k));
+            EACH_DIRECTION each(v4_t) = each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + k));
             if (least > v4)
             {
                 v4 = least;
-                EACH_LANE each(v4_t) = each(least_t);
+                EACH_DIRECTION each(v4_t) = each(least_t);
             }
-            EACH_LANE each(B_t) = each(v4_t);
+            EACH_DIRECTION each(B_t) = each(v4_t);
             B = v4;
-            EACH_LANE each(secant_t) = each(B_t);
+            EACH_DIRECTION each(secant_t) = each(B_t);
             secant = B;
-            EACH_LANE each(side_t) = each(B_t);
+            EACH_DIRECTION each(side_t) = each(B_t);
             side = B;
         }
         else
@@ -1127,59 +1127,59 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
             derivative_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
         }
         v6 = secant / A;
-        EACH_LANE each(rates) = (each(secant_t) - v6 * each(A_t)) / A;
+        EACH_DIRECTION each(rates) = (each(secant_t) - v6 * each(A_t)) / A;
         derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, 0, v6, rates);
-        EACH_LANE each(alpha_t) = each(v5_t);
+        EACH_DIRECTION each(alpha_t) = each(v5_t);
         alpha = v5;
         v8 = A / side;
-        EACH_LANE each(rates_2) = (each(A_t) - v8 * each(side_t)) / side;
+        EACH_DIRECTION each(rates_2) = (each(A_t) - v8 * each(side_t)) / side;
         derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, 0, v8, rates_2);
-        EACH_LANE each(beta_t) = each(v7_t);
+        EACH_DIRECTION each(beta_t) = each(v7_t);
         beta = v7;
         v10 = B / A;
-        EACH_LANE each(rates_3) = (each(B_t) - v10 * each(A_t)) / A;
+        EACH_DIRECTION each(rates_3) = (each(B_t) - v10 * each(A_t)) / A;
         derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, 6, v10, rates_3);
-        EACH_LANE each(nr_t) = each(v9_t);
+        EACH_DIRECTION each(nr_t) = each(v9_t);
         nr = v9;
         if (yawed)
         {
-            EACH_LANE each(alpha_t) = each(alpha_t) * alpha_factor + alpha * each(alpha_factor_t);
+            EACH_DIRECTION each(alpha_t) = each(alpha_t) * alpha_factor + alpha * each(alpha_factor_t);
             alpha = alpha * alpha_factor;
-            EACH_LANE each(beta_t) = each(beta_t) * beta_factor + beta * each(beta_factor_t);
+            EACH_DIRECTION each(beta_t) = each(beta_t) * beta_factor + beta * each(beta_factor_t);
             beta = beta * beta_factor;
-            EACH_LANE each(nr_t) = each(nr_t) * nr_factor + nr * each(nr_factor_t);
+            EACH_DIRECTION each(nr_t) = each(nr_t) * nr_factor + nr * each(nr_factor_t);
             nr = nr * nr_factor;
         }
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + k)) = each(B_t);
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + k)) = each(B_t);
         AT(work, nodes + layout__NODES_B + 128 + k) = B;
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + k)) = each(beta_t) * AT(work, nodes + layout__NODES_GAP + 128 + k) + beta * each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k));
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + k)) = each(beta_t) * AT(work, nodes + layout__NODES_GAP + 128 + k) + beta * each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k));
         AT(work, nodes + layout__NODES_RISE + 128 + k) = beta * AT(work, nodes + layout__NODES_GAP + 128 + k);
         v11 = AT(tables, layout__TABLES_CONTACT_MODULUS) / nr;
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) = -v11 * each(nr_t) / nr;
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) = -v11 * each(nr_t) / nr;
         AT(work, nodes + layout__NODES_LINE + 128 + k) = v11;
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + k)) = each(alpha_t) * A + alpha * each(A_t);
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + k)) = each(alpha_t) * A + alpha * each(A_t);
         AT(work, nodes + layout__NODES_LENGTH + 128 + k) = alpha * A;
     }
     return 0;
 }
 
 /* Derivative of ``skew_factors``. */
-static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes* out_1, double* v5_out, lanes* out_3, double* v6_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t)
+static inline void derivative_coefficients__skew_factors_t(double* v4_out, directional_rate* out_1, double* v5_out, directional_rate* out_3, double* v6_out, directional_rate* out_5, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double A, directional_rate A_t)
 {
     int64_t table;
     double v1, v2, v3, B, alpha, beta, nr, skewed_alpha, skewed_beta, skewed_nr, v4, v5, v6;
-    lanes v3_t, B_t, alpha_t, beta_t, nr_t, skewed_alpha_t, skewed_beta_t, skewed_nr_t;
+    directional_rate v3_t, B_t, alpha_t, beta_t, nr_t, skewed_alpha_t, skewed_beta_t, skewed_nr_t;
     table = (int64_t)AT(tables, layout__TABLES_HERTZ);
     v1 = AT(work, region + layout__REGION_SIDE_LOW) + AT(work, region + layout__REGION_SIDE_HIGH);
     v2 = coefficients__FLOOR * A;
     v3 = 0.5 * v1;
-    EACH_LANE each(v3_t) = 0.5 * (each(RATE_AT(work_t, region + layout__REGION_SIDE_LOW)) + each(RATE_AT(work_t, region + layout__REGION_SIDE_HIGH)));
+    EACH_DIRECTION each(v3_t) = 0.5 * (each(RATE_AT(work_t, region + layout__REGION_SIDE_LOW)) + each(RATE_AT(work_t, region + layout__REGION_SIDE_HIGH)));
     if (v2 > v3)
     {
         v3 = v2;
-        EACH_LANE each(v3_t) = coefficients__FLOOR * each(A_t);
+        EACH_DIRECTION each(v3_t) = coefficients__FLOOR * each(A_t);
     }
-    EACH_LANE each(B_t) = each(v3_t);
+    EACH_DIRECTION each(B_t) = each(v3_t);
     B = v3;
     derivative_coefficients__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
     derivative_coefficients__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, AT(work, region + layout__REGION_SLANT), RATE_AT(work_t, region + layout__REGION_SLANT));
@@ -1187,11 +1187,11 @@ static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes
     v5 = skewed_beta / beta;
     v6 = skewed_nr / nr;
     *v4_out = v4;
-    EACH_LANE each(*out_1) = (each(skewed_alpha_t) - v4 * each(alpha_t)) / alpha;
+    EACH_DIRECTION each(*out_1) = (each(skewed_alpha_t) - v4 * each(alpha_t)) / alpha;
     *v5_out = v5;
-    EACH_LANE each(*out_3) = (each(skewed_beta_t) - v5 * each(beta_t)) / beta;
+    EACH_DIRECTION each(*out_3) = (each(skewed_beta_t) - v5 * each(beta_t)) / beta;
     *v6_out = v6;
-    EACH_LANE each(*out_5) = (each(skewed_nr_t) - v6 * each(nr_t)) / nr;
+    EACH_DIRECTION each(*out_5) = (each(skewed_nr_t) - v6 * each(nr_t)) / nr;
 }
 
 
@@ -1201,99 +1201,99 @@ static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes
  */
 
 /* Derivative of ``guess_penetration``. */
-static inline void derivative_estimate__guess_penetration_t(double* v3_out, lanes* v3_t_out, double force, lanes force_t, double A, lanes A_t, double contact_modulus, lanes contact_modulus_t)
+static inline void derivative_estimate__guess_penetration_t(double* v3_out, directional_rate* v3_t_out, double force, directional_rate force_t, double A, directional_rate A_t, double contact_modulus, directional_rate contact_modulus_t)
 {
     double v1, v2, share, v4, v5, v6, v3;
-    lanes share_t, v3_t, rates;
+    directional_rate share_t, v3_t, rates;
     v1 = 0.75 * force;
     v2 = v1 / contact_modulus;
-    EACH_LANE each(share_t) = (0.75 * each(force_t) - v2 * each(contact_modulus_t)) / contact_modulus;
+    EACH_DIRECTION each(share_t) = (0.75 * each(force_t) - v2 * each(contact_modulus_t)) / contact_modulus;
     share = v2;
     v4 = share * share;
     v5 = 1.0 + estimate__TYPICAL_RATIO;
     v6 = v4 * v5;
-    EACH_LANE each(rates) = (each(share_t) * share + share * each(share_t)) * v5 * A + v6 * each(A_t);
+    EACH_DIRECTION each(rates) = (each(share_t) * share + share * each(share_t)) * v5 * A + v6 * each(A_t);
     derivative_powers__cube_root_rule_t(&v3, &v3_t, v6 * A, rates);
     *v3_out = v3;
-    EACH_LANE each(*v3_t_out) = each(v3_t);
+    EACH_DIRECTION each(*v3_t_out) = each(v3_t);
 }
 
 /* Derivative of ``estimate_penetration``. */
-static inline void derivative_estimate__estimate_penetration_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
+static inline void derivative_estimate__estimate_penetration_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double force, directional_rate force_t)
 {
-    lanes A_t, v1_t, guess_t, width_t, B_t, one_alpha_t, one_beta_t, nr_t, v5_t, stiffness_t, v6_t, root_t, rates;
+    directional_rate A_t, v1_t, guess_t, width_t, B_t, one_alpha_t, one_beta_t, nr_t, v5_t, stiffness_t, v6_t, root_t, rates;
     double A, v1, guess, v2, width, B, v3, v4, one_alpha, one_beta, nr, v5, stiffness, v7, v6, root;
-    EACH_LANE each(A_t) = 0.5 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    EACH_DIRECTION each(A_t) = 0.5 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     A = 0.5 * AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE);
-    derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, AT(tables, layout__TABLES_CONTACT_MODULUS), all_lanes(0.0));
-    EACH_LANE each(guess_t) = each(v1_t);
+    derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, AT(tables, layout__TABLES_CONTACT_MODULUS), along_all(0.0));
+    EACH_DIRECTION each(guess_t) = each(v1_t);
     guess = v1;
     derivative_widths__measure_widths_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
     v2 = AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW) + AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH);
-    EACH_LANE each(width_t) = 0.5 * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
+    EACH_DIRECTION each(width_t) = 0.5 * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
     width = 0.5 * v2;
-    EACH_LANE each(B_t) = coefficients__FLOOR * each(A_t);
+    EACH_DIRECTION each(B_t) = coefficients__FLOOR * each(A_t);
     B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
     {
-        EACH_LANE each(B_t) = estimate__CEILING * each(A_t);
+        EACH_DIRECTION each(B_t) = estimate__CEILING * each(A_t);
         B = estimate__CEILING * A;
     }
     else if (guess > B * width * width)
     {
         v3 = width * width;
         v4 = guess / v3;
-        EACH_LANE each(B_t) = (each(guess_t) - v4 * (each(width_t) * width + width * each(width_t))) / v3;
+        EACH_DIRECTION each(B_t) = (each(guess_t) - v4 * (each(width_t) * width + width * each(width_t))) / v3;
         B = v4;
     }
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, A_t, B, B_t);
-    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, AT(tables, layout__TABLES_CONTACT_MODULUS), all_lanes(0.0));
-    EACH_LANE each(stiffness_t) = each(v5_t);
+    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, AT(tables, layout__TABLES_CONTACT_MODULUS), along_all(0.0));
+    EACH_DIRECTION each(stiffness_t) = each(v5_t);
     stiffness = v5;
     v7 = force / stiffness;
-    EACH_LANE each(rates) = (each(force_t) - v7 * each(stiffness_t)) / stiffness;
+    EACH_DIRECTION each(rates) = (each(force_t) - v7 * each(stiffness_t)) / stiffness;
     derivative_powers__cube_root_rule_t(&v6, &v6_t, v7, rates);
-    EACH_LANE each(root_t) = each(v6_t);
+    EACH_DIRECTION each(root_t) = each(v6_t);
     root = v6;
     *out_0 = root * root;
-    EACH_LANE each(*out_1) = each(root_t) * root + root * each(root_t);
+    EACH_DIRECTION each(*out_1) = each(root_t) * root + root * each(root_t);
 }
 
 /* Derivative of ``first_penetration``. */
-static inline void derivative_estimate__first_penetration_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
+static inline void derivative_estimate__first_penetration_t(double* v1_out, directional_rate* v1_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double force, directional_rate force_t)
 {
     double v2, v1;
-    lanes v1_t, rates;
+    directional_rate v1_t, rates;
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION) = 0.0;
     v2 = force / AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE);
-    EACH_LANE each(rates) = (each(force_t) - v2 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE);
+    EACH_DIRECTION each(rates) = (each(force_t) - v2 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE);
     derivative_estimate__estimate_penetration_t(&v1, &v1_t, tables, work, work_t, pair, v2, rates);
     *v1_out = v1;
-    EACH_LANE each(*v1_t_out) = each(v1_t);
+    EACH_DIRECTION each(*v1_t_out) = each(v1_t);
 }
 
 /* Derivative of ``start_penetrations``. */
-static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_lanes_1d work_t, int64_t count, double penetration, lanes penetration_t)
+static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_directional_rate_1d work_t, int64_t count, double penetration, directional_rate penetration_t)
 {
     int64_t i, region;
     double v1, v2, local;
-    lanes v2_t, local_t;
+    directional_rate v2_t, local_t;
     for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         v1 = estimate__LEAST_SHARE * penetration;
         v2 = AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP);
-        EACH_LANE each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) * penetration + AT(work, region + layout__REGION_ALIGNMENT) * each(penetration_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
+        EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) * penetration + AT(work, region + layout__REGION_ALIGNMENT) * each(penetration_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
         if (v1 > v2)
         {
             v2 = v1;
-            EACH_LANE each(v2_t) = estimate__LEAST_SHARE * each(penetration_t);
+            EACH_DIRECTION each(v2_t) = estimate__LEAST_SHARE * each(penetration_t);
         }
-        EACH_LANE each(local_t) = each(v2_t);
+        EACH_DIRECTION each(local_t) = each(v2_t);
         local = v2;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) = each(local_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) = each(local_t);
         AT(work, region + layout__REGION_LOCAL_PENETRATION) = local;
     }
     return 0;
@@ -1306,100 +1306,100 @@ static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d 
  */
 
 /* Derivative of ``hertz_contact``. */
-static inline void derivative_hertz_contact__hertz_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* out_2, bool* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_hertz_contact__hertz_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* out_2, bool* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t)
 {
     int64_t point;
-    lanes A_t, v2_t, B_t, half_length_t, half_width_t, stiffness_t, penetration_t, low_t, high_t, v4_t, widest_t, v5_t, v6_t;
+    directional_rate A_t, v2_t, B_t, half_length_t, half_width_t, stiffness_t, penetration_t, low_t, high_t, v4_t, widest_t, v5_t, v6_t;
     double A, v1, v2, B, half_length, half_width, stiffness, penetration, low, high, v3, v4, widest, v5, v6, v7, v8, v9, v10;
     point = side + layout__SIDE_SEARCH_POINT;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK) = AT(work, point + layout__CONTACT_POINT_X_TRACK);
-    EACH_LANE each(A_t) = 0.5 * each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    EACH_DIRECTION each(A_t) = 0.5 * each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_X));
     A = 0.5 * AT(work, point + layout__CONTACT_POINT_CURVATURE_X);
     v1 = 0.5 * AT(work, point + layout__CONTACT_POINT_CURVATURE_Y);
     v2 = coefficients__FLOOR * A;
-    EACH_LANE each(v2_t) = coefficients__FLOOR * each(A_t);
+    EACH_DIRECTION each(v2_t) = coefficients__FLOOR * each(A_t);
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = 0.5 * each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+        EACH_DIRECTION each(v2_t) = 0.5 * each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
     }
-    EACH_LANE each(B_t) = each(v2_t);
+    EACH_DIRECTION each(B_t) = each(v2_t);
     B = v2;
     derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, &penetration, &penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
     derivative_hertz_contact__profile_ends_t(&low, &low_t, &high, &high_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     v3 = high - AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL);
     v4 = AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL) - low;
-    EACH_LANE each(v4_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - each(low_t);
+    EACH_DIRECTION each(v4_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - each(low_t);
     if (v3 < v4)
     {
         v4 = v3;
-        EACH_LANE each(v4_t) = each(high_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
+        EACH_DIRECTION each(v4_t) = each(high_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
     }
-    EACH_LANE each(widest_t) = each(v4_t);
+    EACH_DIRECTION each(widest_t) = each(v4_t);
     widest = v4;
     if (half_width > widest)
     {
         derivative_hertz_contact__widest_ellipse_t(&v5, &v5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, low, low_t, high, high_t);
-        EACH_LANE each(widest_t) = each(v5_t);
+        EACH_DIRECTION each(widest_t) = each(v5_t);
         widest = v5;
     }
     if (half_width > widest)
     {
         derivative_hertz_contact__narrow_ellipse_t(&v6, &v6_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t, widest, widest_t);
-        EACH_LANE each(B_t) = each(v6_t);
+        EACH_DIRECTION each(B_t) = each(v6_t);
         B = v6;
         derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, &penetration, &penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
     }
     v7 = 1.5 * stiffness;
     v8 = sqrt(penetration);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * each(stiffness_t) * v8 + v7 * derivative_rates__root_rate(v8, each(penetration_t));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * each(stiffness_t) * v8 + v7 * derivative_rates__root_rate(v8, each(penetration_t));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS) = v7 * v8;
     v9 = stiffness * penetration;
     v10 = sqrt(penetration);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = (each(stiffness_t) * penetration + stiffness * each(penetration_t)) * v10 + v9 * derivative_rates__root_rate(v10, each(penetration_t));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = (each(stiffness_t) * penetration + stiffness * each(penetration_t)) * v10 + v9 * derivative_rates__root_rate(v10, each(penetration_t));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED) = v9 * v10;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT) = 0.0;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = each(penetration_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = each(penetration_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION) = penetration;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
     {
         derivative_hertz_contact__fill_ellipse_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, half_length, half_length_t, half_width, half_width_t);
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *out_2 = 1;
     *out_3 = true;
 }
 
 /* Derivative of ``fill_ellipse``. */
-static inline int64_t derivative_hertz_contact__fill_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double half_length, lanes half_length_t, double half_width, lanes half_width_t)
+static inline int64_t derivative_hertz_contact__fill_ellipse_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t region, double half_length, directional_rate half_length_t, double half_width, directional_rate half_width_t)
 {
-    lanes load_t, pressure_t, rates;
+    directional_rate load_t, pressure_t, rates;
     double load, v2, v3, v4, pressure;
     int64_t n1, patch;
     derivative_filling__clear_patches_t(work, work_t, side);
-    EACH_LANE each(load_t) = each(RATE_AT(work_t, region + layout__REGION_CARRIED));
+    EACH_DIRECTION each(load_t) = each(RATE_AT(work_t, region + layout__REGION_CARRIED));
     load = AT(work, region + layout__REGION_CARRIED);
-    EACH_LANE each(rates) = -each(half_width_t);
+    EACH_DIRECTION each(rates) = -each(half_width_t);
     n1 = derivative_filling__begin_patch_t(work, work_t, side, region, -half_width, rates, 0, layout__RULE_ELLIPSE);
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n1;
-    derivative_filling__add_load_t(work, work_t, patch, 0, load, load_t, 0.0, all_lanes(0.0));
+    derivative_filling__add_load_t(work, work_t, patch, 0, load, load_t, 0.0, along_all(0.0));
     v2 = M_PI * half_length;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * each(half_length_t) * half_width + v2 * each(half_width_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * each(half_length_t) * half_width + v2 * each(half_width_t);
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) = v2 * half_width;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = each(half_width_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = each(half_width_t);
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) = half_width;
     v3 = 1.5 * load;
     v4 = v3 / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA);
-    EACH_LANE each(pressure_t) = (1.5 * each(load_t) - v4 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA);
+    EACH_DIRECTION each(pressure_t) = (1.5 * each(load_t) - v4 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA);
     pressure = v4;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(pressure_t) * pressure + pressure * each(pressure_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(pressure_t) * pressure + pressure * each(pressure_t);
     AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = pressure * pressure;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(half_length_t) * half_length + half_length * each(half_length_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(half_length_t) * half_length + half_length * each(half_length_t);
     AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = half_length * half_length;
     derivative_filling__finish_patch_t(work, work_t, side);
     derivative_filling__finish_patches_t(work, work_t, side);
@@ -1407,25 +1407,25 @@ static inline int64_t derivative_hertz_contact__fill_ellipse_t(array_double_1d w
 }
 
 /* Derivative of ``press_ellipse``. */
-static inline void derivative_hertz_contact__press_ellipse_t(double* v7_out, lanes* out_1, double* v10_out, lanes* out_3, double* stiffness_out, lanes* stiffness_t_out, double* penetration_out, lanes* penetration_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_hertz_contact__press_ellipse_t(double* v7_out, directional_rate* out_1, double* v10_out, directional_rate* out_3, double* stiffness_out, directional_rate* stiffness_t_out, double* penetration_out, directional_rate* penetration_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double A, directional_rate A_t, double B, directional_rate B_t, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t)
 {
     double one_alpha, one_beta, nr, v1, stiffness, penetration, v3, v4, v2, root, v5, v6, v7, v8, v9, v10;
-    lanes one_alpha_t, one_beta_t, nr_t, v1_t, stiffness_t, penetration_t, v2_t, root_t, rates;
+    directional_rate one_alpha_t, one_beta_t, nr_t, v1_t, stiffness_t, penetration_t, v2_t, root_t, rates;
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, A_t, B, B_t);
-    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, AT(tables, layout__TABLES_CONTACT_MODULUS), all_lanes(0.0));
-    EACH_LANE each(stiffness_t) = each(v1_t);
+    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, AT(tables, layout__TABLES_CONTACT_MODULUS), along_all(0.0));
+    EACH_DIRECTION each(stiffness_t) = each(v1_t);
     stiffness = v1;
-    EACH_LANE each(penetration_t) = each(prescribed_t);
+    EACH_DIRECTION each(penetration_t) = each(prescribed_t);
     penetration = prescribed;
     if (!isfinite(prescribed))
     {
         v3 = AT(work, region + layout__REGION_SHARE) * stiffness;
         v4 = force / v3;
-        EACH_LANE each(rates) = (each(force_t) - v4 * (each(RATE_AT(work_t, region + layout__REGION_SHARE)) * stiffness + AT(work, region + layout__REGION_SHARE) * each(stiffness_t))) / v3;
+        EACH_DIRECTION each(rates) = (each(force_t) - v4 * (each(RATE_AT(work_t, region + layout__REGION_SHARE)) * stiffness + AT(work, region + layout__REGION_SHARE) * each(stiffness_t))) / v3;
         derivative_powers__cube_root_rule_t(&v2, &v2_t, v4, rates);
-        EACH_LANE each(root_t) = each(v2_t);
+        EACH_DIRECTION each(root_t) = each(v2_t);
         root = v2;
-        EACH_LANE each(penetration_t) = each(root_t) * root + root * each(root_t);
+        EACH_DIRECTION each(penetration_t) = each(root_t) * root + root * each(root_t);
         penetration = root * root;
     }
     v5 = one_alpha * A;
@@ -1435,116 +1435,116 @@ static inline void derivative_hertz_contact__press_ellipse_t(double* v7_out, lan
     v9 = penetration / v8;
     v10 = sqrt(v9);
     *v7_out = v7;
-    EACH_LANE each(*out_1) = derivative_rates__root_rate(v7, (each(penetration_t) - v6 * (each(one_alpha_t) * A + one_alpha * each(A_t))) / v5);
+    EACH_DIRECTION each(*out_1) = derivative_rates__root_rate(v7, (each(penetration_t) - v6 * (each(one_alpha_t) * A + one_alpha * each(A_t))) / v5);
     *v10_out = v10;
-    EACH_LANE each(*out_3) = derivative_rates__root_rate(v10, (each(penetration_t) - v9 * (each(one_beta_t) * B + one_beta * each(B_t))) / v8);
+    EACH_DIRECTION each(*out_3) = derivative_rates__root_rate(v10, (each(penetration_t) - v9 * (each(one_beta_t) * B + one_beta * each(B_t))) / v8);
     *stiffness_out = stiffness;
-    EACH_LANE each(*stiffness_t_out) = each(stiffness_t);
+    EACH_DIRECTION each(*stiffness_t_out) = each(stiffness_t);
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
 }
 
 /* Derivative of ``profile_ends``. */
-static inline void derivative_hertz_contact__profile_ends_t(double* low_out, lanes* low_t_out, double* high_out, lanes* high_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region)
+static inline void derivative_hertz_contact__profile_ends_t(double* low_out, directional_rate* low_t_out, double* high_out, directional_rate* high_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region)
 {
     double v1, v2, low, v3, v4, high;
-    lanes v2_t, low_t, v4_t, high_t;
+    directional_rate v2_t, low_t, v4_t, high_t;
     v1 = AT(work, region + layout__REGION_RAIL) - (AT(work, region + layout__REGION_WHEEL) - AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL) + layout__PROFILE_START));
     v2 = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START);
-    v2_t = all_lanes(0.0);
+    v2_t = along_all(0.0);
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) - each(RATE_AT(work_t, region + layout__REGION_WHEEL));
+        EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) - each(RATE_AT(work_t, region + layout__REGION_WHEEL));
     }
-    EACH_LANE each(low_t) = each(v2_t);
+    EACH_DIRECTION each(low_t) = each(v2_t);
     low = v2;
     v3 = AT(work, region + layout__REGION_RAIL) + (AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL) + layout__PROFILE_STOP) - AT(work, region + layout__REGION_WHEEL));
     v4 = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_STOP);
-    v4_t = all_lanes(0.0);
+    v4_t = along_all(0.0);
     if (v3 < v4)
     {
         v4 = v3;
-        EACH_LANE each(v4_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) + -each(RATE_AT(work_t, region + layout__REGION_WHEEL));
+        EACH_DIRECTION each(v4_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) + -each(RATE_AT(work_t, region + layout__REGION_WHEEL));
     }
-    EACH_LANE each(high_t) = each(v4_t);
+    EACH_DIRECTION each(high_t) = each(v4_t);
     high = v4;
     *low_out = low;
-    EACH_LANE each(*low_t_out) = each(low_t);
+    EACH_DIRECTION each(*low_t_out) = each(low_t);
     *high_out = high;
-    EACH_LANE each(*high_t_out) = each(high_t);
+    EACH_DIRECTION each(*high_t_out) = each(high_t);
 }
 
 /* Derivative of ``widest_ellipse``. */
-static inline void derivative_hertz_contact__widest_ellipse_t(double* v7_out, lanes* v7_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double low, lanes low_t, double high, lanes high_t)
+static inline void derivative_hertz_contact__widest_ellipse_t(double* v7_out, directional_rate* v7_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double low, directional_rate low_t, double high, directional_rate high_t)
 {
     double v1, v2, v3, widest, v4, v5, v6, v7;
-    lanes v1_t, v2_t, v3_t, widest_t, v5_t, v7_t;
+    directional_rate v1_t, v2_t, v3_t, widest_t, v5_t, v7_t;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
         derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, low, low_t, AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL));
         derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), high, high_t);
         v3 = v1;
-        EACH_LANE each(v3_t) = each(v1_t);
+        EACH_DIRECTION each(v3_t) = each(v1_t);
         if (v2 < v3)
         {
             v3 = v2;
-            EACH_LANE each(v3_t) = each(v2_t);
+            EACH_DIRECTION each(v3_t) = each(v2_t);
         }
-        EACH_LANE each(widest_t) = each(v3_t);
+        EACH_DIRECTION each(widest_t) = each(v3_t);
         widest = v3;
     }
     else
     {
         v4 = high - AT(work, region + layout__REGION_RAIL);
         v5 = AT(work, region + layout__REGION_RAIL) - low;
-        EACH_LANE each(v5_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) - each(low_t);
+        EACH_DIRECTION each(v5_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) - each(low_t);
         if (v4 < v5)
         {
             v5 = v4;
-            EACH_LANE each(v5_t) = each(high_t) - each(RATE_AT(work_t, region + layout__REGION_RAIL));
+            EACH_DIRECTION each(v5_t) = each(high_t) - each(RATE_AT(work_t, region + layout__REGION_RAIL));
         }
         v6 = v5 / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-        EACH_LANE each(widest_t) = (each(v5_t) - v6 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+        EACH_DIRECTION each(widest_t) = (each(v5_t) - v6 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
         widest = v6;
     }
     v7 = widest;
-    EACH_LANE each(v7_t) = each(widest_t);
+    EACH_DIRECTION each(v7_t) = each(widest_t);
     if (hertz_contact__NARROWEST > v7)
     {
         v7 = hertz_contact__NARROWEST;
-        v7_t = all_lanes(0.0);
+        v7_t = along_all(0.0);
     }
     *v7_out = v7;
-    EACH_LANE each(*v7_t_out) = each(v7_t);
+    EACH_DIRECTION each(*v7_t_out) = each(v7_t);
 }
 
 /* Derivative of ``narrow_ellipse``. */
-static inline void derivative_hertz_contact__narrow_ellipse_t(double* B_out, lanes* B_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t, double widest, lanes widest_t)
+static inline void derivative_hertz_contact__narrow_ellipse_t(double* B_out, directional_rate* B_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double A, directional_rate A_t, double B, directional_rate B_t, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t, double widest, directional_rate widest_t)
 {
     int64_t narrowing;
     double half_length, half_width, stiffness, penetration, v1, share, v2, v3, v4;
-    lanes half_length_t, half_width_t, stiffness_t, penetration_t, share_t, v4_t;
+    directional_rate half_length_t, half_width_t, stiffness_t, penetration_t, share_t, v4_t;
     for (narrowing = 0; narrowing < hertz_contact__NARROWINGS; narrowing += 1)
     {
         derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, &penetration, &penetration_t, work, work_t, tables, region, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
         v1 = half_width / widest;
-        EACH_LANE each(share_t) = (each(half_width_t) - v1 * each(widest_t)) / widest;
+        EACH_DIRECTION each(share_t) = (each(half_width_t) - v1 * each(widest_t)) / widest;
         share = v1;
         v2 = B * share;
         v3 = hertz_contact__SHARPEST * A;
         v4 = v2 * share;
-        EACH_LANE each(v4_t) = (each(B_t) * share + B * each(share_t)) * share + v2 * each(share_t);
+        EACH_DIRECTION each(v4_t) = (each(B_t) * share + B * each(share_t)) * share + v2 * each(share_t);
         if (v3 < v4)
         {
             v4 = v3;
-            EACH_LANE each(v4_t) = hertz_contact__SHARPEST * each(A_t);
+            EACH_DIRECTION each(v4_t) = hertz_contact__SHARPEST * each(A_t);
         }
-        EACH_LANE each(B_t) = each(v4_t);
+        EACH_DIRECTION each(B_t) = each(v4_t);
         B = v4;
     }
     *B_out = B;
-    EACH_LANE each(*B_t_out) = each(B_t);
+    EACH_DIRECTION each(*B_t_out) = each(B_t);
 }
 
 
@@ -1554,15 +1554,15 @@ static inline void derivative_hertz_contact__narrow_ellipse_t(double* B_out, lan
  */
 
 /* Derivative of ``analyn_error``. */
-static inline void derivative_model_error__analyn_error_t(double* error_out, lanes* error_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count)
+static inline void derivative_model_error__analyn_error_t(double* error_out, directional_rate* error_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t count)
 {
     int64_t window, index, region;
-    lanes load_t, changes_t, own_t, change_t, error_t;
+    directional_rate load_t, changes_t, own_t, change_t, error_t;
     double load, changes, own, change, error, v1, v2;
     window = nodes__window_nodes(tables);
-    load_t = all_lanes(0.0);
+    load_t = along_all(0.0);
     load = 0.0;
-    changes_t = all_lanes(0.0);
+    changes_t = along_all(0.0);
     changes = 0.0;
     for (index = 0; index < count; index += 1)
     {
@@ -1570,67 +1570,67 @@ static inline void derivative_model_error__analyn_error_t(double* error_out, lan
         if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > 0.0)
         {
             derivative_model_error__curvature_change_t(&own, &own_t, &change, &change_t, work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index, window);
-            EACH_LANE each(load_t) = each(load_t) + (each(own_t) * AT(work, region + layout__REGION_SPACING) + own * each(RATE_AT(work_t, region + layout__REGION_SPACING)));
+            EACH_DIRECTION each(load_t) = each(load_t) + (each(own_t) * AT(work, region + layout__REGION_SPACING) + own * each(RATE_AT(work_t, region + layout__REGION_SPACING)));
             load = load + own * AT(work, region + layout__REGION_SPACING);
-            EACH_LANE each(changes_t) = each(changes_t) + (each(change_t) * AT(work, region + layout__REGION_SPACING) + change * each(RATE_AT(work_t, region + layout__REGION_SPACING)));
+            EACH_DIRECTION each(changes_t) = each(changes_t) + (each(change_t) * AT(work, region + layout__REGION_SPACING) + change * each(RATE_AT(work_t, region + layout__REGION_SPACING)));
             changes = changes + change * AT(work, region + layout__REGION_SPACING);
         }
     }
-    error_t = all_lanes(0.0);
+    error_t = along_all(0.0);
     error = 0.0;
     if (load > 0.0)
     {
         v1 = model_error__RATE * changes;
         v2 = v1 / load;
-        EACH_LANE each(error_t) = (model_error__RATE * each(changes_t) - v2 * each(load_t)) / load;
+        EACH_DIRECTION each(error_t) = (model_error__RATE * each(changes_t) - v2 * each(load_t)) / load;
         error = model_error__LEAST + v2;
     }
     *error_out = error;
-    EACH_LANE each(*error_t_out) = each(error_t);
+    EACH_DIRECTION each(*error_t_out) = each(error_t);
 }
 
 /* Derivative of ``curvature_change``. */
-static inline void derivative_model_error__curvature_change_t(double* load_out, lanes* load_t_out, double* changes_out, lanes* changes_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes, int64_t window)
+static inline void derivative_model_error__curvature_change_t(double* load_out, directional_rate* load_t_out, double* changes_out, directional_rate* changes_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes, int64_t window)
 {
-    lanes load_t, changes_t, d_t, low_t, high_t, twice_t, own_t;
+    directional_rate load_t, changes_t, d_t, low_t, high_t, twice_t, own_t;
     double load, changes, d, low, high, twice, own, v3, v4, v5, v6, v7;
     int64_t k, k1, k2, k_end;
-    load_t = all_lanes(0.0);
+    load_t = along_all(0.0);
     load = 0.0;
-    changes_t = all_lanes(0.0);
+    changes_t = along_all(0.0);
     changes = 0.0;
     k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
     for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
     {
-        EACH_LANE each(d_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + k));
+        EACH_DIRECTION each(d_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + k));
         d = AT(work, region + layout__REGION_LOCAL_PENETRATION) - AT(work, nodes + layout__NODES_RISE + 128 + k);
         if (d > 0.0)
         {
             k1 = nodes + layout__NODES_B + 128 + int64_max(k - window, (int64_t)AT(work, region + layout__REGION_FIRST));
-            EACH_LANE each(low_t) = each(RATE_AT(work_t, k1));
+            EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, k1));
             low = AT(work, k1);
             k2 = nodes + layout__NODES_B + 128 + int64_min(k + window, (int64_t)AT(work, region + layout__REGION_LAST));
-            EACH_LANE each(high_t) = each(RATE_AT(work_t, k2));
+            EACH_DIRECTION each(high_t) = each(RATE_AT(work_t, k2));
             high = AT(work, k2);
-            EACH_LANE each(twice_t) = 2.0 * each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + k));
+            EACH_DIRECTION each(twice_t) = 2.0 * each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + k));
             twice = 2.0 * AT(work, nodes + layout__NODES_B + 128 + k);
-            EACH_LANE each(own_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) * d + AT(work, nodes + layout__NODES_LINE + 128 + k) * each(d_t);
+            EACH_DIRECTION each(own_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) * d + AT(work, nodes + layout__NODES_LINE + 128 + k) * each(d_t);
             own = AT(work, nodes + layout__NODES_LINE + 128 + k) * d;
-            EACH_LANE each(load_t) = each(load_t) + each(own_t);
+            EACH_DIRECTION each(load_t) = each(load_t) + each(own_t);
             load = load + own;
             v3 = low - twice + high;
             v4 = fabs(v3);
             v5 = own * v4;
             v6 = low + twice + high;
             v7 = v5 / v6;
-            EACH_LANE each(changes_t) = each(changes_t) + (each(own_t) * v4 + own * derivative_rates__size_rate(v3, each(low_t) - each(twice_t) + each(high_t)) - v7 * (each(low_t) + each(twice_t) + each(high_t))) / v6;
+            EACH_DIRECTION each(changes_t) = each(changes_t) + (each(own_t) * v4 + own * derivative_rates__size_rate(v3, each(low_t) - each(twice_t) + each(high_t)) - v7 * (each(low_t) + each(twice_t) + each(high_t))) / v6;
             changes = changes + v7;
         }
     }
     *load_out = load;
-    EACH_LANE each(*load_t_out) = each(load_t);
+    EACH_DIRECTION each(*load_t_out) = each(load_t);
     *changes_out = changes;
-    EACH_LANE each(*changes_t_out) = each(changes_t);
+    EACH_DIRECTION each(*changes_t_out) = each(changes_t);
 }
 
 
@@ -1640,7 +1640,7 @@ static inline void derivative_model_error__curvature_change_t(double* load_out, 
  */
 
 /* Derivative of ``fill_from_nodes``. */
-static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t count)
+static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t count)
 {
     int64_t strips, index, region, k, k_end;
     derivative_filling__clear_patches_t(work, work_t, side);
@@ -1648,13 +1648,13 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
     for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        RATE_AT(work_t, region + layout__REGION_CARRIED) = all_lanes(0.0);
+        RATE_AT(work_t, region + layout__REGION_CARRIED) = along_all(0.0);
         AT(work, region + layout__REGION_CARRIED) = 0.0;
-        RATE_AT(work_t, region + layout__REGION_MOMENT) = all_lanes(0.0);
+        RATE_AT(work_t, region + layout__REGION_MOMENT) = along_all(0.0);
         AT(work, region + layout__REGION_MOMENT) = 0.0;
         if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > 0.0)
         {
-            RATE_AT(work_t, region + layout__REGION_STRIP) = all_lanes(0.0);
+            RATE_AT(work_t, region + layout__REGION_STRIP) = along_all(0.0);
             AT(work, region + layout__REGION_STRIP) = (double)(strips - (int64_t)AT(work, region + layout__REGION_FIRST));
             derivative_node_patches__fill_strips_t(work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips = strips + ((int64_t)AT(work, region + layout__REGION_LAST) - (int64_t)AT(work, region + layout__REGION_FIRST) + 1);
@@ -1671,72 +1671,72 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
 }
 
 /* Derivative of ``fill_strips``. */
-static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes)
+static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes)
 {
-    lanes deepest_t, spacing_t, origin_t, along_t, slant_t, d_t, load_t, away_t;
+    directional_rate deepest_t, spacing_t, origin_t, along_t, slant_t, d_t, load_t, away_t;
     double deepest, spacing, origin, along, slant, d, load, v1, v2, v3, v4, v5, away;
     int64_t middle, k, strip, k6, k7, k_end;
-    EACH_LANE each(deepest_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
+    EACH_DIRECTION each(deepest_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
     deepest = AT(work, region + layout__REGION_LOCAL_PENETRATION);
     middle = (int64_t)AT(work, region + layout__REGION_STRIP);
-    EACH_LANE each(spacing_t) = each(RATE_AT(work_t, region + layout__REGION_SPACING));
+    EACH_DIRECTION each(spacing_t) = each(RATE_AT(work_t, region + layout__REGION_SPACING));
     spacing = AT(work, region + layout__REGION_SPACING);
-    EACH_LANE each(origin_t) = each(RATE_AT(work_t, region + layout__REGION_OFFSET)) + each(RATE_AT(work_t, region + layout__REGION_STATION));
+    EACH_DIRECTION each(origin_t) = each(RATE_AT(work_t, region + layout__REGION_OFFSET)) + each(RATE_AT(work_t, region + layout__REGION_STATION));
     origin = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
-    EACH_LANE each(along_t) = each(RATE_AT(work_t, region + layout__REGION_X_TRACK));
+    EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, region + layout__REGION_X_TRACK));
     along = AT(work, region + layout__REGION_X_TRACK);
-    EACH_LANE each(slant_t) = each(RATE_AT(work_t, region + layout__REGION_SLANT));
+    EACH_DIRECTION each(slant_t) = each(RATE_AT(work_t, region + layout__REGION_SLANT));
     slant = AT(work, region + layout__REGION_SLANT);
     k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
     for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
-        EACH_LANE each(d_t) = each(deepest_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + k));
+        EACH_DIRECTION each(d_t) = each(deepest_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + k));
         d = deepest - AT(work, nodes + layout__NODES_RISE + 128 + k);
-        EACH_LANE each(load_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) * d + AT(work, nodes + layout__NODES_LINE + 128 + k) * each(d_t);
+        EACH_DIRECTION each(load_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) * d + AT(work, nodes + layout__NODES_LINE + 128 + k) * each(d_t);
         load = AT(work, nodes + layout__NODES_LINE + 128 + k) * d;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = each(load_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = each(load_t);
         AT(work, strip + layout__SOLVED_STRIP_LINE_LOAD) = load;
         v1 = d / AT(work, nodes + layout__NODES_LENGTH + 128 + k);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (each(d_t) - v1 * each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + k))) / AT(work, nodes + layout__NODES_LENGTH + 128 + k);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (each(d_t) - v1 * each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + k))) / AT(work, nodes + layout__NODES_LENGTH + 128 + k);
         AT(work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) = v1;
         v2 = 4.0 / (M_PI * M_PI);
         v3 = v2 * AT(work, nodes + layout__NODES_LINE + 128 + k);
         v4 = v3 * load;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (v2 * each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) * load + v3 * each(load_t)) * AT(work, nodes + layout__NODES_LENGTH + 128 + k) + v4 * each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + k));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (v2 * each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) * load + v3 * each(load_t)) * AT(work, nodes + layout__NODES_LENGTH + 128 + k) + v4 * each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + k));
         AT(work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE) = v4 * AT(work, nodes + layout__NODES_LENGTH + 128 + k);
         v5 = (double)k;
-        EACH_LANE each(away_t) = each(spacing_t) * v5;
+        EACH_DIRECTION each(away_t) = each(spacing_t) * v5;
         away = spacing * v5;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_STATION)) = each(origin_t) + each(away_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_STATION)) = each(origin_t) + each(away_t);
         AT(work, strip + layout__SOLVED_STRIP_STATION) = origin + away;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_WIDTH)) = each(spacing_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_WIDTH)) = each(spacing_t);
         AT(work, strip + layout__SOLVED_STRIP_WIDTH) = spacing;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_X)) = each(along_t) + (each(slant_t) * away + slant * each(away_t));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_X)) = each(along_t) + (each(slant_t) * away + slant * each(away_t));
         AT(work, strip + layout__SOLVED_STRIP_X) = along + slant * away;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + k));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + k));
         AT(work, strip + layout__SOLVED_STRIP_CURVATURE) = 2.0 * AT(work, nodes + layout__NODES_A + 128 + k);
     }
     k6 = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)AT(work, region + layout__REGION_FIRST)) + layout__SOLVED_STRIP_WIDTH;
-    EACH_LANE each(RATE_AT(work_t, k6)) = 0.5 * each(spacing_t);
+    EACH_DIRECTION each(RATE_AT(work_t, k6)) = 0.5 * each(spacing_t);
     AT(work, k6) = 0.5 * spacing;
     k7 = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)AT(work, region + layout__REGION_LAST)) + layout__SOLVED_STRIP_WIDTH;
-    EACH_LANE each(RATE_AT(work_t, k7)) = 0.5 * each(spacing_t);
+    EACH_DIRECTION each(RATE_AT(work_t, k7)) = 0.5 * each(spacing_t);
     AT(work, k7) = 0.5 * spacing;
     return 0;
 }
 
 /* Derivative of ``add_cell``. */
-static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t number, int64_t k)
+static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t number, int64_t k)
 {
     int64_t region, nodes, outward, low, before, high, strip, inner, outer, n2, index, patch;
-    lanes spacing_t, deepest_t, start_t, stop_t, v1_t, begin_t, end_t, load_t, moment_t, rates, rates_2, rates_3, rates_4;
+    directional_rate spacing_t, deepest_t, start_t, stop_t, v1_t, begin_t, end_t, load_t, moment_t, rates, rates_2, rates_3, rates_4;
     double spacing, deepest, start, stop, v1, begin, end, v3, load, moment;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
     nodes = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * number;
-    EACH_LANE each(spacing_t) = each(RATE_AT(work_t, region + layout__REGION_SPACING));
+    EACH_DIRECTION each(spacing_t) = each(RATE_AT(work_t, region + layout__REGION_SPACING));
     spacing = AT(work, region + layout__REGION_SPACING);
-    EACH_LANE each(deepest_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
+    EACH_DIRECTION each(deepest_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
     deepest = AT(work, region + layout__REGION_LOCAL_PENETRATION);
     outward = 1;
     low = k;
@@ -1747,14 +1747,14 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
     }
     before = low - outward;
     high = low + outward;
-    EACH_LANE each(rates) = each(deepest_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + before));
-    EACH_LANE each(rates_2) = each(deepest_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + low));
-    EACH_LANE each(rates_3) = each(deepest_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + high));
+    EACH_DIRECTION each(rates) = each(deepest_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + before));
+    EACH_DIRECTION each(rates_2) = each(deepest_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + low));
+    EACH_DIRECTION each(rates_3) = each(deepest_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + high));
     derivative_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, deepest - AT(work, nodes + layout__NODES_RISE + 128 + before), rates, deepest - AT(work, nodes + layout__NODES_RISE + 128 + low), rates_2, deepest - AT(work, nodes + layout__NODES_RISE + 128 + high), rates_3);
     if (k == (int64_t)AT(work, region + layout__REGION_FIRST) || k == (int64_t)AT(work, region + layout__REGION_LAST) - 1)
     {
         derivative_analyn__clip_to_bound_t(&v1, &v1_t, work, work_t, region, low, outward, stop, stop_t);
-        EACH_LANE each(stop_t) = each(v1_t);
+        EACH_DIRECTION each(stop_t) = each(v1_t);
         stop = v1;
     }
     strip = (int64_t)AT(work, region + layout__REGION_STRIP);
@@ -1766,26 +1766,26 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
     }
     if (stop > start)
     {
-        EACH_LANE each(begin_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION)) + (each(spacing_t) * start + spacing * each(start_t));
+        EACH_DIRECTION each(begin_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION)) + (each(spacing_t) * start + spacing * each(start_t));
         begin = AT(work, inner + layout__SOLVED_STRIP_STATION) + spacing * start;
-        EACH_LANE each(end_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION)) + (each(spacing_t) * stop + spacing * each(stop_t));
+        EACH_DIRECTION each(end_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION)) + (each(spacing_t) * stop + spacing * each(stop_t));
         end = AT(work, inner + layout__SOLVED_STRIP_STATION) + spacing * stop;
         if (outward < 0)
         {
-            EACH_LANE each(begin_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION)) - (each(spacing_t) * stop + spacing * each(stop_t));
+            EACH_DIRECTION each(begin_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION)) - (each(spacing_t) * stop + spacing * each(stop_t));
             begin = AT(work, inner + layout__SOLVED_STRIP_STATION) - spacing * stop;
-            EACH_LANE each(end_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION)) - (each(spacing_t) * start + spacing * each(start_t));
+            EACH_DIRECTION each(end_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION)) - (each(spacing_t) * start + spacing * each(start_t));
             end = AT(work, inner + layout__SOLVED_STRIP_STATION) - spacing * start;
         }
         n2 = derivative_node_patches__patch_from_t(work, work_t, side, region, begin, begin_t, strip + k);
         index = n2;
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = each(end_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = each(end_t);
         AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) = end;
-        RATE_AT(work_t, patch + layout__PATCH_LAST) = all_lanes(0.0);
+        RATE_AT(work_t, patch + layout__PATCH_LAST) = along_all(0.0);
         AT(work, patch + layout__PATCH_LAST) = (double)(strip + k + 1);
         v3 = (double)outward;
-        EACH_LANE each(rates_4) = each(spacing_t) * v3;
+        EACH_DIRECTION each(rates_4) = each(spacing_t) * v3;
         derivative_node_patches__add_part_t(&load, &load_t, &moment, &moment_t, work, work_t, patch, region, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, rates_4);
         derivative_filling__add_load_t(work, work_t, patch, number, load, load_t, moment, moment_t);
         derivative_node_patches__keep_largest_t(work, work_t, patch, strip + low);
@@ -1794,38 +1794,38 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
 }
 
 /* Derivative of ``narrow_strips``. */
-static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t inner, int64_t outer, double start, lanes start_t, double stop, lanes stop_t, double spacing, lanes spacing_t)
+static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t inner, int64_t outer, double start, directional_rate start_t, double stop, directional_rate stop_t, double spacing, directional_rate spacing_t)
 {
-    lanes inner_share_t, outer_share_t;
+    directional_rate inner_share_t, outer_share_t;
     double inner_share, outer_share, v1, v2;
-    inner_share_t = all_lanes(0.0);
+    inner_share_t = along_all(0.0);
     inner_share = 0.0;
-    outer_share_t = all_lanes(0.0);
+    outer_share_t = along_all(0.0);
     outer_share = 0.0;
     if (stop > start)
     {
         if (start > 0.0)
         {
-            EACH_LANE each(outer_share_t) = each(stop_t) - each(start_t);
+            EACH_DIRECTION each(outer_share_t) = each(stop_t) - each(start_t);
             outer_share = stop - start;
         }
         else
         {
-            EACH_LANE each(inner_share_t) = each(stop_t) - each(start_t);
+            EACH_DIRECTION each(inner_share_t) = each(stop_t) - each(start_t);
             inner_share = stop - start;
         }
     }
     v1 = inner_share - 0.5;
-    EACH_LANE each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_WIDTH)) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_WIDTH)) + (each(inner_share_t) * spacing + v1 * each(spacing_t));
+    EACH_DIRECTION each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_WIDTH)) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_WIDTH)) + (each(inner_share_t) * spacing + v1 * each(spacing_t));
     AT(work, inner + layout__SOLVED_STRIP_WIDTH) = AT(work, inner + layout__SOLVED_STRIP_WIDTH) + v1 * spacing;
     v2 = outer_share - 0.5;
-    EACH_LANE each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_WIDTH)) = each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_WIDTH)) + (each(outer_share_t) * spacing + v2 * each(spacing_t));
+    EACH_DIRECTION each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_WIDTH)) = each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_WIDTH)) + (each(outer_share_t) * spacing + v2 * each(spacing_t));
     AT(work, outer + layout__SOLVED_STRIP_WIDTH) = AT(work, outer + layout__SOLVED_STRIP_WIDTH) + v2 * spacing;
     return 0;
 }
 
 /* Derivative of ``patch_from``. */
-static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double start, lanes start_t, int64_t strip)
+static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t region, double start, directional_rate start_t, int64_t strip)
 {
     int64_t index, last, n1;
     bool joined;
@@ -1849,89 +1849,89 @@ static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work
 }
 
 /* Derivative of ``add_part``. */
-static inline void derivative_node_patches__add_part_t(double* load_out, lanes* load_t_out, double* moment_out, lanes* moment_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t, double step, lanes step_t)
+static inline void derivative_node_patches__add_part_t(double* load_out, directional_rate* load_t_out, double* moment_out, directional_rate* moment_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, directional_rate start_t, double stop, directional_rate stop_t, double step, directional_rate step_t)
 {
-    lanes width_t, v1_t, load_t, v2_t, moment_t, v3_t, v4_t, v5_t, area_t;
+    directional_rate width_t, v1_t, load_t, v2_t, moment_t, v3_t, v4_t, v5_t, area_t;
     double width, v1, load, v2, moment, v3, v4, v5, area, v6, v7;
-    EACH_LANE each(width_t) = derivative_rates__size_rate(step, each(step_t));
+    EACH_DIRECTION each(width_t) = derivative_rates__size_rate(step, each(step_t));
     width = fabs(step);
     derivative_quadrature__quadratic_integral_t(&v1, &v1_t, AT(work, before + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, before + layout__SOLVED_STRIP_LINE_LOAD), AT(work, low + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, low + layout__SOLVED_STRIP_LINE_LOAD), AT(work, high + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, high + layout__SOLVED_STRIP_LINE_LOAD), stop, stop_t);
-    EACH_LANE each(load_t) = each(v1_t);
+    EACH_DIRECTION each(load_t) = each(v1_t);
     load = v1;
     derivative_quadrature__quadratic_moment_t(&v2, &v2_t, AT(work, before + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, before + layout__SOLVED_STRIP_LINE_LOAD), AT(work, low + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, low + layout__SOLVED_STRIP_LINE_LOAD), AT(work, high + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, high + layout__SOLVED_STRIP_LINE_LOAD), stop, stop_t);
-    EACH_LANE each(moment_t) = each(v2_t);
+    EACH_DIRECTION each(moment_t) = each(v2_t);
     moment = v2;
     if (start > 0.0)
     {
         derivative_quadrature__quadratic_integral_t(&v3, &v3_t, AT(work, before + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, before + layout__SOLVED_STRIP_LINE_LOAD), AT(work, low + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, low + layout__SOLVED_STRIP_LINE_LOAD), AT(work, high + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, high + layout__SOLVED_STRIP_LINE_LOAD), start, start_t);
-        EACH_LANE each(load_t) = each(load_t) - each(v3_t);
+        EACH_DIRECTION each(load_t) = each(load_t) - each(v3_t);
         load = load - v3;
         derivative_quadrature__quadratic_moment_t(&v4, &v4_t, AT(work, before + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, before + layout__SOLVED_STRIP_LINE_LOAD), AT(work, low + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, low + layout__SOLVED_STRIP_LINE_LOAD), AT(work, high + layout__SOLVED_STRIP_LINE_LOAD), RATE_AT(work_t, high + layout__SOLVED_STRIP_LINE_LOAD), start, start_t);
-        EACH_LANE each(moment_t) = each(moment_t) - each(v4_t);
+        EACH_DIRECTION each(moment_t) = each(moment_t) - each(v4_t);
         moment = moment - v4;
     }
-    EACH_LANE each(load_t) = each(load_t) * width + load * each(width_t);
+    EACH_DIRECTION each(load_t) = each(load_t) * width + load * each(width_t);
     load = load * width;
     derivative_quadrature__root_integral_t(&v5, &v5_t, AT(work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), start, start_t, stop, stop_t);
-    EACH_LANE each(area_t) = each(v5_t);
+    EACH_DIRECTION each(area_t) = each(v5_t);
     area = v5;
     v6 = width * step;
-    EACH_LANE each(moment_t) = each(RATE_AT(work_t, low + layout__SOLVED_STRIP_STATION)) * load + AT(work, low + layout__SOLVED_STRIP_STATION) * each(load_t) + ((each(width_t) * step + width * each(step_t)) * moment + v6 * each(moment_t));
+    EACH_DIRECTION each(moment_t) = each(RATE_AT(work_t, low + layout__SOLVED_STRIP_STATION)) * load + AT(work, low + layout__SOLVED_STRIP_STATION) * each(load_t) + ((each(width_t) * step + width * each(step_t)) * moment + v6 * each(moment_t));
     moment = AT(work, low + layout__SOLVED_STRIP_STATION) * load + v6 * moment;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CARRIED)) = each(RATE_AT(work_t, region + layout__REGION_CARRIED)) + each(load_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_CARRIED)) = each(RATE_AT(work_t, region + layout__REGION_CARRIED)) + each(load_t);
     AT(work, region + layout__REGION_CARRIED) = AT(work, region + layout__REGION_CARRIED) + load;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_MOMENT)) = each(RATE_AT(work_t, region + layout__REGION_MOMENT)) + each(moment_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_MOMENT)) = each(RATE_AT(work_t, region + layout__REGION_MOMENT)) + each(moment_t);
     AT(work, region + layout__REGION_MOMENT) = AT(work, region + layout__REGION_MOMENT) + moment;
     v7 = 2.0 * width;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + (2.0 * each(width_t) * area + v7 * each(area_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + (2.0 * each(width_t) * area + v7 * each(area_t));
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) + v7 * area;
     *load_out = load;
-    EACH_LANE each(*load_t_out) = each(load_t);
+    EACH_DIRECTION each(*load_t_out) = each(load_t);
     *moment_out = moment;
-    EACH_LANE each(*moment_t_out) = each(moment_t);
+    EACH_DIRECTION each(*moment_t_out) = each(moment_t);
 }
 
 /* Derivative of ``keep_largest``. */
-static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip)
 {
     int64_t low, here, high;
     double v1, v2;
-    lanes v1_t, v2_t;
+    directional_rate v1_t, v2_t;
     low = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - 1);
     here = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
     high = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + 1);
     if (AT(work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) > AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE))
     {
         derivative_node_patches__peak_square_t(&v1, &v1_t, AT(work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(v1_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(v1_t);
         AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = v1;
     }
     if (AT(work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE) > AT(work, patch + layout__PATCH_PRESSURE_SQUARE))
     {
         derivative_node_patches__peak_square_t(&v2, &v2_t, AT(work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE), RATE_AT(work_t, low + layout__SOLVED_STRIP_PRESSURE_SQUARE), AT(work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE), RATE_AT(work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE), AT(work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE), RATE_AT(work_t, high + layout__SOLVED_STRIP_PRESSURE_SQUARE));
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(v2_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(v2_t);
         AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = v2;
     }
     return 0;
 }
 
 /* Derivative of ``peak_square``. */
-static inline void derivative_node_patches__peak_square_t(double* square_out, lanes* square_t_out, double before, lanes before_t, double square, lanes square_t, double after, lanes after_t)
+static inline void derivative_node_patches__peak_square_t(double* square_out, directional_rate* square_t_out, double before, directional_rate before_t, double square, directional_rate square_t, double after, directional_rate after_t)
 {
     double v1, top, v2, left, v3, right, bend, v4, v5, v6, v7, v8;
-    lanes top_t, left_t, right_t, bend_t;
+    directional_rate top_t, left_t, right_t, bend_t;
     if (before > 0.0 && after > 0.0 && square >= before && square >= after)
     {
         v1 = sqrt(square);
-        EACH_LANE each(top_t) = derivative_rates__root_rate(v1, each(square_t));
+        EACH_DIRECTION each(top_t) = derivative_rates__root_rate(v1, each(square_t));
         top = v1;
         v2 = sqrt(before);
-        EACH_LANE each(left_t) = derivative_rates__root_rate(v2, each(before_t));
+        EACH_DIRECTION each(left_t) = derivative_rates__root_rate(v2, each(before_t));
         left = v2;
         v3 = sqrt(after);
-        EACH_LANE each(right_t) = derivative_rates__root_rate(v3, each(after_t));
+        EACH_DIRECTION each(right_t) = derivative_rates__root_rate(v3, each(after_t));
         right = v3;
-        EACH_LANE each(bend_t) = each(left_t) - 2.0 * each(top_t) + each(right_t);
+        EACH_DIRECTION each(bend_t) = each(left_t) - 2.0 * each(top_t) + each(right_t);
         bend = left - 2.0 * top + right;
         if (bend < 0.0)
         {
@@ -1940,14 +1940,14 @@ static inline void derivative_node_patches__peak_square_t(double* square_out, la
             v6 = v4 * v5;
             v7 = 8.0 * bend;
             v8 = v6 / v7;
-            EACH_LANE each(top_t) = each(top_t) - ((each(right_t) - each(left_t)) * v5 + v4 * (each(right_t) - each(left_t)) - v8 * (8.0 * each(bend_t))) / v7;
+            EACH_DIRECTION each(top_t) = each(top_t) - ((each(right_t) - each(left_t)) * v5 + v4 * (each(right_t) - each(left_t)) - v8 * (8.0 * each(bend_t))) / v7;
             top = top - v8;
-            EACH_LANE each(square_t) = each(top_t) * top + top * each(top_t);
+            EACH_DIRECTION each(square_t) = each(top_t) * top + top * each(top_t);
             square = top * top;
         }
     }
     *square_out = square;
-    EACH_LANE each(*square_t_out) = each(square_t);
+    EACH_DIRECTION each(*square_t_out) = each(square_t);
 }
 
 
@@ -1957,65 +1957,65 @@ static inline void derivative_node_patches__peak_square_t(double* square_out, la
  */
 
 /* Derivative of ``trace_tolerance``. */
-static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double spacing, lanes spacing_t)
+static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, directional_rate* tolerance_t_out, double spacing, directional_rate spacing_t)
 {
     double v1, tolerance;
-    lanes v1_t, tolerance_t;
+    directional_rate v1_t, tolerance_t;
     v1 = nodes__TRACE_SHARE * spacing;
-    EACH_LANE each(v1_t) = nodes__TRACE_SHARE * each(spacing_t);
+    EACH_DIRECTION each(v1_t) = nodes__TRACE_SHARE * each(spacing_t);
     if (nodes__COARSEST_TRACE < v1)
     {
         v1 = nodes__COARSEST_TRACE;
-        v1_t = all_lanes(0.0);
+        v1_t = along_all(0.0);
     }
-    EACH_LANE each(tolerance_t) = each(v1_t);
+    EACH_DIRECTION each(tolerance_t) = each(v1_t);
     tolerance = v1;
     *tolerance_out = tolerance;
-    EACH_LANE each(*tolerance_t_out) = each(tolerance_t);
+    EACH_DIRECTION each(*tolerance_t_out) = each(tolerance_t);
 }
 
 /* Derivative of ``lay_nodes``. */
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t)
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, directional_rate low_reach_t, double high_reach, directional_rate high_reach_t)
 {
     double v1, gap, rate, bend, curvature, v2, v3;
-    lanes v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t, v3_t;
+    directional_rate v1_t, gap_t, rate_t, bend_t, curvature_t, v2_t, v3_t;
     int64_t n4, before, n5, after;
     derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     derivative_curves__open_origin_t(tables, work, work_t, pair, region, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_nodes__trace_tolerance_t(&v1, &v1_t, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), v1, v1_t);
-    RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + 0) = all_lanes(0.0);
+    RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + 0) = along_all(0.0);
     AT(work, nodes + layout__NODES_GAP + 128 + 0) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + 0)) = 0.5 * each(curvature_t);
+    EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + 0)) = 0.5 * each(curvature_t);
     AT(work, nodes + layout__NODES_A + 128 + 0) = 0.5 * curvature;
     derivative_nodes__turn_cosine_t(&v2, &v2_t, tables, work, work_t, pair);
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + 0)) = each(v2_t);
+    EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + 0)) = each(v2_t);
     AT(work, nodes + layout__NODES_TURN + 128 + 0) = v2;
     if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
         derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + 0)) = each(v3_t);
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + 0)) = each(v3_t);
         AT(work, nodes + layout__NODES_B + 128 + 0) = v3;
     }
     n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -1, low_reach, low_reach_t, rate, rate_t);
     before = n4;
-    RATE_AT(work_t, region + layout__REGION_FIRST) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_FIRST) = along_all(0.0);
     AT(work, region + layout__REGION_FIRST) = (double)(-before);
     n5 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, 1, high_reach, high_reach_t, rate, rate_t);
     after = n5;
-    RATE_AT(work_t, region + layout__REGION_LAST) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_LAST) = along_all(0.0);
     AT(work, region + layout__REGION_LAST) = (double)after;
     return 0;
 }
 
 /* Derivative of ``turn_cosine``. */
-static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline void derivative_nodes__turn_cosine_t(double* v5_out, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair)
 {
     int64_t k1;
-    lanes slope_t, height_t;
+    directional_rate slope_t, height_t;
     double slope, height, v2, v3, v4, v5;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_RAIL_SLOPE;
-    EACH_LANE each(slope_t) = each(RATE_AT(work_t, k1));
+    EACH_DIRECTION each(slope_t) = each(RATE_AT(work_t, k1));
     slope = AT(work, k1);
     if (!(AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0) || (int64_t)AT(tables, layout__TABLES_SEPARATION) != layout__SEPARATION_NORMAL)
     {
@@ -2026,25 +2026,25 @@ static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1,
     v4 = sqrt(v3);
     v5 = v2 / v4;
     *v5_out = v5;
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t))) / v4;
+    EACH_DIRECTION each(*out_1) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (each(slope_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN) + slope * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t))) / v4;
 }
 
 /* Derivative of ``bring_nearer``. */
-static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes)
+static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes)
 {
     int64_t k, k_end;
-    lanes level_t;
+    directional_rate level_t;
     double level, v1, v2;
     k_end = (int64_t)AT(work, region + layout__REGION_LAST) + 1;
     for (k = (int64_t)AT(work, region + layout__REGION_FIRST); k < k_end; k += 1)
     {
-        EACH_LANE each(level_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k));
+        EACH_DIRECTION each(level_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k));
         level = AT(work, region + layout__REGION_LOCAL_PENETRATION) - AT(work, nodes + layout__NODES_GAP + 128 + k);
         if (level > 0.0 && AT(work, nodes + layout__NODES_TURN + 128 + k) > nodes__LEAST_TURN)
         {
             v1 = 1.0 / AT(work, nodes + layout__NODES_TURN + 128 + k);
             v2 = v1 - 1.0;
-            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k)) = each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k)) - (each(level_t) * v2 + level * (-v1 * each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + k)) / AT(work, nodes + layout__NODES_TURN + 128 + k)));
+            EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k)) = each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k)) - (each(level_t) * v2 + level * (-v1 * each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + k)) / AT(work, nodes + layout__NODES_TURN + 128 + k)));
             AT(work, nodes + layout__NODES_GAP + 128 + k) = AT(work, nodes + layout__NODES_GAP + 128 + k) - level * v2;
         }
     }
@@ -2052,44 +2052,44 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 }
 
 /* Derivative of ``trace_node``. */
-static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
+static inline void derivative_nodes__trace_node_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
     double v1, station, v2, gap, rate, bend, curvature, v3, v4;
-    lanes station_t, v2_t, gap_t, rate_t, bend_t, curvature_t, v3_t, v4_t;
+    directional_rate station_t, v2_t, gap_t, rate_t, bend_t, curvature_t, v3_t, v4_t;
     v1 = (double)at;
-    EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
+    EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
     station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v1;
     derivative_nodes__trace_tolerance_t(&v2, &v2_t, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING));
     derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, v2, v2_t);
     if (gap < frame__NO_GAP)
     {
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + at)) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + at)) = each(gap_t) - each(RATE_AT(work_t, region + layout__REGION_GAP));
         AT(work, nodes + layout__NODES_GAP + 128 + at) = gap - AT(work, region + layout__REGION_GAP);
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + at)) = 0.5 * each(curvature_t);
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + at)) = 0.5 * each(curvature_t);
         AT(work, nodes + layout__NODES_A + 128 + at) = 0.5 * curvature;
         derivative_nodes__turn_cosine_t(&v3, &v3_t, tables, work, work_t, pair);
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(v3_t);
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(v3_t);
         AT(work, nodes + layout__NODES_TURN + 128 + at) = v3;
         if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
         {
             derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(v4_t);
+            EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(v4_t);
             AT(work, nodes + layout__NODES_B + 128 + at) = v4;
         }
     }
     *gap_out = gap;
-    EACH_LANE each(*gap_t_out) = each(gap_t);
+    EACH_DIRECTION each(*gap_t_out) = each(gap_t);
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
 }
 
 /* Derivative of ``lay_side_nodes``. */
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t)
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, directional_rate reach_t, double rate, directional_rate rate_t)
 {
     int64_t stride, window, k, traced, step, left, passed, start, at;
     bool ended;
     double gap, next_rate, v1, v2, station;
-    lanes gap_t, next_rate_t, station_t, rates;
+    directional_rate gap_t, next_rate_t, station_t, rates;
     derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
@@ -2114,14 +2114,14 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             {
                 ended = true;
                 v1 = (double)(direction * k);
-                EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
+                EACH_DIRECTION each(rates) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v1;
                 derivative_nodes__end_region_t(work, work_t, region, direction, AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v1, rates);
             }
             else
             {
                 start = direction * traced;
                 derivative_nodes__fill_between_t(work, work_t, nodes, start, start + direction * step, step, AT(work, region + layout__REGION_SPACING), RATE_AT(work_t, region + layout__REGION_SPACING), rate, rate_t, next_rate, next_rate_t);
-                EACH_LANE each(rate_t) = each(next_rate_t);
+                EACH_DIRECTION each(rate_t) = each(next_rate_t);
                 rate = next_rate;
                 traced = traced + step;
             }
@@ -2129,14 +2129,14 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
         k = k + 1;
         at = direction * k;
         v2 = (double)at;
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v2;
+        EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, region + layout__REGION_STATION)) + each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v2;
         station = AT(work, region + layout__REGION_STATION) + AT(work, region + layout__REGION_SPACING) * v2;
         if (ended)
         {
             derivative_nodes__extrapolate_node_t(work, work_t, nodes, at, direction);
             if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
             {
-                EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + (at - direction)));
+                EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_B + 128 + (at - direction)));
                 AT(work, nodes + layout__NODES_B + 128 + at) = AT(work, nodes + layout__NODES_B + 128 + (at - direction));
             }
         }
@@ -2161,11 +2161,11 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
 }
 
 /* Derivative of ``fill_straight``. */
-static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count)
+static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_directional_rate_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count)
 {
     int64_t inward, i;
     double v1, v2, rise, v3;
-    lanes rise_t;
+    directional_rate rise_t;
     inward = 1;
     if (stop < start)
     {
@@ -2173,33 +2173,33 @@ static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, ar
     }
     v1 = AT(work, values + 128 + stop) - AT(work, values + 128 + start);
     v2 = (double)count;
-    EACH_LANE each(rise_t) = (each(RATE_AT(work_t, values + 128 + stop)) - each(RATE_AT(work_t, values + 128 + start))) / v2;
+    EACH_DIRECTION each(rise_t) = (each(RATE_AT(work_t, values + 128 + stop)) - each(RATE_AT(work_t, values + 128 + start))) / v2;
     rise = v1 / v2;
     for (i = 1; i < count; i += 1)
     {
         v3 = (double)i;
-        EACH_LANE each(RATE_AT(work_t, values + 128 + (start + inward * i))) = each(RATE_AT(work_t, values + 128 + start)) + each(rise_t) * v3;
+        EACH_DIRECTION each(RATE_AT(work_t, values + 128 + (start + inward * i))) = each(RATE_AT(work_t, values + 128 + start)) + each(rise_t) * v3;
         AT(work, values + 128 + (start + inward * i)) = AT(work, values + 128 + start) + rise * v3;
     }
     return 0;
 }
 
 /* Derivative of ``fill_between``. */
-static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, lanes spacing_t, double start_rate, lanes start_rate_t, double stop_rate, lanes stop_rate_t)
+static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_directional_rate_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, directional_rate spacing_t, double start_rate, directional_rate start_rate_t, double stop_rate, directional_rate stop_rate_t)
 {
-    lanes low_t, rise_t, width_t, forward_t, backward_t, v4_t, gap_t;
+    directional_rate low_t, rise_t, width_t, forward_t, backward_t, v4_t, gap_t;
     double low, rise, v1, width, forward, backward, x, rest, v2, v3, v4, gap;
     int64_t inward, i;
-    EACH_LANE each(low_t) = each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + start));
+    EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + start));
     low = AT(work, nodes + layout__NODES_GAP + 128 + start);
-    EACH_LANE each(rise_t) = each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + stop)) - each(low_t);
+    EACH_DIRECTION each(rise_t) = each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + stop)) - each(low_t);
     rise = AT(work, nodes + layout__NODES_GAP + 128 + stop) - low;
     v1 = (double)(stop - start);
-    EACH_LANE each(width_t) = each(spacing_t) * v1;
+    EACH_DIRECTION each(width_t) = each(spacing_t) * v1;
     width = spacing * v1;
-    EACH_LANE each(forward_t) = each(start_rate_t) * width + start_rate * each(width_t) - each(rise_t);
+    EACH_DIRECTION each(forward_t) = each(start_rate_t) * width + start_rate * each(width_t) - each(rise_t);
     forward = start_rate * width - rise;
-    EACH_LANE each(backward_t) = each(stop_rate_t) * width + stop_rate * each(width_t) - each(rise_t);
+    EACH_DIRECTION each(backward_t) = each(stop_rate_t) * width + stop_rate * each(width_t) - each(rise_t);
     backward = stop_rate * width - rise;
     inward = 1;
     if (stop < start)
@@ -2213,15 +2213,15 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
         v2 = rest * forward - x * backward;
         v3 = rise + rest * v2;
         v4 = low + x * v3;
-        EACH_LANE each(v4_t) = each(low_t) + x * (each(rise_t) + rest * (rest * each(forward_t) - x * each(backward_t)));
+        EACH_DIRECTION each(v4_t) = each(low_t) + x * (each(rise_t) + rest * (rest * each(forward_t) - x * each(backward_t)));
         if (0.0 > v4)
         {
             v4 = 0.0;
-            v4_t = all_lanes(0.0);
+            v4_t = along_all(0.0);
         }
-        EACH_LANE each(gap_t) = each(v4_t);
+        EACH_DIRECTION each(gap_t) = each(v4_t);
         gap = v4;
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + (start + inward * i))) = each(gap_t);
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + (start + inward * i))) = each(gap_t);
         AT(work, nodes + layout__NODES_GAP + 128 + (start + inward * i)) = gap;
     }
     derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, count);
@@ -2230,134 +2230,134 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
 }
 
 /* Derivative of ``end_region``. */
-static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t direction, double station, lanes station_t)
+static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t direction, double station, directional_rate station_t)
 {
     if (direction > 0)
     {
         if (station + AT(work, region + layout__REGION_SPACING) < AT(work, region + layout__REGION_HIGH))
         {
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(station_t);
+            EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_HIGH)) = each(station_t);
             AT(work, region + layout__REGION_HIGH) = station;
         }
     }
     else if (station - AT(work, region + layout__REGION_SPACING) > AT(work, region + layout__REGION_LOW))
     {
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(station_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_LOW)) = each(station_t);
         AT(work, region + layout__REGION_LOW) = station;
     }
     return 0;
 }
 
 /* Derivative of ``extrapolate_node``. */
-static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t at, int64_t direction)
+static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_directional_rate_1d work_t, int64_t nodes, int64_t at, int64_t direction)
 {
     int64_t one, two;
     one = at - direction;
     if (at * direction > 2)
     {
         two = one - direction;
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + at)) = 3.0 * each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + one)) - 3.0 * each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + two)) + each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + (two - direction)));
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + at)) = 3.0 * each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + one)) - 3.0 * each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + two)) + each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + (two - direction)));
         AT(work, nodes + layout__NODES_GAP + 128 + at) = 3.0 * AT(work, nodes + layout__NODES_GAP + 128 + one) - 3.0 * AT(work, nodes + layout__NODES_GAP + 128 + two) + AT(work, nodes + layout__NODES_GAP + 128 + (two - direction));
     }
     else
     {
-        EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + one));
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + one));
         AT(work, nodes + layout__NODES_GAP + 128 + at) = AT(work, nodes + layout__NODES_GAP + 128 + one);
     }
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + one));
+    EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_A + 128 + one));
     AT(work, nodes + layout__NODES_A + 128 + at) = AT(work, nodes + layout__NODES_A + 128 + one);
-    EACH_LANE each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + one));
+    EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + at)) = each(RATE_AT(work_t, nodes + layout__NODES_TURN + 128 + one));
     AT(work, nodes + layout__NODES_TURN + 128 + at) = AT(work, nodes + layout__NODES_TURN + 128 + one);
     return 0;
 }
 
 /* Derivative of ``zone_share``. */
-static inline void derivative_nodes__zone_share_t(double* share_out, lanes* share_t_out, array_double_1d tables, double A, lanes A_t, double side, lanes side_t)
+static inline void derivative_nodes__zone_share_t(double* share_out, directional_rate* share_t_out, array_double_1d tables, double A, directional_rate A_t, double side, directional_rate side_t)
 {
     double v1, v2, v4, v3, v5, share;
-    lanes v2_t, v3_t, share_t, rates;
+    directional_rate v2_t, v3_t, share_t, rates;
     v1 = coefficients__FLOOR * A;
     v2 = side;
-    EACH_LANE each(v2_t) = each(side_t);
+    EACH_DIRECTION each(v2_t) = each(side_t);
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = coefficients__FLOOR * each(A_t);
+        EACH_DIRECTION each(v2_t) = coefficients__FLOOR * each(A_t);
     }
-    EACH_LANE each(side_t) = each(v2_t);
+    EACH_DIRECTION each(side_t) = each(v2_t);
     side = v2;
     v4 = A / side;
-    EACH_LANE each(rates) = (each(A_t) - v4 * each(side_t)) / side;
+    EACH_DIRECTION each(rates) = (each(A_t) - v4 * each(side_t)) / side;
     derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), 0, v4, rates);
     v5 = nodes__SPREAD / v3;
-    EACH_LANE each(share_t) = -v5 * each(v3_t) / v3;
+    EACH_DIRECTION each(share_t) = -v5 * each(v3_t) / v3;
     share = v5;
     if (share > nodes__COVER || (int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
-        share_t = all_lanes(0.0);
+        share_t = along_all(0.0);
         share = nodes__COVER;
     }
     *share_out = share;
-    EACH_LANE each(*share_t_out) = each(share_t);
+    EACH_DIRECTION each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``node_spacing``. */
-static inline void derivative_nodes__node_spacing_t(double* spacing_out, lanes* spacing_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double enlarge, lanes enlarge_t)
+static inline void derivative_nodes__node_spacing_t(double* spacing_out, directional_rate* spacing_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double enlarge, directional_rate enlarge_t)
 {
     double v1, mean, v2, widest, v3, v4, least, v5, v6, spacing, v7;
-    lanes mean_t, v2_t, widest_t, least_t, v5_t, spacing_t;
+    directional_rate mean_t, v2_t, widest_t, least_t, v5_t, spacing_t;
     v1 = AT(work, region + layout__REGION_WIDTH_LOW) + AT(work, region + layout__REGION_WIDTH_HIGH);
-    EACH_LANE each(mean_t) = 0.5 * (each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) + each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)));
+    EACH_DIRECTION each(mean_t) = 0.5 * (each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW)) + each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH)));
     mean = 0.5 * v1;
     v2 = AT(work, region + layout__REGION_WIDTH_LOW);
-    EACH_LANE each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
+    EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_LOW));
     if (AT(work, region + layout__REGION_WIDTH_HIGH) > v2)
     {
         v2 = AT(work, region + layout__REGION_WIDTH_HIGH);
-        EACH_LANE each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
+        EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, region + layout__REGION_WIDTH_HIGH));
     }
-    EACH_LANE each(widest_t) = each(v2_t);
+    EACH_DIRECTION each(widest_t) = each(v2_t);
     widest = v2;
     v3 = AT(work, region + layout__REGION_LOCAL_PENETRATION) / AT(work, region + layout__REGION_CURVATURE);
     v4 = sqrt(v3);
-    EACH_LANE each(least_t) = nodes__NARROWEST * derivative_rates__root_rate(v4, (each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - v3 * each(RATE_AT(work_t, region + layout__REGION_CURVATURE))) / AT(work, region + layout__REGION_CURVATURE));
+    EACH_DIRECTION each(least_t) = nodes__NARROWEST * derivative_rates__root_rate(v4, (each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - v3 * each(RATE_AT(work_t, region + layout__REGION_CURVATURE))) / AT(work, region + layout__REGION_CURVATURE));
     least = nodes__NARROWEST * v4;
     v5 = mean;
-    EACH_LANE each(v5_t) = each(mean_t);
+    EACH_DIRECTION each(v5_t) = each(mean_t);
     if (least > v5)
     {
         v5 = least;
-        EACH_LANE each(v5_t) = each(least_t);
+        EACH_DIRECTION each(v5_t) = each(least_t);
     }
-    EACH_LANE each(mean_t) = each(v5_t);
+    EACH_DIRECTION each(mean_t) = each(v5_t);
     mean = v5;
     v6 = (double)((int64_t)AT(tables, layout__TABLES_NODES));
-    EACH_LANE each(spacing_t) = each(mean_t) / v6;
+    EACH_DIRECTION each(spacing_t) = each(mean_t) / v6;
     spacing = mean / v6;
     if (widest * enlarge > nodes__NODE_ROOM * spacing)
     {
         v7 = widest * enlarge;
-        EACH_LANE each(spacing_t) = (each(widest_t) * enlarge + widest * each(enlarge_t)) / nodes__NODE_ROOM;
+        EACH_DIRECTION each(spacing_t) = (each(widest_t) * enlarge + widest * each(enlarge_t)) / nodes__NODE_ROOM;
         spacing = v7 / nodes__NODE_ROOM;
     }
     *spacing_out = spacing;
-    EACH_LANE each(*spacing_t_out) = each(spacing_t);
+    EACH_DIRECTION each(*spacing_t_out) = each(spacing_t);
 }
 
 /* Derivative of ``prepare_regions``. */
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double enlarge, lanes enlarge_t)
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count, double enlarge, directional_rate enlarge_t)
 {
     int64_t i, region;
     double v1;
-    lanes v1_t, rates;
+    directional_rate v1_t, rates;
     for (i = 0; i < count; i += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         derivative_frame__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        EACH_LANE each(rates) = nodes__MEASURED * each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
+        EACH_DIRECTION each(rates) = nodes__MEASURED * each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
         derivative_widths__measure_widths_t(tables, work, work_t, pair, region, nodes__MEASURED * AT(work, region + layout__REGION_LOCAL_PENETRATION), rates);
         derivative_nodes__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SPACING)) = each(v1_t);
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SPACING)) = each(v1_t);
         AT(work, region + layout__REGION_SPACING) = v1;
         derivative_nodes__prepare_nodes_t(tables, work, work_t, pair, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
         derivative_frame__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
@@ -2366,27 +2366,27 @@ static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables
 }
 
 /* Derivative of ``prepare_nodes``. */
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, lanes enlarge_t)
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, directional_rate enlarge_t)
 {
     bool yawed;
-    lanes reach_t, A_t, v1_t, low_reach_t, v2_t, high_reach_t;
+    directional_rate reach_t, A_t, v1_t, low_reach_t, v2_t, high_reach_t;
     double reach, A, v1, low_reach, v2, high_reach, v3, v4, v5;
     yawed = frame__is_yawed(work);
-    EACH_LANE each(reach_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) * enlarge + AT(work, region + layout__REGION_LOCAL_PENETRATION) * each(enlarge_t);
+    EACH_DIRECTION each(reach_t) = each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) * enlarge + AT(work, region + layout__REGION_LOCAL_PENETRATION) * each(enlarge_t);
     reach = AT(work, region + layout__REGION_LOCAL_PENETRATION) * enlarge;
-    EACH_LANE each(A_t) = 0.5 * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
+    EACH_DIRECTION each(A_t) = 0.5 * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
     A = 0.5 * AT(work, region + layout__REGION_CURVATURE);
     derivative_nodes__zone_share_t(&v1, &v1_t, tables, A, A_t, AT(work, region + layout__REGION_SIDE_LOW), RATE_AT(work_t, region + layout__REGION_SIDE_LOW));
-    EACH_LANE each(low_reach_t) = each(reach_t) * v1 + reach * each(v1_t);
+    EACH_DIRECTION each(low_reach_t) = each(reach_t) * v1 + reach * each(v1_t);
     low_reach = reach * v1;
     derivative_nodes__zone_share_t(&v2, &v2_t, tables, A, A_t, AT(work, region + layout__REGION_SIDE_HIGH), RATE_AT(work_t, region + layout__REGION_SIDE_HIGH));
-    EACH_LANE each(high_reach_t) = each(reach_t) * v2 + reach * each(v2_t);
+    EACH_DIRECTION each(high_reach_t) = each(reach_t) * v2 + reach * each(v2_t);
     high_reach = reach * v2;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && yawed)
     {
         v3 = (double)nodes__node_stride(tables);
         v4 = AT(work, region + layout__REGION_SPACING) * v3;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v3 * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS) + v4 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = each(RATE_AT(work_t, region + layout__REGION_SPACING)) * v3 * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS) + v4 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = v4 * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS);
     }
     derivative_nodes__lay_nodes_t(tables, work, work_t, pair, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
@@ -2397,7 +2397,7 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
         derivative_patch_places__mean_normal_t(tables, work, work_t, pair, region, nodes, AT(work, region + layout__REGION_LOCAL_PENETRATION), RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
     }
     v5 = AT(work, region + layout__REGION_LOCAL_PENETRATION) / AT(work, nodes + layout__NODES_LENGTH + 128 + 0);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SQUARE)) = (each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - v5 * each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + 0))) / AT(work, nodes + layout__NODES_LENGTH + 128 + 0);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SQUARE)) = (each(RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION)) - v5 * each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + 0))) / AT(work, nodes + layout__NODES_LENGTH + 128 + 0);
     AT(work, region + layout__REGION_SQUARE) = v5;
     return 0;
 }
@@ -2409,11 +2409,11 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
  */
 
 /* Derivative of ``solve_normal``. */
-static inline void derivative_normal_contact__solve_normal_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_normal_contact__solve_normal_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t)
 {
     int64_t model, count;
     double penetration, v1;
-    lanes penetration_t, v1_t;
+    directional_rate penetration_t, v1_t;
     bool satisfied;
     model = (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL);
     if (model == layout__MODEL_HERTZ)
@@ -2426,7 +2426,7 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
         if (AT(tables, layout__TABLES_ERROR) == 1.0 && satisfied && AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
         {
             derivative_model_error__analyn_error_t(&v1, &v1_t, work, work_t, tables, count);
-            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(v1_t);
+            EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR)) = each(v1_t);
             AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = v1;
         }
     }
@@ -2443,7 +2443,7 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
         derivative_strip_contact__strip_contact_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *count_out = count;
     *satisfied_out = satisfied;
 }
@@ -2455,26 +2455,26 @@ static inline void derivative_normal_contact__solve_normal_t(double* penetration
  */
 
 /* Derivative of ``mean_normal``. */
-static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
+static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, directional_rate local_penetration_t)
 {
     double v1, arc, total, cosines, sines, x, v2, step, height, slope, v3, v4, v5, cosine, v6, weight, v7, v9, v8, v10, v11, v12;
-    lanes v1_t, arc_t, total_t, cosines_t, sines_t, x_t, step_t, height_t, slope_t, cosine_t, weight_t, v8_t, v12_t, rates;
+    directional_rate v1_t, arc_t, total_t, cosines_t, sines_t, x_t, step_t, height_t, slope_t, cosine_t, weight_t, v8_t, v12_t, rates;
     int64_t direction, last, k;
     derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_ARC), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL));
-    EACH_LANE each(arc_t) = each(v1_t);
+    EACH_DIRECTION each(arc_t) = each(v1_t);
     arc = v1;
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
-    cosines_t = all_lanes(0.0);
+    cosines_t = along_all(0.0);
     cosines = 0.0;
-    sines_t = all_lanes(0.0);
+    sines_t = along_all(0.0);
     sines = 0.0;
     for (direction = -1; direction < 2; direction += 2)
     {
-        EACH_LANE each(x_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
+        EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
         x = AT(work, region + layout__REGION_RAIL);
         v2 = (double)direction;
-        EACH_LANE each(step_t) = v2 * each(RATE_AT(work_t, region + layout__REGION_SPACING));
+        EACH_DIRECTION each(step_t) = v2 * each(RATE_AT(work_t, region + layout__REGION_SPACING));
         step = v2 * AT(work, region + layout__REGION_SPACING);
         last = (int64_t)AT(work, region + layout__REGION_LAST);
         if (direction < 0)
@@ -2487,10 +2487,10 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             v3 = 1.0 + slope * slope;
             v4 = sqrt(v3);
             v5 = 1.0 / v4;
-            EACH_LANE each(cosine_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
+            EACH_DIRECTION each(cosine_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
             cosine = v5;
             v6 = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + direction * k);
-            EACH_LANE each(weight_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + direction * k)) * v6 + AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * (each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + direction * k)));
+            EACH_DIRECTION each(weight_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + direction * k)) * v6 + AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * (each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + direction * k)));
             weight = AT(work, nodes + layout__NODES_LINE + 128 + direction * k) * v6;
             if (weight <= 0.0)
             {
@@ -2498,35 +2498,35 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             }
             if (k == 0)
             {
-                EACH_LANE each(weight_t) = each(weight_t) * 0.5;
+                EACH_DIRECTION each(weight_t) = each(weight_t) * 0.5;
                 weight = weight * 0.5;
             }
-            EACH_LANE each(total_t) = each(total_t) + each(weight_t);
+            EACH_DIRECTION each(total_t) = each(total_t) + each(weight_t);
             total = total + weight;
-            EACH_LANE each(cosines_t) = each(cosines_t) + (each(weight_t) * cosine + weight * each(cosine_t));
+            EACH_DIRECTION each(cosines_t) = each(cosines_t) + (each(weight_t) * cosine + weight * each(cosine_t));
             cosines = cosines + weight * cosine;
             v7 = weight * slope;
-            EACH_LANE each(sines_t) = each(sines_t) + ((each(weight_t) * slope + weight * each(slope_t)) * cosine + v7 * each(cosine_t));
+            EACH_DIRECTION each(sines_t) = each(sines_t) + ((each(weight_t) * slope + weight * each(slope_t)) * cosine + v7 * each(cosine_t));
             sines = sines + v7 * cosine;
             v9 = (double)(k + 1);
-            EACH_LANE each(rates) = each(arc_t) + each(step_t) * v9;
+            EACH_DIRECTION each(rates) = each(arc_t) + each(step_t) * v9;
             derivative_tables__read_cubic_t(&v8, &v8_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_AT_ARC), arc + step * v9, rates);
-            EACH_LANE each(x_t) = each(v8_t);
+            EACH_DIRECTION each(x_t) = each(v8_t);
             x = v8;
         }
     }
     if (total > 0.0)
     {
         v10 = cosines / total;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v10 * each(total_t)) / total;
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v10 * each(total_t)) / total;
         AT(work, region + layout__REGION_COS) = v10;
         v11 = sines / total;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v11 * each(total_t)) / total;
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v11 * each(total_t)) / total;
         AT(work, region + layout__REGION_SIN) = v11;
         if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
             derivative_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), RATE_AT(work_t, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v12_t);
+            EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v12_t);
             AT(work, region + layout__REGION_SHARE) = v12;
         }
     }
@@ -2534,10 +2534,10 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
 }
 
 /* Derivative of ``place_patches``. */
-static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side)
+static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side)
 {
     int64_t index, patch, number, region, index_end;
-    lanes local_t, v1_t;
+    directional_rate local_t, v1_t;
     double local, v1;
     index_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     for (index = 0; index < index_end; index += 1)
@@ -2548,16 +2548,16 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d t
             if (AT(work, patch + layout__PATCH_LOADS + number) != 0.0)
             {
                 region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
-                EACH_LANE each(local_t) = each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) * AT(work, side + layout__SIDE_SEARCH_PENETRATION) + AT(work, region + layout__REGION_ALIGNMENT) * each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) - each(RATE_AT(work_t, region + layout__REGION_GAP));
+                EACH_DIRECTION each(local_t) = each(RATE_AT(work_t, region + layout__REGION_ALIGNMENT)) * AT(work, side + layout__SIDE_SEARCH_PENETRATION) + AT(work, region + layout__REGION_ALIGNMENT) * each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) - each(RATE_AT(work_t, region + layout__REGION_GAP));
                 local = AT(work, region + layout__REGION_ALIGNMENT) * AT(work, side + layout__SIDE_SEARCH_PENETRATION) - AT(work, region + layout__REGION_GAP);
                 v1 = AT(work, patch + layout__PATCH_PENETRATION);
-                EACH_LANE each(v1_t) = each(RATE_AT(work_t, patch + layout__PATCH_PENETRATION));
+                EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, patch + layout__PATCH_PENETRATION));
                 if (local > v1)
                 {
                     v1 = local;
-                    EACH_LANE each(v1_t) = each(local_t);
+                    EACH_DIRECTION each(v1_t) = each(local_t);
                 }
-                EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_PENETRATION)) = each(v1_t);
+                EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_PENETRATION)) = each(v1_t);
                 AT(work, patch + layout__PATCH_PENETRATION) = v1;
                 derivative_patch_places__place_load_t(tables, work, work_t, pair, region, patch, number);
             }
@@ -2568,153 +2568,153 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d t
 }
 
 /* Derivative of ``place_load``. */
-static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number)
+static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number)
 {
-    lanes load_t, away_t, v2_t, abscissa_t, height_t, slope_t, normal_cos_t, normal_sin_t, x_t, y_t, z_t, down_t, force_y_t, force_z_t, wheel_height_t, wheel_slope_t, rates;
+    directional_rate load_t, away_t, v2_t, abscissa_t, height_t, slope_t, normal_cos_t, normal_sin_t, x_t, y_t, z_t, down_t, force_y_t, force_z_t, wheel_height_t, wheel_slope_t, rates;
     double load, away, v1, v2, abscissa, height, slope, v3, v4, v5, normal_cos, normal_sin, x, y, z, down, force_y, v10, force_z, wheel_height, wheel_slope, v11, v12, v13, v14;
     int64_t k6, k7, k8, k9;
-    EACH_LANE each(load_t) = each(RATE_AT(work_t, patch + layout__PATCH_LOADS + number));
+    EACH_DIRECTION each(load_t) = each(RATE_AT(work_t, patch + layout__PATCH_LOADS + number));
     load = AT(work, patch + layout__PATCH_LOADS + number);
-    away_t = all_lanes(0.0);
+    away_t = along_all(0.0);
     away = 0.0;
     if (load > 0.0)
     {
         v1 = AT(work, patch + layout__PATCH_MOMENTS + number) / load;
-        EACH_LANE each(away_t) = (each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + number)) - v1 * each(load_t)) / load - each(RATE_AT(work_t, region + layout__REGION_OFFSET)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
+        EACH_DIRECTION each(away_t) = (each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + number)) - v1 * each(load_t)) / load - each(RATE_AT(work_t, region + layout__REGION_OFFSET)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
         away = v1 - AT(work, region + layout__REGION_OFFSET) - AT(work, region + layout__REGION_STATION);
     }
     derivative_patch_places__abscissa_at_t(&v2, &v2_t, tables, work, work_t, pair, region, away, away_t);
-    EACH_LANE each(abscissa_t) = each(v2_t);
+    EACH_DIRECTION each(abscissa_t) = each(v2_t);
     abscissa = v2;
     derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa, abscissa_t);
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
-    EACH_LANE each(normal_cos_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
+    EACH_DIRECTION each(normal_cos_t) = -v5 * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
     normal_cos = v5;
-    EACH_LANE each(normal_sin_t) = each(slope_t) * normal_cos + slope * each(normal_cos_t);
+    EACH_DIRECTION each(normal_sin_t) = each(slope_t) * normal_cos + slope * each(normal_cos_t);
     normal_sin = slope * normal_cos;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 || (int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
-        EACH_LANE each(normal_cos_t) = each(RATE_AT(work_t, region + layout__REGION_COS));
+        EACH_DIRECTION each(normal_cos_t) = each(RATE_AT(work_t, region + layout__REGION_COS));
         normal_cos = AT(work, region + layout__REGION_COS);
-        EACH_LANE each(normal_sin_t) = each(RATE_AT(work_t, region + layout__REGION_SIN));
+        EACH_DIRECTION each(normal_sin_t) = each(RATE_AT(work_t, region + layout__REGION_SIN));
         normal_sin = AT(work, region + layout__REGION_SIN);
     }
-    EACH_LANE each(x_t) = each(RATE_AT(work_t, region + layout__REGION_X_TRACK)) + (each(RATE_AT(work_t, region + layout__REGION_SLANT)) * away + AT(work, region + layout__REGION_SLANT) * each(away_t));
+    EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, region + layout__REGION_X_TRACK)) + (each(RATE_AT(work_t, region + layout__REGION_SLANT)) * away + AT(work, region + layout__REGION_SLANT) * each(away_t));
     x = AT(work, region + layout__REGION_X_TRACK) + AT(work, region + layout__REGION_SLANT) * away;
-    derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(tables, pair + layout__PAIR_RAIL_Y), all_lanes(0.0), AT(tables, pair + layout__PAIR_RAIL_Y) + abscissa, abscissa_t, height, height_t);
+    derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(tables, pair + layout__PAIR_RAIL_Y), along_all(0.0), AT(tables, pair + layout__PAIR_RAIL_Y) + abscissa, abscissa_t, height, height_t);
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_LEANING) == 1.0)
     {
-        EACH_LANE each(down_t) = each(normal_cos_t);
+        EACH_DIRECTION each(down_t) = each(normal_cos_t);
         down = normal_cos;
         k6 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_RAIL_COS;
         k7 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_RAIL_SIN;
-        EACH_LANE each(normal_cos_t) = each(RATE_AT(work_t, k6)) * down + AT(work, k6) * each(down_t) - (each(RATE_AT(work_t, k7)) * normal_sin + AT(work, k7) * each(normal_sin_t));
+        EACH_DIRECTION each(normal_cos_t) = each(RATE_AT(work_t, k6)) * down + AT(work, k6) * each(down_t) - (each(RATE_AT(work_t, k7)) * normal_sin + AT(work, k7) * each(normal_sin_t));
         normal_cos = AT(work, k6) * down - AT(work, k7) * normal_sin;
         k8 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_RAIL_COS;
         k9 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_RAIL_SIN;
-        EACH_LANE each(normal_sin_t) = each(RATE_AT(work_t, k8)) * normal_sin + AT(work, k8) * each(normal_sin_t) + (each(RATE_AT(work_t, k9)) * down + AT(work, k9) * each(down_t));
+        EACH_DIRECTION each(normal_sin_t) = each(RATE_AT(work_t, k8)) * normal_sin + AT(work, k8) * each(normal_sin_t) + (each(RATE_AT(work_t, k9)) * down + AT(work, k9) * each(down_t));
         normal_sin = AT(work, k8) * normal_sin + AT(work, k9) * down;
     }
-    EACH_LANE each(force_y_t) = each(normal_sin_t) * load + normal_sin * each(load_t);
+    EACH_DIRECTION each(force_y_t) = each(normal_sin_t) * load + normal_sin * each(load_t);
     force_y = normal_sin * load;
     v10 = -normal_cos;
-    EACH_LANE each(force_z_t) = -each(normal_cos_t) * load + v10 * each(load_t);
+    EACH_DIRECTION each(force_z_t) = -each(normal_cos_t) * load + v10 * each(load_t);
     force_z = v10 * load;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) + each(force_y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) + each(force_y_t);
     AT(work, patch + layout__PATCH_NORMAL_Y) = AT(work, patch + layout__PATCH_NORMAL_Y) + force_y;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) + each(force_z_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) + each(force_z_t);
     AT(work, patch + layout__PATCH_NORMAL_Z) = AT(work, patch + layout__PATCH_NORMAL_Z) + force_z;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) + (each(y_t) * force_z + y * each(force_z_t) - (each(z_t) * force_y + z * each(force_y_t)));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) + (each(y_t) * force_z + y * each(force_z_t) - (each(z_t) * force_y + z * each(force_y_t)));
     AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) + (y * force_z - z * force_y);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) - (each(x_t) * force_z + x * each(force_z_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) - (each(x_t) * force_z + x * each(force_z_t));
     AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) - x * force_z;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) + (each(x_t) * force_y + x * each(force_y_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) + (each(x_t) * force_y + x * each(force_y_t));
     AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) + x * force_y;
     derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
     v11 = 1.0 + wheel_slope * wheel_slope;
     v12 = sqrt(v11);
     v13 = away / v12;
-    EACH_LANE each(rates) = each(RATE_AT(work_t, region + layout__REGION_WHEEL)) + (each(away_t) - v13 * derivative_rates__root_rate(v12, each(wheel_slope_t) * wheel_slope + wheel_slope * each(wheel_slope_t))) / v12;
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, region + layout__REGION_WHEEL)) + (each(away_t) - v13 * derivative_rates__root_rate(v12, each(wheel_slope_t) * wheel_slope + wheel_slope * each(wheel_slope_t))) / v12;
     derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, region + layout__REGION_WHEEL) + v13, rates);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) + (each(load_t) * x + load * each(x_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) + (each(load_t) * x + load * each(x_t));
     AT(work, patch + layout__PATCH_X_TRACK) = AT(work, patch + layout__PATCH_X_TRACK) + load * x;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) + (each(load_t) * y + load * each(y_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) + (each(load_t) * y + load * each(y_t));
     AT(work, patch + layout__PATCH_Y_TRACK) = AT(work, patch + layout__PATCH_Y_TRACK) + load * y;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) + (each(load_t) * z + load * each(z_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) + (each(load_t) * z + load * each(z_t));
     AT(work, patch + layout__PATCH_Z_TRACK) = AT(work, patch + layout__PATCH_Z_TRACK) + load * z;
     v14 = AT(tables, pair + layout__PAIR_RADIUS) + wheel_height;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS)) = each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS)) + (each(load_t) * v14 + load * each(wheel_height_t));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS)) = each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS)) + (each(load_t) * v14 + load * each(wheel_height_t));
     AT(work, patch + layout__PATCH_ROLLING_RADIUS) = AT(work, patch + layout__PATCH_ROLLING_RADIUS) + load * v14;
     return 0;
 }
 
 /* Derivative of ``abscissa_at``. */
-static inline void derivative_patch_places__abscissa_at_t(double* abscissa_out, lanes* abscissa_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double away, lanes away_t)
+static inline void derivative_patch_places__abscissa_at_t(double* abscissa_out, directional_rate* abscissa_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double away, directional_rate away_t)
 {
-    lanes abscissa_t, v2_t, v1_t, rates;
+    directional_rate abscissa_t, v2_t, v1_t, rates;
     double abscissa, v2, v1;
-    EACH_LANE each(abscissa_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) + (each(away_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + away * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    EACH_DIRECTION each(abscissa_t) = each(RATE_AT(work_t, region + layout__REGION_RAIL)) + (each(away_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS) + away * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     abscissa = AT(work, region + layout__REGION_RAIL) + away * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 && away != 0.0)
     {
         derivative_curves__rail_way_t(&v2, &v2_t, tables, pair, AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL));
-        EACH_LANE each(rates) = each(v2_t) + each(away_t);
+        EACH_DIRECTION each(rates) = each(v2_t) + each(away_t);
         derivative_curves__abscissa_after_t(&v1, &v1_t, tables, pair, v2 + away, rates);
-        EACH_LANE each(abscissa_t) = each(v1_t);
+        EACH_DIRECTION each(abscissa_t) = each(v1_t);
         abscissa = v1;
     }
     *abscissa_out = abscissa;
-    EACH_LANE each(*abscissa_t_out) = each(abscissa_t);
+    EACH_DIRECTION each(*abscissa_t_out) = each(abscissa_t);
 }
 
 /* Derivative of ``close_place``. */
-static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
-    lanes load_t, slope_t, v7_t;
+    directional_rate load_t, slope_t, v7_t;
     double load, v1, v2, v3, v4, v5, v6, slope, v7, v8, v9, v10, v11;
-    EACH_LANE each(load_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_DIRECTION each(load_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     load = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     if (load > 0.0)
     {
         v1 = AT(work, patch + layout__PATCH_X_TRACK) / load;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) = (each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) - v1 * each(load_t)) / load;
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) = (each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) - v1 * each(load_t)) / load;
         AT(work, patch + layout__PATCH_X_TRACK) = v1;
         v2 = AT(work, patch + layout__PATCH_Y_TRACK) / load;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) = (each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - v2 * each(load_t)) / load;
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) = (each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - v2 * each(load_t)) / load;
         AT(work, patch + layout__PATCH_Y_TRACK) = v2;
         v3 = AT(work, patch + layout__PATCH_Z_TRACK) / load;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) = (each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - v3 * each(load_t)) / load;
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) = (each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - v3 * each(load_t)) / load;
         AT(work, patch + layout__PATCH_Z_TRACK) = v3;
         v4 = AT(work, patch + layout__PATCH_ROLLING_RADIUS) / load;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS)) = (each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS)) - v4 * each(load_t)) / load;
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS)) = (each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS)) - v4 * each(load_t)) / load;
         AT(work, patch + layout__PATCH_ROLLING_RADIUS) = v4;
         v5 = -AT(work, patch + layout__PATCH_NORMAL_Z);
         v6 = AT(work, patch + layout__PATCH_NORMAL_Y) / v5;
-        EACH_LANE each(slope_t) = (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) - v6 * -each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z))) / v5;
+        EACH_DIRECTION each(slope_t) = (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) - v6 * -each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z))) / v5;
         slope = v6;
         derivative_circle__atan_rule_t(&v7, &v7_t, slope, slope_t);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE)) = -each(v7_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE)) = -each(v7_t);
         AT(work, patch + layout__PATCH_CONTACT_ANGLE) = -v7;
         v8 = 1.0 + slope * slope;
         v9 = sqrt(v8);
         v10 = 1.0 / v9;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS)) = -v10 * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS)) = -v10 * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
         AT(work, patch + layout__PATCH_ANGLE_COS) = v10;
         v11 = -slope;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN)) = -each(slope_t) * AT(work, patch + layout__PATCH_ANGLE_COS) + v11 * each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN)) = -each(slope_t) * AT(work, patch + layout__PATCH_ANGLE_COS) + v11 * each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS));
         AT(work, patch + layout__PATCH_ANGLE_SIN) = v11 * AT(work, patch + layout__PATCH_ANGLE_COS);
     }
     return 0;
 }
 
 /* Derivative of ``place_strips``. */
-static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch)
+static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t patch)
 {
     int64_t number, region, place, index, strip;
     double v1, abscissa, height, slope, v2, v3, v4, y, z, down;
-    lanes v1_t, abscissa_t, height_t, slope_t, y_t, z_t, down_t, rates, rates_2;
+    directional_rate v1_t, abscissa_t, height_t, slope_t, y_t, z_t, down_t, rates, rates_2;
     number = 0;
     while (number < layout__REGION_LIMIT - 1 && AT(work, patch + layout__PATCH_LOADS + number) == 0.0)
     {
@@ -2725,26 +2725,26 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
     for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        EACH_LANE each(rates) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
+        EACH_DIRECTION each(rates) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
         derivative_patch_places__abscissa_at_t(&v1, &v1_t, tables, work, work_t, pair, region, AT(work, strip + layout__ROLLING_STRIP_STATION) - AT(work, region + layout__REGION_OFFSET) - AT(work, region + layout__REGION_STATION), rates);
-        EACH_LANE each(abscissa_t) = each(v1_t);
+        EACH_DIRECTION each(abscissa_t) = each(v1_t);
         abscissa = v1;
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), abscissa, abscissa_t);
         v2 = 1.0 + slope * slope;
         v3 = sqrt(v2);
         v4 = 1.0 / v3;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) = -v4 * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t)) / v3;
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) = -v4 * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t)) / v3;
         AT(work, strip + layout__ROLLING_STRIP_COS) = v4;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) = each(slope_t) * AT(work, strip + layout__ROLLING_STRIP_COS) + slope * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS));
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) = each(slope_t) * AT(work, strip + layout__ROLLING_STRIP_COS) + slope * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS));
         AT(work, strip + layout__ROLLING_STRIP_SIN) = slope * AT(work, strip + layout__ROLLING_STRIP_COS);
-        derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, AT(tables, pair + layout__PAIR_RAIL_Y), all_lanes(0.0), AT(tables, pair + layout__PAIR_RAIL_Y) + abscissa, abscissa_t, height, height_t);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) = each(y_t);
+        derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, AT(tables, pair + layout__PAIR_RAIL_Y), along_all(0.0), AT(tables, pair + layout__PAIR_RAIL_Y) + abscissa, abscissa_t, height, height_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) = each(y_t);
         AT(work, strip + layout__ROLLING_STRIP_Y_TRACK) = y;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) = each(z_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) = each(z_t);
         AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) = z;
-        EACH_LANE each(rates_2) = each(RATE_AT(work_t, region + layout__REGION_WHEEL)) + each(abscissa_t) - each(RATE_AT(work_t, region + layout__REGION_RAIL));
+        EACH_DIRECTION each(rates_2) = each(RATE_AT(work_t, region + layout__REGION_WHEEL)) + each(abscissa_t) - each(RATE_AT(work_t, region + layout__REGION_RAIL));
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, region + layout__REGION_WHEEL) + abscissa - AT(work, region + layout__REGION_RAIL), rates_2);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = each(height_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = each(height_t);
         AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS) = AT(tables, pair + layout__PAIR_RADIUS) + height;
     }
     if (AT(work, place + layout__PLACE_LEANING) == 1.0)
@@ -2752,11 +2752,11 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
         for (index = 0; index < layout__ROLLING_STRIP_LIMIT; index += 1)
         {
             strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-            EACH_LANE each(down_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS));
+            EACH_DIRECTION each(down_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS));
             down = AT(work, strip + layout__ROLLING_STRIP_COS);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * down + AT(work, place + layout__PLACE_RAIL_COS) * each(down_t) - (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * AT(work, strip + layout__ROLLING_STRIP_SIN) + AT(work, place + layout__PLACE_RAIL_SIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)));
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * down + AT(work, place + layout__PLACE_RAIL_COS) * each(down_t) - (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * AT(work, strip + layout__ROLLING_STRIP_SIN) + AT(work, place + layout__PLACE_RAIL_SIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)));
             AT(work, strip + layout__ROLLING_STRIP_COS) = AT(work, place + layout__PLACE_RAIL_COS) * down - AT(work, place + layout__PLACE_RAIL_SIN) * AT(work, strip + layout__ROLLING_STRIP_SIN);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * AT(work, strip + layout__ROLLING_STRIP_SIN) + AT(work, place + layout__PLACE_RAIL_COS) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) + (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * down + AT(work, place + layout__PLACE_RAIL_SIN) * each(down_t));
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * AT(work, strip + layout__ROLLING_STRIP_SIN) + AT(work, place + layout__PLACE_RAIL_COS) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) + (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * down + AT(work, place + layout__PLACE_RAIL_SIN) * each(down_t));
             AT(work, strip + layout__ROLLING_STRIP_SIN) = AT(work, place + layout__PLACE_RAIL_COS) * AT(work, strip + layout__ROLLING_STRIP_SIN) + AT(work, place + layout__PLACE_RAIL_SIN) * down;
         }
     }
@@ -2770,12 +2770,12 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
  */
 
 /* Derivative of ``strip_contact``. */
-static inline void derivative_strip_contact__strip_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_strip_contact__strip_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t)
 {
     bool by_penetration, known, satisfied;
     int64_t n1, count;
     double v2, penetration, v3, estimate;
-    lanes v2_t, penetration_t, v3_t, estimate_t;
+    directional_rate v2_t, penetration_t, v3_t, estimate_t;
     by_penetration = isfinite(prescribed);
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0)
     {
@@ -2783,7 +2783,7 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
         count = n1;
         derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
         derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, force_t, by_penetration);
-        EACH_LANE each(penetration_t) = each(v2_t);
+        EACH_DIRECTION each(penetration_t) = each(v2_t);
         penetration = v2;
     }
     else if (by_penetration)
@@ -2793,7 +2793,7 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
     else
     {
         derivative_estimate__first_penetration_t(&v3, &v3_t, tables, work, work_t, pair, force, force_t);
-        EACH_LANE each(estimate_t) = each(v3_t);
+        EACH_DIRECTION each(estimate_t) = each(v3_t);
         estimate = v3;
         derivative_strip_contact__sink_strips_t(&penetration, &penetration_t, &count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, false);
         if (count > 0 && (penetration < strip_contact__SUNK_LESS * AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) || (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) == 0))
@@ -2802,7 +2802,7 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
             if (!known)
             {
                 *penetration_out = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
-                EACH_LANE each(*penetration_t_out) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+                EACH_DIRECTION each(*penetration_t_out) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
                 *count_out = count;
                 *satisfied_out = false;
                 return;
@@ -2813,14 +2813,14 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
     if (count == 0)
     {
         *penetration_out = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
-        EACH_LANE each(*penetration_t_out) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        EACH_DIRECTION each(*penetration_t_out) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
         *count_out = 0;
         *satisfied_out = false;
         return;
     }
     if (!(penetration > 0.0))
     {
-        EACH_LANE each(penetration_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        EACH_DIRECTION each(penetration_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
         penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     }
     satisfied = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) > 0;
@@ -2838,18 +2838,18 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
         }
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *count_out = count;
     *satisfied_out = satisfied;
 }
 
 /* Derivative of ``sink_strips``. */
-static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes* v4_t_out, int64_t* count_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double estimate, lanes estimate_t, bool by_penetration)
+static inline void derivative_strip_contact__sink_strips_t(double* v4_out, directional_rate* v4_t_out, int64_t* count_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double estimate, directional_rate estimate_t, bool by_penetration)
 {
-    lanes penetration_t, v3_t, deeper_t, v4_t;
+    directional_rate penetration_t, v3_t, deeper_t, v4_t;
     double penetration, v3, deeper, v4;
     int64_t count, repeat, n1, n2;
-    EACH_LANE each(penetration_t) = each(estimate_t);
+    EACH_DIRECTION each(penetration_t) = each(estimate_t);
     penetration = estimate;
     count = 0;
     for (repeat = 0; repeat < strip_contact__SINKINGS; repeat += 1)
@@ -2858,7 +2858,7 @@ static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes
         if (n1 == 0)
         {
             *v4_out = penetration;
-            EACH_LANE each(*v4_t_out) = each(penetration_t);
+            EACH_DIRECTION each(*v4_t_out) = each(penetration_t);
             *count_out = 0;
             return;
         }
@@ -2869,38 +2869,38 @@ static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes
             break;
         }
         derivative_strip_levels__deepen_levels_t(&v3, &v3_t, work, work_t, force, force_t);
-        EACH_LANE each(deeper_t) = each(penetration_t) + each(v3_t);
+        EACH_DIRECTION each(deeper_t) = each(penetration_t) + each(v3_t);
         deeper = penetration + v3;
         if (deeper < strip_contact__SUNK_DEEPER * penetration)
         {
             break;
         }
-        EACH_LANE each(penetration_t) = each(deeper_t);
+        EACH_DIRECTION each(penetration_t) = each(deeper_t);
         penetration = deeper;
     }
     derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
     derivative_strip_contact__sweep_strips_t(&v4, &v4_t, tables, work, work_t, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, force_t, by_penetration);
     *v4_out = v4;
-    EACH_LANE each(*v4_t_out) = each(v4_t);
+    EACH_DIRECTION each(*v4_t_out) = each(v4_t);
     *count_out = count;
 }
 
 /* Derivative of ``coarse_contact``. */
-static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
+static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double force, directional_rate force_t)
 {
     int64_t n1, count;
     double v2, penetration;
-    lanes v2_t, penetration_t;
+    directional_rate v2_t, penetration_t;
     bool satisfied;
     n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
     count = n1;
     derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
     derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, strip_contact__FIRST_SWEEPS, force, force_t, false);
-    EACH_LANE each(penetration_t) = each(v2_t);
+    EACH_DIRECTION each(penetration_t) = each(v2_t);
     penetration = v2;
     if (!(penetration > 0.0))
     {
-        EACH_LANE each(penetration_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        EACH_DIRECTION each(penetration_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
         penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     }
     satisfied = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) > 0;
@@ -2909,16 +2909,16 @@ static inline void derivative_strip_contact__coarse_contact_t(double* penetratio
         derivative_strip_patches__add_stiffness_t(work, work_t, tables, count);
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
     *count_out = count;
     *satisfied_out = satisfied;
 }
 
 /* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair)
 {
     int64_t n1, count, deepest;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     n1 = derivative_penetrated_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
@@ -2929,7 +2929,7 @@ static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tab
 }
 
 /* Derivative of ``start_runs``. */
-static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
+static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair)
 {
     if (frame__is_yawed(work))
     {
@@ -2940,16 +2940,16 @@ static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tab
 }
 
 /* Derivative of ``sweep_strips``. */
-static inline void derivative_strip_contact__sweep_strips_t(double* found_out, lanes* found_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t sweeps, double force, lanes force_t, bool by_penetration)
+static inline void derivative_strip_contact__sweep_strips_t(double* found_out, directional_rate* found_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t sweeps, double force, directional_rate force_t, bool by_penetration)
 {
     bool yawed, last, given;
-    lanes penetration_t, found_t, v1_t;
+    directional_rate penetration_t, found_t, v1_t;
     double penetration, found, v1, share;
     int64_t sweep;
     yawed = frame__is_yawed(work);
-    EACH_LANE each(penetration_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_DIRECTION each(penetration_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION);
-    EACH_LANE each(found_t) = each(penetration_t);
+    EACH_DIRECTION each(found_t) = each(penetration_t);
     found = penetration;
     for (sweep = 0; sweep < sweeps; sweep += 1)
     {
@@ -2965,11 +2965,11 @@ static inline void derivative_strip_contact__sweep_strips_t(double* found_out, l
         }
         derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_WAVES), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
         derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
-        EACH_LANE each(found_t) = each(v1_t);
+        EACH_DIRECTION each(found_t) = each(v1_t);
         found = v1;
         if (found > 0.0)
         {
-            EACH_LANE each(penetration_t) = each(found_t);
+            EACH_DIRECTION each(penetration_t) = each(found_t);
             penetration = found;
         }
         if (!last || AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0)
@@ -2979,7 +2979,7 @@ static inline void derivative_strip_contact__sweep_strips_t(double* found_out, l
             {
                 share = 1.0;
             }
-            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, yawed, share, all_lanes(0.0));
+            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, yawed, share, along_all(0.0));
         }
         if (!last)
         {
@@ -2987,7 +2987,7 @@ static inline void derivative_strip_contact__sweep_strips_t(double* found_out, l
         }
     }
     *found_out = found;
-    EACH_LANE each(*found_t_out) = each(found_t);
+    EACH_DIRECTION each(*found_t_out) = each(found_t);
 }
 
 
@@ -2997,49 +2997,49 @@ static inline void derivative_strip_contact__sweep_strips_t(double* found_out, l
  */
 
 /* Derivative of ``corrected``. */
-static inline void derivative_strip_lengths__corrected_t(double* v3_out, lanes* out_1, double ratio, lanes ratio_t, double power, lanes power_t)
+static inline void derivative_strip_lengths__corrected_t(double* v3_out, directional_rate* out_1, double ratio, directional_rate ratio_t, double power, directional_rate power_t)
 {
-    lanes more_t, less_t;
+    directional_rate more_t, less_t;
     double more, less, v1, v2, v3;
-    EACH_LANE each(more_t) = each(power_t);
+    EACH_DIRECTION each(more_t) = each(power_t);
     more = 1.0 + power;
-    EACH_LANE each(less_t) = -each(power_t);
+    EACH_DIRECTION each(less_t) = -each(power_t);
     less = 1.0 - power;
     v1 = less + more * ratio;
     v2 = more + less * ratio;
     v3 = v1 / v2;
     *v3_out = v3;
-    EACH_LANE each(*out_1) = (each(less_t) + (each(more_t) * ratio + more * each(ratio_t)) - v3 * (each(more_t) + (each(less_t) * ratio + less * each(ratio_t)))) / v2;
+    EACH_DIRECTION each(*out_1) = (each(less_t) + (each(more_t) * ratio + more * each(ratio_t)) - v3 * (each(more_t) + (each(less_t) * ratio + less * each(ratio_t)))) / v2;
 }
 
 /* Derivative of ``correct_strip``. */
-static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, lanes penetration_t, bool yawed)
+static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, directional_rate penetration_t, bool yawed)
 {
     int64_t strip;
-    lanes half_t, away_t, v1_t, own_t, front_t, back_t, v2_t, front_gap_t, back_gap_t, v3_t, move_t, v10_t, v11_t, local_t, v16_t, rise_t, v20_t, ratio_t, v21_t, rates, rates_2, rates_3;
+    directional_rate half_t, away_t, v1_t, own_t, front_t, back_t, v2_t, front_gap_t, back_gap_t, v3_t, move_t, v10_t, v11_t, local_t, v16_t, rise_t, v20_t, ratio_t, v21_t, rates, rates_2, rates_3;
     double half, away, v1, own, front, back, v2, front_gap, back_gap, v3, v4, v5, v6, v7, v8, v9, move, v10, v11, local, v12, v13, v14, v15, v16, rise, v17, v18, v19, v20, ratio, v21;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-    EACH_LANE each(half_t) = each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH));
+    EACH_DIRECTION each(half_t) = each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH));
     half = AT(work, strip + layout__STRIP_HALF_LENGTH);
-    EACH_LANE each(away_t) = strip_pressures__TESTED * each(half_t);
+    EACH_DIRECTION each(away_t) = strip_pressures__TESTED * each(half_t);
     away = strip_pressures__TESTED * half;
     derivative_strip_runs__gap_beside_t(&v1, &v1_t, work, work_t, strip, AT(work, strip + layout__STRIP_LEAD), RATE_AT(work_t, strip + layout__STRIP_LEAD));
-    EACH_LANE each(own_t) = each(v1_t);
+    EACH_DIRECTION each(own_t) = each(v1_t);
     own = v1;
     derivative_strip_pressures__tested_displacements_t(&front, &front_t, &back, &back_t, work, work_t, tables, first + i, away, away_t, yawed);
-    EACH_LANE each(rates) = each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) + each(away_t);
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) + each(away_t);
     derivative_strip_runs__gap_beside_t(&v2, &v2_t, work, work_t, strip, AT(work, strip + layout__STRIP_LEAD) + away, rates);
-    EACH_LANE each(front_gap_t) = each(v2_t) - each(own_t);
+    EACH_DIRECTION each(front_gap_t) = each(v2_t) - each(own_t);
     front_gap = v2 - own;
-    EACH_LANE each(back_gap_t) = each(front_gap_t);
+    EACH_DIRECTION each(back_gap_t) = each(front_gap_t);
     back_gap = front_gap;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) = each(RATE_AT(work_t, strip + layout__STRIP_LEAD));
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) = each(RATE_AT(work_t, strip + layout__STRIP_LEAD));
     AT(work, strip + layout__STRIP_NEXT_LEAD) = AT(work, strip + layout__STRIP_LEAD);
     if (yawed)
     {
-        EACH_LANE each(rates_2) = each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) - each(away_t);
+        EACH_DIRECTION each(rates_2) = each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) - each(away_t);
         derivative_strip_runs__gap_beside_t(&v3, &v3_t, work, work_t, strip, AT(work, strip + layout__STRIP_LEAD) - away, rates_2);
-        EACH_LANE each(back_gap_t) = each(v3_t) - each(own_t);
+        EACH_DIRECTION each(back_gap_t) = each(v3_t) - each(own_t);
         back_gap = v3 - own;
         v4 = -strip_lengths__MOVED;
         v5 = front + front_gap - back - back_gap;
@@ -3047,49 +3047,49 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d 
         v7 = 4.0 * AT(work, strip + layout__STRIP_A);
         v8 = v7 * away;
         v9 = v6 / v8;
-        EACH_LANE each(move_t) = (v4 * (each(front_t) + each(front_gap_t) - each(back_t) - each(back_gap_t)) - v9 * (4.0 * each(RATE_AT(work_t, strip + layout__STRIP_A)) * away + v7 * each(away_t))) / v8;
+        EACH_DIRECTION each(move_t) = (v4 * (each(front_t) + each(front_gap_t) - each(back_t) - each(back_gap_t)) - v9 * (4.0 * each(RATE_AT(work_t, strip + layout__STRIP_A)) * away + v7 * each(away_t))) / v8;
         move = v9;
-        EACH_LANE each(rates_3) = strip_lengths__FARTHEST_MOVE * each(half_t);
+        EACH_DIRECTION each(rates_3) = strip_lengths__FARTHEST_MOVE * each(half_t);
         derivative_penetrated__limited_t(&v10, &v10_t, move, move_t, strip_lengths__FARTHEST_MOVE * half, rates_3);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) + each(v10_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) + each(v10_t);
         AT(work, strip + layout__STRIP_NEXT_LEAD) = AT(work, strip + layout__STRIP_NEXT_LEAD) + v10;
     }
     derivative_strip_pressures__local_displacement_t(&v11, &v11_t, work, work_t, tables, first, i);
-    EACH_LANE each(local_t) = each(v11_t);
+    EACH_DIRECTION each(local_t) = each(v11_t);
     local = v11;
     v12 = front_gap + back_gap;
     v13 = strip_lengths__FLATTEST * AT(work, strip + layout__STRIP_A);
     v14 = v13 * away;
     v15 = v14 * away;
     v16 = 0.5 * v12;
-    EACH_LANE each(v16_t) = 0.5 * (each(front_gap_t) + each(back_gap_t));
+    EACH_DIRECTION each(v16_t) = 0.5 * (each(front_gap_t) + each(back_gap_t));
     if (v15 > v16)
     {
         v16 = v15;
-        EACH_LANE each(v16_t) = (strip_lengths__FLATTEST * each(RATE_AT(work_t, strip + layout__STRIP_A)) * away + v13 * each(away_t)) * away + v14 * each(away_t);
+        EACH_DIRECTION each(v16_t) = (strip_lengths__FLATTEST * each(RATE_AT(work_t, strip + layout__STRIP_A)) * away + v13 * each(away_t)) * away + v14 * each(away_t);
     }
-    EACH_LANE each(rise_t) = each(v16_t);
+    EACH_DIRECTION each(rise_t) = each(v16_t);
     rise = v16;
     v17 = front + back;
     v18 = AT(work, strip + layout__STRIP_SHARE) * penetration - AT(work, strip + layout__STRIP_GAP) - local - 0.5 * v17;
     v19 = v18 / rise;
     v20 = 0.0;
-    v20_t = all_lanes(0.0);
+    v20_t = along_all(0.0);
     if (v19 > v20)
     {
         v20 = v19;
-        EACH_LANE each(v20_t) = (each(RATE_AT(work_t, strip + layout__STRIP_SHARE)) * penetration + AT(work, strip + layout__STRIP_SHARE) * each(penetration_t) - each(RATE_AT(work_t, strip + layout__STRIP_GAP)) - each(local_t) - 0.5 * (each(front_t) + each(back_t)) - v19 * each(rise_t)) / rise;
+        EACH_DIRECTION each(v20_t) = (each(RATE_AT(work_t, strip + layout__STRIP_SHARE)) * penetration + AT(work, strip + layout__STRIP_SHARE) * each(penetration_t) - each(RATE_AT(work_t, strip + layout__STRIP_GAP)) - each(local_t) - 0.5 * (each(front_t) + each(back_t)) - v19 * each(rise_t)) / rise;
     }
-    EACH_LANE each(ratio_t) = each(v20_t);
+    EACH_DIRECTION each(ratio_t) = each(v20_t);
     ratio = v20;
-    derivative_strip_lengths__corrected_t(&v21, &v21_t, ratio, ratio_t, strip_lengths__POWER, all_lanes(0.0));
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) = each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) * v21 + AT(work, strip + layout__STRIP_AXIS) * each(v21_t);
+    derivative_strip_lengths__corrected_t(&v21, &v21_t, ratio, ratio_t, strip_lengths__POWER, along_all(0.0));
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) = each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) * v21 + AT(work, strip + layout__STRIP_AXIS) * each(v21_t);
     AT(work, strip + layout__STRIP_NEXT_AXIS) = AT(work, strip + layout__STRIP_AXIS) * v21;
     return 0;
 }
 
 /* Derivative of ``correct_lengths``. */
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double penetration, lanes penetration_t, bool yawed, double share, lanes share_t)
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, double penetration, directional_rate penetration_t, bool yawed, double share, directional_rate share_t)
 {
     int64_t waves, k, first, last, i, k_end, i_end;
     waves = (int64_t)AT(tables, layout__TABLES_WAVES);
@@ -3116,240 +3116,240 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
 }
 
 /* Derivative of ``limit_axis``. */
-static inline int64_t derivative_strip_lengths__limit_axis_t(array_double_1d work, array_lanes_1d work_t, int64_t before, int64_t strip, int64_t after)
+static inline int64_t derivative_strip_lengths__limit_axis_t(array_double_1d work, array_directional_rate_1d work_t, int64_t before, int64_t strip, int64_t after)
 {
     double v1, v2, v3;
-    lanes v1_t, v3_t;
+    directional_rate v1_t, v3_t;
     v1 = AT(work, before + layout__STRIP_AXIS);
-    EACH_LANE each(v1_t) = each(RATE_AT(work_t, before + layout__STRIP_AXIS));
+    EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, before + layout__STRIP_AXIS));
     if (AT(work, after + layout__STRIP_AXIS) > v1)
     {
         v1 = AT(work, after + layout__STRIP_AXIS);
-        EACH_LANE each(v1_t) = each(RATE_AT(work_t, after + layout__STRIP_AXIS));
+        EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, after + layout__STRIP_AXIS));
     }
     v2 = strip_lengths__STEEP * v1;
     v3 = AT(work, strip + layout__STRIP_NEXT_AXIS);
-    EACH_LANE each(v3_t) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS));
+    EACH_DIRECTION each(v3_t) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS));
     if (v2 < v3)
     {
         v3 = v2;
-        EACH_LANE each(v3_t) = strip_lengths__STEEP * each(v1_t);
+        EACH_DIRECTION each(v3_t) = strip_lengths__STEEP * each(v1_t);
     }
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) = each(v3_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) = each(v3_t);
     AT(work, strip + layout__STRIP_NEXT_AXIS) = v3;
     return 0;
 }
 
 /* Derivative of ``end_axis``. */
-static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t inner, int64_t second)
+static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_directional_rate_1d work_t, int64_t strip, int64_t inner, int64_t second)
 {
-    lanes axis_t, v2_t, v4_t;
+    directional_rate axis_t, v2_t, v4_t;
     double axis, v1, v2, v3, v4;
-    EACH_LANE each(axis_t) = 1.5 * each(RATE_AT(work_t, inner + layout__STRIP_NEXT_AXIS)) - 0.5 * each(RATE_AT(work_t, second + layout__STRIP_NEXT_AXIS));
+    EACH_DIRECTION each(axis_t) = 1.5 * each(RATE_AT(work_t, inner + layout__STRIP_NEXT_AXIS)) - 0.5 * each(RATE_AT(work_t, second + layout__STRIP_NEXT_AXIS));
     axis = 1.5 * AT(work, inner + layout__STRIP_NEXT_AXIS) - 0.5 * AT(work, second + layout__STRIP_NEXT_AXIS);
     v1 = strip_lengths__LEAST_END * AT(work, inner + layout__STRIP_NEXT_AXIS);
     v2 = axis;
-    EACH_LANE each(v2_t) = each(axis_t);
+    EACH_DIRECTION each(v2_t) = each(axis_t);
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = strip_lengths__LEAST_END * each(RATE_AT(work_t, inner + layout__STRIP_NEXT_AXIS));
+        EACH_DIRECTION each(v2_t) = strip_lengths__LEAST_END * each(RATE_AT(work_t, inner + layout__STRIP_NEXT_AXIS));
     }
     v3 = strip_lengths__MOST_END * AT(work, inner + layout__STRIP_NEXT_AXIS);
     v4 = v2;
-    EACH_LANE each(v4_t) = each(v2_t);
+    EACH_DIRECTION each(v4_t) = each(v2_t);
     if (v3 < v4)
     {
         v4 = v3;
-        EACH_LANE each(v4_t) = strip_lengths__MOST_END * each(RATE_AT(work_t, inner + layout__STRIP_NEXT_AXIS));
+        EACH_DIRECTION each(v4_t) = strip_lengths__MOST_END * each(RATE_AT(work_t, inner + layout__STRIP_NEXT_AXIS));
     }
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) = each(v4_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) = each(v4_t);
     AT(work, strip + layout__STRIP_NEXT_AXIS) = v4;
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) = each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) + each(RATE_AT(work_t, inner + layout__STRIP_NEXT_LEAD)) - each(RATE_AT(work_t, inner + layout__STRIP_LEAD));
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) = each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) + each(RATE_AT(work_t, inner + layout__STRIP_NEXT_LEAD)) - each(RATE_AT(work_t, inner + layout__STRIP_LEAD));
     AT(work, strip + layout__STRIP_NEXT_LEAD) = AT(work, strip + layout__STRIP_LEAD) + AT(work, inner + layout__STRIP_NEXT_LEAD) - AT(work, inner + layout__STRIP_LEAD);
     return 0;
 }
 
 /* Derivative of ``move_edges``. */
-static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t first, double share, lanes share_t)
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t run, int64_t first, double share, directional_rate share_t)
 {
     int64_t count, i, k17, k19;
-    lanes start_t, stop_t, product_t, largest_t, low_t, high_t, wrong_t, root_t, v6_t, v7_t, least_t, half_t, v11_t, v9_t, v15_t, v13_t, v18_t, v20_t, rates, rates_2;
+    directional_rate start_t, stop_t, product_t, largest_t, low_t, high_t, wrong_t, root_t, v6_t, v7_t, least_t, half_t, v11_t, v9_t, v15_t, v13_t, v18_t, v20_t, rates, rates_2;
     double start, stop, product, largest, low, high, sine, v1, v2, wrong, v3, v4, root, v5, v6, v7, least, v8, half, v10, v11, v12, v9, v14, v15, v16, v13, v18, v20;
     count = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-    start_t = all_lanes(0.0);
+    start_t = along_all(0.0);
     start = 0.0;
-    stop_t = all_lanes(0.0);
+    stop_t = along_all(0.0);
     stop = 0.0;
     for (i = 0; i < count; i += 1)
     {
-        EACH_LANE each(product_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * AT(tables, waves + layout__WAVES_SIN + i);
+        EACH_DIRECTION each(product_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * AT(tables, waves + layout__WAVES_SIN + i);
         product = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y) * AT(tables, waves + layout__WAVES_SIN + i);
-        EACH_LANE each(start_t) = each(start_t) + AT(tables, waves + layout__WAVES_START + i) * each(product_t);
+        EACH_DIRECTION each(start_t) = each(start_t) + AT(tables, waves + layout__WAVES_START + i) * each(product_t);
         start = start + AT(tables, waves + layout__WAVES_START + i) * product;
-        EACH_LANE each(stop_t) = each(stop_t) + AT(tables, waves + layout__WAVES_STOP + i) * each(product_t);
+        EACH_DIRECTION each(stop_t) = each(stop_t) + AT(tables, waves + layout__WAVES_STOP + i) * each(product_t);
         stop = stop + AT(tables, waves + layout__WAVES_STOP + i) * product;
     }
-    largest_t = all_lanes(0.0);
+    largest_t = along_all(0.0);
     largest = 0.0;
-    low_t = all_lanes(0.0);
+    low_t = along_all(0.0);
     low = 0.0;
-    high_t = all_lanes(0.0);
+    high_t = along_all(0.0);
     high = 0.0;
     for (i = 0; i < count; i += 1)
     {
         sine = AT(tables, waves + layout__WAVES_SIN + i);
         v1 = start - stop;
         v2 = start + stop + v1 * AT(tables, waves + layout__WAVES_COS + i);
-        EACH_LANE each(wrong_t) = 0.5 * (each(start_t) + each(stop_t) + (each(start_t) - each(stop_t)) * AT(tables, waves + layout__WAVES_COS + i));
+        EACH_DIRECTION each(wrong_t) = 0.5 * (each(start_t) + each(stop_t) + (each(start_t) - each(stop_t)) * AT(tables, waves + layout__WAVES_COS + i));
         wrong = 0.5 * v2;
         v3 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y) * sine - wrong;
         v4 = sine * sine;
-        EACH_LANE each(root_t) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * sine - each(wrong_t)) / v4;
+        EACH_DIRECTION each(root_t) = (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * sine - each(wrong_t)) / v4;
         root = v3 / v4;
         v5 = -root;
         v6 = root;
-        EACH_LANE each(v6_t) = each(root_t);
+        EACH_DIRECTION each(v6_t) = each(root_t);
         if (v5 > v6)
         {
             v6 = v5;
-            EACH_LANE each(v6_t) = -each(root_t);
+            EACH_DIRECTION each(v6_t) = -each(root_t);
         }
         v7 = largest;
-        EACH_LANE each(v7_t) = each(largest_t);
+        EACH_DIRECTION each(v7_t) = each(largest_t);
         if (v6 > v7)
         {
             v7 = v6;
-            EACH_LANE each(v7_t) = each(v6_t);
+            EACH_DIRECTION each(v7_t) = each(v6_t);
         }
-        EACH_LANE each(largest_t) = each(v7_t);
+        EACH_DIRECTION each(largest_t) = each(v7_t);
         largest = v7;
         if (i == 1)
         {
-            EACH_LANE each(low_t) = each(root_t);
+            EACH_DIRECTION each(low_t) = each(root_t);
             low = root;
         }
         if (i == count - 2)
         {
-            EACH_LANE each(high_t) = each(root_t);
+            EACH_DIRECTION each(high_t) = each(root_t);
             high = root;
         }
     }
-    EACH_LANE each(least_t) = strip_lengths__LEAST_ROOT * each(largest_t);
+    EACH_DIRECTION each(least_t) = strip_lengths__LEAST_ROOT * each(largest_t);
     least = strip_lengths__LEAST_ROOT * largest;
     v8 = AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START);
-    EACH_LANE each(half_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START)));
+    EACH_DIRECTION each(half_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START)));
     half = 0.5 * v8;
     v10 = share * start;
     v11 = low;
-    EACH_LANE each(v11_t) = each(low_t);
+    EACH_DIRECTION each(v11_t) = each(low_t);
     if (least > v11)
     {
         v11 = least;
-        EACH_LANE each(v11_t) = each(least_t);
+        EACH_DIRECTION each(v11_t) = each(least_t);
     }
     v12 = v10 / v11;
-    EACH_LANE each(rates) = (each(share_t) * start + share * each(start_t) - v12 * each(v11_t)) / v11;
+    EACH_DIRECTION each(rates) = (each(share_t) * start + share * each(start_t) - v12 * each(v11_t)) / v11;
     derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, v12, rates, AT(work, run + layout__STRIP_RUN_START_MOVE), RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE));
-    EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE)) = each(v9_t);
+    EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE)) = each(v9_t);
     AT(work, run + layout__STRIP_RUN_START_MOVE) = v9;
     v14 = share * stop;
     v15 = high;
-    EACH_LANE each(v15_t) = each(high_t);
+    EACH_DIRECTION each(v15_t) = each(high_t);
     if (least > v15)
     {
         v15 = least;
-        EACH_LANE each(v15_t) = each(least_t);
+        EACH_DIRECTION each(v15_t) = each(least_t);
     }
     v16 = v14 / v15;
-    EACH_LANE each(rates_2) = (each(share_t) * stop + share * each(stop_t) - v16 * each(v15_t)) / v15;
+    EACH_DIRECTION each(rates_2) = (each(share_t) * stop + share * each(stop_t) - v16 * each(v15_t)) / v15;
     derivative_strip_lengths__edge_move_t(&v13, &v13_t, half, half_t, v16, rates_2, AT(work, run + layout__STRIP_RUN_STOP_MOVE), RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE));
-    EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE)) = each(v13_t);
+    EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE)) = each(v13_t);
     AT(work, run + layout__STRIP_RUN_STOP_MOVE) = v13;
     k17 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)AT(work, run + layout__STRIP_RUN_LOW) + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_START;
     v18 = AT(work, run + layout__STRIP_RUN_START) - AT(work, run + layout__STRIP_RUN_START_MOVE);
-    EACH_LANE each(v18_t) = each(RATE_AT(work_t, run + layout__STRIP_RUN_START)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE));
+    EACH_DIRECTION each(v18_t) = each(RATE_AT(work_t, run + layout__STRIP_RUN_START)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE));
     if (AT(work, k17) > v18)
     {
         v18 = AT(work, k17);
-        EACH_LANE each(v18_t) = each(RATE_AT(work_t, k17));
+        EACH_DIRECTION each(v18_t) = each(RATE_AT(work_t, k17));
     }
-    EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)) = each(v18_t);
+    EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)) = each(v18_t);
     AT(work, run + layout__STRIP_RUN_NEXT_START) = v18;
     k19 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)AT(work, run + layout__STRIP_RUN_HIGH) + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_STOP;
     v20 = AT(work, run + layout__STRIP_RUN_STOP) + AT(work, run + layout__STRIP_RUN_STOP_MOVE);
-    EACH_LANE each(v20_t) = each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) + each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE));
+    EACH_DIRECTION each(v20_t) = each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) + each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE));
     if (AT(work, k19) < v20)
     {
         v20 = AT(work, k19);
-        EACH_LANE each(v20_t) = each(RATE_AT(work_t, k19));
+        EACH_DIRECTION each(v20_t) = each(RATE_AT(work_t, k19));
     }
-    EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) = each(v20_t);
+    EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) = each(v20_t);
     AT(work, run + layout__STRIP_RUN_NEXT_STOP) = v20;
     return 0;
 }
 
 /* Derivative of ``edge_move``. */
-static inline void derivative_strip_lengths__edge_move_t(double* move_out, lanes* move_t_out, double half, lanes half_t, double away, lanes away_t, double before, lanes before_t)
+static inline void derivative_strip_lengths__edge_move_t(double* move_out, directional_rate* move_t_out, double half, directional_rate half_t, double away, directional_rate away_t, double before, directional_rate before_t)
 {
-    lanes far_t, move_t, known_t;
+    directional_rate far_t, move_t, known_t;
     double far, v1, v2, v3, v4, v5, move, known, v6, v7;
-    EACH_LANE each(far_t) = each(away_t) / strip_lengths__FARTHEST_EDGE;
+    EACH_DIRECTION each(far_t) = each(away_t) / strip_lengths__FARTHEST_EDGE;
     far = away / strip_lengths__FARTHEST_EDGE;
     v1 = strip_lengths__FARTHEST_EDGE * half;
     v2 = v1 * far;
     v3 = 1.0 + far * far;
     v4 = sqrt(v3);
     v5 = v2 / v4;
-    EACH_LANE each(move_t) = (strip_lengths__FARTHEST_EDGE * each(half_t) * far + v1 * each(far_t) - v5 * derivative_rates__root_rate(v4, each(far_t) * far + far * each(far_t))) / v4;
+    EACH_DIRECTION each(move_t) = (strip_lengths__FARTHEST_EDGE * each(half_t) * far + v1 * each(far_t) - v5 * derivative_rates__root_rate(v4, each(far_t) * far + far * each(far_t))) / v4;
     move = v5;
     if (move * before < 0.0)
     {
-        EACH_LANE each(known_t) = derivative_rates__size_rate(before, each(before_t)) + strip_lengths__SWING * each(half_t);
+        EACH_DIRECTION each(known_t) = derivative_rates__size_rate(before, each(before_t)) + strip_lengths__SWING * each(half_t);
         known = fabs(before) + strip_lengths__SWING * half;
         v6 = known + fabs(move);
         v7 = known / v6;
-        EACH_LANE each(move_t) = each(move_t) * v7 + move * ((each(known_t) - v7 * (each(known_t) + derivative_rates__size_rate(move, each(move_t)))) / v6);
+        EACH_DIRECTION each(move_t) = each(move_t) * v7 + move * ((each(known_t) - v7 * (each(known_t) + derivative_rates__size_rate(move, each(move_t)))) / v6);
         move = move * v7;
     }
     *move_out = move;
-    EACH_LANE each(*move_t_out) = each(move_t);
+    EACH_DIRECTION each(*move_t_out) = each(move_t);
 }
 
 /* Derivative of ``finish_strips``. */
-static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k)
+static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t k)
 {
     int64_t waves, run, first, i, strip, i_end, i_end_2;
-    lanes largest_t, v1_t, grown_t, middle_t, half_t, v8_t, v10_t, raised_t;
+    directional_rate largest_t, v1_t, grown_t, middle_t, half_t, v8_t, v10_t, raised_t;
     double largest, v1, v2, v3, v4, grown, v5, middle, v6, half, v7, v8, v9, v10, raised, v11, v12, v13;
     waves = (int64_t)AT(tables, layout__TABLES_WAVES);
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-    largest_t = all_lanes(0.0);
+    largest_t = along_all(0.0);
     largest = 0.0;
     i_end = first + (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     for (i = first; i < i_end; i += 1)
     {
         v1 = largest;
-        EACH_LANE each(v1_t) = each(largest_t);
+        EACH_DIRECTION each(v1_t) = each(largest_t);
         if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS) > v1)
         {
             v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS);
-            EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
+            EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
         }
-        EACH_LANE each(largest_t) = each(v1_t);
+        EACH_DIRECTION each(largest_t) = each(v1_t);
         largest = v1;
     }
     v2 = AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START);
     v3 = AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START);
     v4 = v2 / v3;
-    EACH_LANE each(grown_t) = (each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START)) - v4 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)))) / v3;
+    EACH_DIRECTION each(grown_t) = (each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START)) - v4 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)))) / v3;
     grown = v4;
     v5 = AT(work, run + layout__STRIP_RUN_NEXT_START) + AT(work, run + layout__STRIP_RUN_NEXT_STOP);
-    EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)) + each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+    EACH_DIRECTION each(middle_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)) + each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)));
     middle = 0.5 * v5;
     v6 = AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START);
-    EACH_LANE each(half_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)));
+    EACH_DIRECTION each(half_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)));
     half = 0.5 * v6;
     i_end_2 = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     for (i = 0; i < i_end_2; i += 1)
@@ -3357,32 +3357,32 @@ static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d 
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
         v7 = strip_lengths__FLAT * largest;
         v8 = AT(work, strip + layout__STRIP_NEXT_AXIS);
-        EACH_LANE each(v8_t) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS));
+        EACH_DIRECTION each(v8_t) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS));
         if (v7 > v8)
         {
             v8 = v7;
-            EACH_LANE each(v8_t) = strip_lengths__FLAT * each(largest_t);
+            EACH_DIRECTION each(v8_t) = strip_lengths__FLAT * each(largest_t);
         }
-        EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) = each(v8_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) = each(v8_t);
         AT(work, strip + layout__STRIP_NEXT_AXIS) = v8;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_HALF)) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) * AT(tables, waves + layout__WAVES_SIN + i);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_HALF)) = each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS)) * AT(tables, waves + layout__WAVES_SIN + i);
         AT(work, strip + layout__STRIP_NEXT_HALF) = AT(work, strip + layout__STRIP_NEXT_AXIS) * AT(tables, waves + layout__WAVES_SIN + i);
-        EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_NEXT_STATION)) = each(middle_t) - each(half_t) * AT(tables, waves + layout__WAVES_COS + i);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_NEXT_STATION)) = each(middle_t) - each(half_t) * AT(tables, waves + layout__WAVES_COS + i);
         AT(work, strip + layout__STRIP_NEXT_STATION) = middle - half * AT(tables, waves + layout__WAVES_COS + i);
         v9 = AT(work, strip + layout__STRIP_AXIS) / AT(work, strip + layout__STRIP_NEXT_AXIS);
         v10 = v9;
-        EACH_LANE each(v10_t) = (each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) - v9 * each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS))) / AT(work, strip + layout__STRIP_NEXT_AXIS);
+        EACH_DIRECTION each(v10_t) = (each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) - v9 * each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS))) / AT(work, strip + layout__STRIP_NEXT_AXIS);
         if (strip_lengths__MOST_RAISED < v10)
         {
             v10 = strip_lengths__MOST_RAISED;
-            v10_t = all_lanes(0.0);
+            v10_t = along_all(0.0);
         }
-        EACH_LANE each(raised_t) = each(v10_t);
+        EACH_DIRECTION each(raised_t) = each(v10_t);
         raised = v10;
         v11 = M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
         v12 = v11 * AT(work, strip + layout__STRIP_Y);
         v13 = v12 * raised;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_PRESSURE)) = (v11 * each(RATE_AT(work_t, strip + layout__STRIP_Y)) * raised + v12 * each(raised_t)) * grown + v13 * each(grown_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_PRESSURE)) = (v11 * each(RATE_AT(work_t, strip + layout__STRIP_Y)) * raised + v12 * each(raised_t)) * grown + v13 * each(grown_t);
         AT(work, strip + layout__STRIP_PRESSURE) = v13 * grown;
     }
     return 0;
@@ -3395,12 +3395,12 @@ static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d 
  */
 
 /* Derivative of ``begin_runs``. */
-static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves)
+static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves)
 {
     int64_t low, high, k, run, first, j, zone, i, strip, k_end, i_end;
     double v1, station, v2, v4, v3;
-    lanes v1_t, station_t, v2_t, v3_t, rates, rates_2;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
+    directional_rate v1_t, station_t, v2_t, v3_t, rates, rates_2;
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
     low = 0;
     while (low < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))
@@ -3414,7 +3414,7 @@ static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tabl
         low = high + 1;
     }
     derivative_strip_runs__adopt_runs_t(work, work_t);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) * (int64_t)AT(tables, waves + layout__WAVES_COUNT));
     k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
     for (k = 0; k < k_end; k += 1)
@@ -3428,18 +3428,18 @@ static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tabl
         for (i = 0; i < i_end; i += 1)
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, AT(tables, waves + layout__WAVES_COS + i), all_lanes(0.0));
-            EACH_LANE each(station_t) = each(v1_t);
+            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, AT(tables, waves + layout__WAVES_COS + i), along_all(0.0));
+            EACH_DIRECTION each(station_t) = each(v1_t);
             station = v1;
             j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
             derivative_strip_levels__level_length_t(&v2, &v2_t, work, work_t, j, station, station_t);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(v2_t) / AT(tables, waves + layout__WAVES_SIN + i);
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(v2_t) / AT(tables, waves + layout__WAVES_SIN + i);
             AT(work, strip + layout__STRIP_AXIS) = v2 / AT(tables, waves + layout__WAVES_SIN + i);
             v4 = station - AT(work, zone + layout__STRIP_ZONE_MIDDLE);
-            EACH_LANE each(rates) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + AT(work, zone + layout__STRIP_ZONE_LEAN) * (each(station_t) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)));
-            EACH_LANE each(rates_2) = strip_levels__FIRST_LEAD * each(RATE_AT(work_t, strip + layout__STRIP_AXIS));
+            EACH_DIRECTION each(rates) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + AT(work, zone + layout__STRIP_ZONE_LEAN) * (each(station_t) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)));
+            EACH_DIRECTION each(rates_2) = strip_levels__FIRST_LEAD * each(RATE_AT(work_t, strip + layout__STRIP_AXIS));
             derivative_penetrated__limited_t(&v3, &v3_t, AT(work, zone + layout__STRIP_ZONE_LEAN) * v4, rates, strip_levels__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS), rates_2);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(v3_t);
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(v3_t);
             AT(work, strip + layout__STRIP_LEAD) = v3;
         }
         derivative_strip_runs__raise_axes_t(work, work_t, first, (int64_t)AT(tables, waves + layout__WAVES_COUNT));
@@ -3448,18 +3448,18 @@ static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tabl
 }
 
 /* Derivative of ``deepen_levels``. */
-static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, lanes* rise_t_out, array_double_1d work, array_lanes_1d work_t, double force, lanes force_t)
+static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, directional_rate* rise_t_out, array_double_1d work, array_directional_rate_1d work_t, double force, directional_rate force_t)
 {
-    lanes rise_t, load_t, stiffness_t, line_t, level_t;
+    directional_rate rise_t, load_t, stiffness_t, line_t, level_t;
     double rise, load, stiffness, v1, line, level, v2, v3;
     int64_t repeat, i, at, zone, i_end, i_end_2;
-    rise_t = all_lanes(0.0);
+    rise_t = along_all(0.0);
     rise = 0.0;
     for (repeat = 0; repeat < strip_levels__LEVEL_ITERATIONS; repeat += 1)
     {
-        load_t = all_lanes(0.0);
+        load_t = along_all(0.0);
         load = 0.0;
-        stiffness_t = all_lanes(0.0);
+        stiffness_t = along_all(0.0);
         stiffness = 0.0;
         i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
         for (i = 0; i < i_end; i += 1)
@@ -3467,15 +3467,15 @@ static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, la
             at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
             zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
             v1 = AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_COUNTED);
-            EACH_LANE each(line_t) = (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LINE)) * AT(work, at + layout__TRACED_STATION_COUNTED) + AT(work, zone + layout__STRIP_ZONE_LINE) * each(RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED))) * AT(work, zone + layout__STRIP_ZONE_SPACING) + v1 * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING));
+            EACH_DIRECTION each(line_t) = (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LINE)) * AT(work, at + layout__TRACED_STATION_COUNTED) + AT(work, zone + layout__STRIP_ZONE_LINE) * each(RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED))) * AT(work, zone + layout__STRIP_ZONE_SPACING) + v1 * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING));
             line = v1 * AT(work, zone + layout__STRIP_ZONE_SPACING);
-            EACH_LANE each(level_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+            EACH_DIRECTION each(level_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
             level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
             if (level > 0.0)
             {
-                EACH_LANE each(load_t) = each(load_t) + (each(line_t) * level + line * each(level_t));
+                EACH_DIRECTION each(load_t) = each(load_t) + (each(line_t) * level + line * each(level_t));
                 load = load + line * level;
-                EACH_LANE each(stiffness_t) = each(stiffness_t) + (each(line_t) * AT(work, at + layout__TRACED_STATION_SHARE) + line * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+                EACH_DIRECTION each(stiffness_t) = each(stiffness_t) + (each(line_t) * AT(work, at + layout__TRACED_STATION_SHARE) + line * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
                 stiffness = stiffness + line * AT(work, at + layout__TRACED_STATION_SHARE);
             }
         }
@@ -3483,7 +3483,7 @@ static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, la
         {
             v2 = force - load;
             v3 = v2 / stiffness;
-            EACH_LANE each(rise_t) = each(rise_t) + (each(force_t) - each(load_t) - v3 * each(stiffness_t)) / stiffness;
+            EACH_DIRECTION each(rise_t) = each(rise_t) + (each(force_t) - each(load_t) - v3 * each(stiffness_t)) / stiffness;
             rise = rise + v3;
         }
     }
@@ -3491,18 +3491,18 @@ static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, la
     for (i = 0; i < i_end_2; i += 1)
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
         AT(work, at + layout__TRACED_STATION_LEVEL) = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
     }
     *rise_out = rise;
-    EACH_LANE each(*rise_t_out) = each(rise_t);
+    EACH_DIRECTION each(*rise_t_out) = each(rise_t);
 }
 
 /* Derivative of ``begin_curve``. */
-static inline int64_t derivative_strip_levels__begin_curve_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high)
+static inline int64_t derivative_strip_levels__begin_curve_t(array_double_1d work, array_directional_rate_1d work_t, int64_t low, int64_t high)
 {
     int64_t i, last, zone;
-    lanes highest_t, v1_t, v2_t, start_t, v3_t, stop_t;
+    directional_rate highest_t, v1_t, v2_t, start_t, v3_t, stop_t;
     double highest, v1, v2, start, v3, stop;
     i = low;
     while (i <= high)
@@ -3510,27 +3510,27 @@ static inline int64_t derivative_strip_levels__begin_curve_t(array_double_1d wor
         last = i;
         if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL) > 0.0)
         {
-            highest_t = all_lanes(0.0);
+            highest_t = along_all(0.0);
             highest = 0.0;
             while (last <= high && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > 0.0)
             {
                 v1 = highest;
-                EACH_LANE each(v1_t) = each(highest_t);
+                EACH_DIRECTION each(v1_t) = each(highest_t);
                 if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL) > v1)
                 {
                     v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL);
-                    EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
+                    EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
                 }
-                EACH_LANE each(highest_t) = each(v1_t);
+                EACH_DIRECTION each(highest_t) = each(v1_t);
                 highest = v1;
                 last = last + 1;
             }
             last = last - 1;
             derivative_strip_levels__level_end_t(&v2, &v2_t, work, work_t, i, i - 1, low, high);
-            EACH_LANE each(start_t) = each(v2_t);
+            EACH_DIRECTION each(start_t) = each(v2_t);
             start = v2;
             derivative_strip_levels__level_end_t(&v3, &v3_t, work, work_t, last, last + 1, low, high);
-            EACH_LANE each(stop_t) = each(v3_t);
+            EACH_DIRECTION each(stop_t) = each(v3_t);
             stop = v3;
             zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION);
             if (highest > strip_levels__RAISED * AT(work, zone + layout__STRIP_ZONE_DEPTH))
@@ -3544,13 +3544,13 @@ static inline int64_t derivative_strip_levels__begin_curve_t(array_double_1d wor
 }
 
 /* Derivative of ``level_end``. */
-static inline void derivative_strip_levels__level_end_t(double* station_out, lanes* station_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high)
+static inline void derivative_strip_levels__level_end_t(double* station_out, directional_rate* station_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high)
 {
     int64_t at, beyond, k5, k6;
-    lanes station_t;
+    directional_rate station_t;
     double station, v1, v2, v3, v4;
     at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
-    EACH_LANE each(station_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION));
+    EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION));
     station = AT(work, at + layout__TRACED_STATION_STATION);
     if (outside >= low && outside <= high)
     {
@@ -3559,45 +3559,45 @@ static inline void derivative_strip_levels__level_end_t(double* station_out, lan
         v2 = v1 * AT(work, at + layout__TRACED_STATION_LEVEL);
         v3 = AT(work, at + layout__TRACED_STATION_LEVEL) - AT(work, beyond + layout__TRACED_STATION_LEVEL);
         v4 = v2 / v3;
-        EACH_LANE each(station_t) = each(station_t) + ((each(RATE_AT(work_t, beyond + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION))) * AT(work, at + layout__TRACED_STATION_LEVEL) + v1 * each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) - v4 * (each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) - each(RATE_AT(work_t, beyond + layout__TRACED_STATION_LEVEL)))) / v3;
+        EACH_DIRECTION each(station_t) = each(station_t) + ((each(RATE_AT(work_t, beyond + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION))) * AT(work, at + layout__TRACED_STATION_LEVEL) + v1 * each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) - v4 * (each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) - each(RATE_AT(work_t, beyond + layout__TRACED_STATION_LEVEL)))) / v3;
         station = station + v4;
     }
     else if (outside < low)
     {
         k5 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_START;
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, k5));
+        EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, k5));
         station = AT(work, k5);
     }
     else
     {
         k6 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_STOP;
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, k6));
+        EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, k6));
         station = AT(work, k6);
     }
     *station_out = station;
-    EACH_LANE each(*station_t_out) = each(station_t);
+    EACH_DIRECTION each(*station_t_out) = each(station_t);
 }
 
 /* Derivative of ``level_length``. */
-static inline void derivative_strip_levels__level_length_t(double* v8_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
+static inline void derivative_strip_levels__level_length_t(double* v8_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t j, double station, directional_rate station_t)
 {
     int64_t low, high, k4;
     double v1, u, v2, v3, level, v5, v6, v7, v8;
-    lanes v1_t, u_t, v2_t, v3_t, level_t, v5_t;
+    directional_rate v1_t, u_t, v2_t, v3_t, level_t, v5_t;
     low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
     high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1);
     derivative_strip_surfaces__way_through_t(&v1, &v1_t, work, work_t, j, station, station_t);
-    EACH_LANE each(u_t) = each(v1_t);
+    EACH_DIRECTION each(u_t) = each(v1_t);
     u = v1;
     derivative_strip_surfaces__between_t(&v2, &v2_t, AT(work, low + layout__TRACED_STATION_LEVEL), RATE_AT(work_t, low + layout__TRACED_STATION_LEVEL), AT(work, high + layout__TRACED_STATION_LEVEL), RATE_AT(work_t, high + layout__TRACED_STATION_LEVEL), u, u_t);
     v3 = v2;
-    EACH_LANE each(v3_t) = each(v2_t);
+    EACH_DIRECTION each(v3_t) = each(v2_t);
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = all_lanes(0.0);
+        v3_t = along_all(0.0);
     }
-    EACH_LANE each(level_t) = each(v3_t);
+    EACH_DIRECTION each(level_t) = each(v3_t);
     level = v3;
     k4 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, low + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_ONE_ALPHA;
     derivative_strip_surfaces__between_t(&v5, &v5_t, AT(work, low + layout__TRACED_STATION_A), RATE_AT(work_t, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), RATE_AT(work_t, high + layout__TRACED_STATION_A), u, u_t);
@@ -3605,7 +3605,7 @@ static inline void derivative_strip_levels__level_length_t(double* v8_out, lanes
     v7 = level / v6;
     v8 = sqrt(v7);
     *v8_out = v8;
-    EACH_LANE each(*out_1) = derivative_rates__root_rate(v8, (each(level_t) - v7 * (each(RATE_AT(work_t, k4)) * v5 + AT(work, k4) * each(v5_t))) / v6);
+    EACH_DIRECTION each(*out_1) = derivative_rates__root_rate(v8, (each(level_t) - v7 * (each(RATE_AT(work_t, k4)) * v5 + AT(work, k4) * each(v5_t))) / v6);
 }
 
 
@@ -3615,7 +3615,7 @@ static inline void derivative_strip_levels__level_length_t(double* v8_out, lanes
  */
 
 /* Derivative of ``fill_from_strips``. */
-static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t count)
+static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side, int64_t count)
 {
     int64_t index, k, k_end;
     for (index = 0; index < count; index += 1)
@@ -3636,12 +3636,12 @@ static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_
 }
 
 /* Derivative of ``fill_run``. */
-static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t k)
+static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side, int64_t k)
 {
     int64_t waves, run, first, deepest, i, region, fine, index, n1, patch, strip, i_end, i_end_2;
     bool meets;
     double scale, v2, v3, v4, spread, v5, v6, load, v7, v8, v9, v10, v11, v12;
-    lanes spread_t, load_t, v9_t, v10_t, v11_t, v12_t, rates;
+    directional_rate spread_t, load_t, v9_t, v10_t, v11_t, v12_t, rates;
     waves = (int64_t)AT(tables, layout__TABLES_WAVES);
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
@@ -3672,7 +3672,7 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     v2 = AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START);
     v3 = v2 * M_PI;
     v4 = (double)((int64_t)AT(tables, waves + layout__WAVES_COUNT));
-    EACH_LANE each(spread_t) = (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START))) * M_PI / v4;
+    EACH_DIRECTION each(spread_t) = (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START))) * M_PI / v4;
     spread = v3 / v4;
     i_end_2 = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     for (i = 0; i < i_end_2; i += 1)
@@ -3680,86 +3680,86 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
         v5 = scale * AT(work, strip + layout__STRIP_HALF_LENGTH);
         v6 = v5 * AT(work, strip + layout__STRIP_WIDTH);
-        EACH_LANE each(load_t) = (scale * each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + v5 * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, strip + layout__STRIP_Y) + v6 * each(RATE_AT(work_t, strip + layout__STRIP_Y));
+        EACH_DIRECTION each(load_t) = (scale * each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + v5 * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, strip + layout__STRIP_Y) + v6 * each(RATE_AT(work_t, strip + layout__STRIP_Y));
         load = v6 * AT(work, strip + layout__STRIP_Y);
-        EACH_LANE each(rates) = each(load_t) * AT(work, strip + layout__STRIP_STATION) + load * each(RATE_AT(work_t, strip + layout__STRIP_STATION));
+        EACH_DIRECTION each(rates) = each(load_t) * AT(work, strip + layout__STRIP_STATION) + load * each(RATE_AT(work_t, strip + layout__STRIP_STATION));
         derivative_filling__add_load_t(work, work_t, patch, (int64_t)AT(work, strip + layout__STRIP_REGION), load, load_t, load * AT(work, strip + layout__STRIP_STATION), rates);
         v7 = spread * AT(work, strip + layout__STRIP_NEXT_HALF);
         v8 = v7 * AT(tables, waves + layout__WAVES_SIN + i);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + ((each(spread_t) * AT(work, strip + layout__STRIP_NEXT_HALF) + spread * each(RATE_AT(work_t, strip + layout__STRIP_NEXT_HALF))) * AT(tables, waves + layout__WAVES_SIN + i) * AT(work, strip + layout__STRIP_STRETCH) + v8 * each(RATE_AT(work_t, strip + layout__STRIP_STRETCH)));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + ((each(spread_t) * AT(work, strip + layout__STRIP_NEXT_HALF) + spread * each(RATE_AT(work_t, strip + layout__STRIP_NEXT_HALF))) * AT(tables, waves + layout__WAVES_SIN + i) * AT(work, strip + layout__STRIP_STRETCH) + v8 * each(RATE_AT(work_t, strip + layout__STRIP_STRETCH)));
         AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) + v8 * AT(work, strip + layout__STRIP_STRETCH);
     }
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP));
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) = AT(work, run + layout__STRIP_RUN_NEXT_STOP);
-    RATE_AT(work_t, patch + layout__PATCH_LAST) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_LAST) = along_all(0.0);
     AT(work, patch + layout__PATCH_LAST) = (double)((k + 1) * fine - 1);
     derivative_strip_patches__fill_fine_strips_t(work, work_t, tables, k);
     derivative_strip_patches__largest_square_t(&v9, &v9_t, work, work_t, k * fine, (int64_t)AT(work, patch + layout__PATCH_LAST), true);
     v10 = AT(work, patch + layout__PATCH_PRESSURE_SQUARE);
-    EACH_LANE each(v10_t) = each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE));
+    EACH_DIRECTION each(v10_t) = each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE));
     if (v9 > v10)
     {
         v10 = v9;
-        EACH_LANE each(v10_t) = each(v9_t);
+        EACH_DIRECTION each(v10_t) = each(v9_t);
     }
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(v10_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(v10_t);
     AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = v10;
     derivative_strip_patches__largest_square_t(&v11, &v11_t, work, work_t, k * fine, (int64_t)AT(work, patch + layout__PATCH_LAST), false);
     v12 = AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE);
-    EACH_LANE each(v12_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE));
+    EACH_DIRECTION each(v12_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE));
     if (v11 > v12)
     {
         v12 = v11;
-        EACH_LANE each(v12_t) = each(v11_t);
+        EACH_DIRECTION each(v12_t) = each(v11_t);
     }
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(v12_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(v12_t);
     AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = v12;
     derivative_filling__finish_patch_t(work, work_t, side);
     return 0;
 }
 
 /* Derivative of ``fill_fine_strips``. */
-static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k)
+static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t k)
 {
     int64_t waves, run, first, fine, i, g, strip, to, near, low, high, i_end, i_end_2;
     double v1, middle, v2, half, least, stretch, v3, v4, v5, v6, v7, v8, rigid, axis, raised, weight, sine, v9, v10, length, pressure, v11, v12, v13, v14, v15, v16, v17, v18, v19, u, v20, v21, v22, v23;
-    lanes middle_t, half_t, least_t, stretch_t, v3_t, v4_t, rigid_t, axis_t, raised_t, v10_t, length_t, pressure_t, v11_t, v13_t, u_t, v20_t, v21_t, rates, rates_2;
+    directional_rate middle_t, half_t, least_t, stretch_t, v3_t, v4_t, rigid_t, axis_t, raised_t, v10_t, length_t, pressure_t, v11_t, v13_t, u_t, v20_t, v21_t, rates, rates_2;
     waves = (int64_t)AT(tables, layout__TABLES_WAVES);
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     fine = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     v1 = AT(work, run + layout__STRIP_RUN_NEXT_START) + AT(work, run + layout__STRIP_RUN_NEXT_STOP);
-    EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)) + each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+    EACH_DIRECTION each(middle_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)) + each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)));
     middle = 0.5 * v1;
     v2 = AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START);
-    EACH_LANE each(half_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)));
+    EACH_DIRECTION each(half_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)));
     half = 0.5 * v2;
-    EACH_LANE each(least_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS));
+    EACH_DIRECTION each(least_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS));
     least = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS);
-    stretch_t = all_lanes(0.0);
+    stretch_t = along_all(0.0);
     stretch = 0.0;
     i_end = first + (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     for (i = first; i < i_end; i += 1)
     {
         v3 = least;
-        EACH_LANE each(v3_t) = each(least_t);
+        EACH_DIRECTION each(v3_t) = each(least_t);
         if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS) < v3)
         {
             v3 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS);
-            EACH_LANE each(v3_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
+            EACH_DIRECTION each(v3_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
         }
-        EACH_LANE each(least_t) = each(v3_t);
+        EACH_DIRECTION each(least_t) = each(v3_t);
         least = v3;
-        EACH_LANE each(stretch_t) = each(stretch_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
+        EACH_DIRECTION each(stretch_t) = each(stretch_t) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
         stretch = stretch + AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH);
         v4 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE);
-        EACH_LANE each(v4_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+        EACH_DIRECTION each(v4_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
         if (0.0 > v4)
         {
             v4 = 0.0;
-            v4_t = all_lanes(0.0);
+            v4_t = along_all(0.0);
         }
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = each(v4_t) / AT(tables, waves + layout__WAVES_SIN + (i - first));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = each(v4_t) / AT(tables, waves + layout__WAVES_SIN + (i - first));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH) = v4 / AT(tables, waves + layout__WAVES_SIN + (i - first));
     }
     derivative_strip_patches__limit_spike_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + 1));
@@ -3768,60 +3768,60 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
     v6 = AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START);
     v7 = v6 * stretch;
     v8 = v5 / v7;
-    EACH_LANE each(rigid_t) = -v8 * ((each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START))) * stretch + v6 * each(stretch_t)) / v7;
+    EACH_DIRECTION each(rigid_t) = -v8 * ((each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START))) * stretch + v6 * each(stretch_t)) / v7;
     rigid = v8;
     for (g = 0; g < fine; g += 1)
     {
-        axis_t = all_lanes(0.0);
+        axis_t = along_all(0.0);
         axis = 0.0;
-        raised_t = all_lanes(0.0);
+        raised_t = along_all(0.0);
         raised = 0.0;
         i_end_2 = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
         for (i = 0; i < i_end_2; i += 1)
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
             weight = AT(tables, waves + layout__WAVES_REFINING + 16 * g + i);
-            EACH_LANE each(axis_t) = each(axis_t) + weight * each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS));
+            EACH_DIRECTION each(axis_t) = each(axis_t) + weight * each(RATE_AT(work_t, strip + layout__STRIP_NEXT_AXIS));
             axis = axis + weight * AT(work, strip + layout__STRIP_NEXT_AXIS);
-            EACH_LANE each(raised_t) = each(raised_t) + weight * each(RATE_AT(work_t, strip + layout__STRIP_SMOOTH));
+            EACH_DIRECTION each(raised_t) = each(raised_t) + weight * each(RATE_AT(work_t, strip + layout__STRIP_SMOOTH));
             raised = raised + weight * AT(work, strip + layout__STRIP_SMOOTH);
         }
         sine = AT(tables, waves + layout__WAVES_FINE_SIN + g);
         v9 = strip_patches__NARROWED * least;
         v10 = axis;
-        EACH_LANE each(v10_t) = each(axis_t);
+        EACH_DIRECTION each(v10_t) = each(axis_t);
         if (v9 > v10)
         {
             v10 = v9;
-            EACH_LANE each(v10_t) = strip_patches__NARROWED * each(least_t);
+            EACH_DIRECTION each(v10_t) = strip_patches__NARROWED * each(least_t);
         }
-        EACH_LANE each(length_t) = each(v10_t) * sine;
+        EACH_DIRECTION each(length_t) = each(v10_t) * sine;
         length = v10 * sine;
-        EACH_LANE each(pressure_t) = each(raised_t) * sine;
+        EACH_DIRECTION each(pressure_t) = each(raised_t) * sine;
         pressure = raised * sine;
         if (g >= strip_patches__SMOOTH_ENDS && g < fine - strip_patches__SMOOTH_ENDS)
         {
             derivative_strip_patches__roughness_t(&v11, &v11_t, tables, work, work_t, waves, run, g);
             v12 = rigid * v11;
-            EACH_LANE each(pressure_t) = each(pressure_t) - (each(rigid_t) * v11 + rigid * each(v11_t)) / sine;
+            EACH_DIRECTION each(pressure_t) = each(pressure_t) - (each(rigid_t) * v11 + rigid * each(v11_t)) / sine;
             pressure = pressure - v12 / sine;
         }
         v13 = pressure;
-        EACH_LANE each(v13_t) = each(pressure_t);
+        EACH_DIRECTION each(v13_t) = each(pressure_t);
         if (0.0 > v13)
         {
             v13 = 0.0;
-            v13_t = all_lanes(0.0);
+            v13_t = along_all(0.0);
         }
-        EACH_LANE each(pressure_t) = each(v13_t);
+        EACH_DIRECTION each(pressure_t) = each(v13_t);
         pressure = v13;
         to = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (k * fine + g);
-        EACH_LANE each(RATE_AT(work_t, to + layout__SOLVED_STRIP_STATION)) = each(middle_t) - each(half_t) * AT(tables, waves + layout__WAVES_FINE_COS + g);
+        EACH_DIRECTION each(RATE_AT(work_t, to + layout__SOLVED_STRIP_STATION)) = each(middle_t) - each(half_t) * AT(tables, waves + layout__WAVES_FINE_COS + g);
         AT(work, to + layout__SOLVED_STRIP_STATION) = middle - half * AT(tables, waves + layout__WAVES_FINE_COS + g);
         v14 = half * sine;
         v15 = v14 * M_PI;
         v16 = (double)fine;
-        EACH_LANE each(RATE_AT(work_t, to + layout__SOLVED_STRIP_WIDTH)) = each(half_t) * sine * M_PI / v16;
+        EACH_DIRECTION each(RATE_AT(work_t, to + layout__SOLVED_STRIP_WIDTH)) = each(half_t) * sine * M_PI / v16;
         AT(work, to + layout__SOLVED_STRIP_WIDTH) = v15 / v16;
         near = int64_min(floor_div(int64_max(g - 1, 0), layout__FINE_WAVES), (int64_t)AT(tables, waves + layout__WAVES_COUNT) - 2);
         low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near);
@@ -3829,95 +3829,95 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
         v17 = AT(work, to + layout__SOLVED_STRIP_STATION) - AT(work, low + layout__STRIP_NEXT_STATION);
         v18 = AT(work, high + layout__STRIP_NEXT_STATION) - AT(work, low + layout__STRIP_NEXT_STATION);
         v19 = v17 / v18;
-        EACH_LANE each(u_t) = (each(RATE_AT(work_t, to + layout__SOLVED_STRIP_STATION)) - each(RATE_AT(work_t, low + layout__STRIP_NEXT_STATION)) - v19 * (each(RATE_AT(work_t, high + layout__STRIP_NEXT_STATION)) - each(RATE_AT(work_t, low + layout__STRIP_NEXT_STATION)))) / v18;
+        EACH_DIRECTION each(u_t) = (each(RATE_AT(work_t, to + layout__SOLVED_STRIP_STATION)) - each(RATE_AT(work_t, low + layout__STRIP_NEXT_STATION)) - v19 * (each(RATE_AT(work_t, high + layout__STRIP_NEXT_STATION)) - each(RATE_AT(work_t, low + layout__STRIP_NEXT_STATION)))) / v18;
         u = v19;
-        EACH_LANE each(rates) = each(RATE_AT(work_t, low + layout__STRIP_X)) + each(RATE_AT(work_t, low + layout__STRIP_NEXT_LEAD));
-        EACH_LANE each(rates_2) = each(RATE_AT(work_t, high + layout__STRIP_X)) + each(RATE_AT(work_t, high + layout__STRIP_NEXT_LEAD));
+        EACH_DIRECTION each(rates) = each(RATE_AT(work_t, low + layout__STRIP_X)) + each(RATE_AT(work_t, low + layout__STRIP_NEXT_LEAD));
+        EACH_DIRECTION each(rates_2) = each(RATE_AT(work_t, high + layout__STRIP_X)) + each(RATE_AT(work_t, high + layout__STRIP_NEXT_LEAD));
         derivative_strip_surfaces__between_t(&v20, &v20_t, AT(work, low + layout__STRIP_X) + AT(work, low + layout__STRIP_NEXT_LEAD), rates, AT(work, high + layout__STRIP_X) + AT(work, high + layout__STRIP_NEXT_LEAD), rates_2, u, u_t);
-        EACH_LANE each(RATE_AT(work_t, to + layout__SOLVED_STRIP_X)) = each(v20_t);
+        EACH_DIRECTION each(RATE_AT(work_t, to + layout__SOLVED_STRIP_X)) = each(v20_t);
         AT(work, to + layout__SOLVED_STRIP_X) = v20;
         derivative_strip_surfaces__between_t(&v21, &v21_t, AT(work, low + layout__STRIP_A), RATE_AT(work_t, low + layout__STRIP_A), AT(work, high + layout__STRIP_A), RATE_AT(work_t, high + layout__STRIP_A), u, u_t);
-        EACH_LANE each(RATE_AT(work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * each(v21_t);
+        EACH_DIRECTION each(RATE_AT(work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * each(v21_t);
         AT(work, to + layout__SOLVED_STRIP_CURVATURE) = 2.0 * v21;
         v22 = 0.5 * M_PI;
         v23 = v22 * length;
-        EACH_LANE each(RATE_AT(work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = v22 * each(length_t) * pressure + v23 * each(pressure_t);
+        EACH_DIRECTION each(RATE_AT(work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = v22 * each(length_t) * pressure + v23 * each(pressure_t);
         AT(work, to + layout__SOLVED_STRIP_LINE_LOAD) = v23 * pressure;
-        EACH_LANE each(RATE_AT(work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = each(length_t) * length + length * each(length_t);
+        EACH_DIRECTION each(RATE_AT(work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = each(length_t) * length + length * each(length_t);
         AT(work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE) = length * length;
-        EACH_LANE each(RATE_AT(work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = each(pressure_t) * pressure + pressure * each(pressure_t);
+        EACH_DIRECTION each(RATE_AT(work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = each(pressure_t) * pressure + pressure * each(pressure_t);
         AT(work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE) = pressure * pressure;
     }
     return 0;
 }
 
 /* Derivative of ``limit_spike``. */
-static inline int64_t derivative_strip_patches__limit_spike_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t inner)
+static inline int64_t derivative_strip_patches__limit_spike_t(array_double_1d work, array_directional_rate_1d work_t, int64_t strip, int64_t inner)
 {
     double v1, v2;
-    lanes v2_t;
+    directional_rate v2_t;
     v1 = strip_patches__SPIKE * AT(work, inner + layout__STRIP_SMOOTH);
     v2 = AT(work, strip + layout__STRIP_SMOOTH);
-    EACH_LANE each(v2_t) = each(RATE_AT(work_t, strip + layout__STRIP_SMOOTH));
+    EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, strip + layout__STRIP_SMOOTH));
     if (v1 < v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = strip_patches__SPIKE * each(RATE_AT(work_t, inner + layout__STRIP_SMOOTH));
+        EACH_DIRECTION each(v2_t) = strip_patches__SPIKE * each(RATE_AT(work_t, inner + layout__STRIP_SMOOTH));
     }
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SMOOTH)) = each(v2_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_SMOOTH)) = each(v2_t);
     AT(work, strip + layout__STRIP_SMOOTH) = v2;
     return 0;
 }
 
 /* Derivative of ``roughness``. */
-static inline void derivative_strip_patches__roughness_t(double* total_out, lanes* total_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t g)
+static inline void derivative_strip_patches__roughness_t(double* total_out, directional_rate* total_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t run, int64_t g)
 {
-    lanes total_t;
+    directional_rate total_t;
     double total;
     int64_t m, m_end;
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
     m_end = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     for (m = 0; m < m_end; m += 1)
     {
-        EACH_LANE each(total_t) = each(total_t) + AT(tables, waves + layout__WAVES_ROUGHNESS + 48 * g + m) * each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + m));
+        EACH_DIRECTION each(total_t) = each(total_t) + AT(tables, waves + layout__WAVES_ROUGHNESS + 48 * g + m) * each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + m));
         total = total + AT(tables, waves + layout__WAVES_ROUGHNESS + 48 * g + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
     }
     *total_out = total;
-    EACH_LANE each(*total_t_out) = each(total_t);
+    EACH_DIRECTION each(*total_t_out) = each(total_t);
 }
 
 /* Derivative of ``largest_square``. */
-static inline void derivative_strip_patches__largest_square_t(double* largest_out, lanes* largest_t_out, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, bool pressures)
+static inline void derivative_strip_patches__largest_square_t(double* largest_out, directional_rate* largest_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t last, bool pressures)
 {
-    lanes largest_t, low_t, here_t, high_t, bend_t, value_t, v5_t, v6_t, at_t, v10_t;
+    directional_rate largest_t, low_t, here_t, high_t, bend_t, value_t, v5_t, v6_t, at_t, v10_t;
     double largest, low, here, high, bend, value, v1, v2, v3, v4, v5, v6, at, v7, v8, v9, v10;
     int64_t i;
-    largest_t = all_lanes(0.0);
+    largest_t = along_all(0.0);
     largest = 0.0;
     for (i = first + 1; i < last; i += 1)
     {
         if (pressures)
         {
-            EACH_LANE each(low_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - 1) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - 1) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
             low = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - 1) + layout__SOLVED_STRIP_PRESSURE_SQUARE);
-            EACH_LANE each(here_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            EACH_DIRECTION each(here_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE));
             here = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE);
-            EACH_LANE each(high_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + 1) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            EACH_DIRECTION each(high_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + 1) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
             high = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + 1) + layout__SOLVED_STRIP_PRESSURE_SQUARE);
         }
         else
         {
-            EACH_LANE each(low_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - 1) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - 1) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
             low = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - 1) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
-            EACH_LANE each(here_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            EACH_DIRECTION each(here_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
             here = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
-            EACH_LANE each(high_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + 1) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            EACH_DIRECTION each(high_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + 1) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
             high = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + 1) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
         }
-        EACH_LANE each(bend_t) = each(low_t) - 2.0 * each(here_t) + each(high_t);
+        EACH_DIRECTION each(bend_t) = each(low_t) - 2.0 * each(here_t) + each(high_t);
         bend = low - 2.0 * here + high;
-        EACH_LANE each(value_t) = each(here_t);
+        EACH_DIRECTION each(value_t) = each(here_t);
         value = here;
         if (bend < 0.0)
         {
@@ -3926,56 +3926,56 @@ static inline void derivative_strip_patches__largest_square_t(double* largest_ou
             v3 = v2 / bend;
             v4 = -0.5;
             v5 = v3;
-            EACH_LANE each(v5_t) = (0.5 * (each(low_t) - each(high_t)) - v3 * each(bend_t)) / bend;
+            EACH_DIRECTION each(v5_t) = (0.5 * (each(low_t) - each(high_t)) - v3 * each(bend_t)) / bend;
             if (v4 > v5)
             {
                 v5 = v4;
-                v5_t = all_lanes(0.0);
+                v5_t = along_all(0.0);
             }
             v6 = v5;
-            EACH_LANE each(v6_t) = each(v5_t);
+            EACH_DIRECTION each(v6_t) = each(v5_t);
             if (0.5 < v6)
             {
                 v6 = 0.5;
-                v6_t = all_lanes(0.0);
+                v6_t = along_all(0.0);
             }
-            EACH_LANE each(at_t) = each(v6_t);
+            EACH_DIRECTION each(at_t) = each(v6_t);
             at = v6;
             v7 = high - low;
             v8 = 0.5 * at;
             v9 = 0.5 * v7 + v8 * bend;
-            EACH_LANE each(value_t) = each(value_t) + (each(at_t) * v9 + at * (0.5 * (each(high_t) - each(low_t)) + (0.5 * each(at_t) * bend + v8 * each(bend_t))));
+            EACH_DIRECTION each(value_t) = each(value_t) + (each(at_t) * v9 + at * (0.5 * (each(high_t) - each(low_t)) + (0.5 * each(at_t) * bend + v8 * each(bend_t))));
             value = value + at * v9;
         }
         v10 = largest;
-        EACH_LANE each(v10_t) = each(largest_t);
+        EACH_DIRECTION each(v10_t) = each(largest_t);
         if (value > v10)
         {
             v10 = value;
-            EACH_LANE each(v10_t) = each(value_t);
+            EACH_DIRECTION each(v10_t) = each(value_t);
         }
-        EACH_LANE each(largest_t) = each(v10_t);
+        EACH_DIRECTION each(largest_t) = each(v10_t);
         largest = v10;
     }
     *largest_out = largest;
-    EACH_LANE each(*largest_t_out) = each(largest_t);
+    EACH_DIRECTION each(*largest_t_out) = each(largest_t);
 }
 
 /* Derivative of ``load_region``. */
-static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t index)
+static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, int64_t index)
 {
-    lanes load_t, moment_t, cosines_t, sines_t, x_t, own_t, v5_t, rates, rates_2;
+    directional_rate load_t, moment_t, cosines_t, sines_t, x_t, own_t, v5_t, rates, rates_2;
     double load, moment, cosines, sines, x, v1, own, v2, scale, v3, v4, v5, v6, v7;
     int64_t i, strip, i_end;
-    load_t = all_lanes(0.0);
+    load_t = along_all(0.0);
     load = 0.0;
-    moment_t = all_lanes(0.0);
+    moment_t = along_all(0.0);
     moment = 0.0;
-    cosines_t = all_lanes(0.0);
+    cosines_t = along_all(0.0);
     cosines = 0.0;
-    sines_t = all_lanes(0.0);
+    sines_t = along_all(0.0);
     sines = 0.0;
-    x_t = all_lanes(0.0);
+    x_t = along_all(0.0);
     x = 0.0;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
@@ -3984,40 +3984,40 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
         if ((int64_t)AT(work, strip + layout__STRIP_REGION) == index)
         {
             v1 = AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH);
-            EACH_LANE each(own_t) = (each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + AT(work, strip + layout__STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, strip + layout__STRIP_Y) + v1 * each(RATE_AT(work_t, strip + layout__STRIP_Y));
+            EACH_DIRECTION each(own_t) = (each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + AT(work, strip + layout__STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, strip + layout__STRIP_Y) + v1 * each(RATE_AT(work_t, strip + layout__STRIP_Y));
             own = v1 * AT(work, strip + layout__STRIP_Y);
-            EACH_LANE each(load_t) = each(load_t) + each(own_t);
+            EACH_DIRECTION each(load_t) = each(load_t) + each(own_t);
             load = load + own;
-            EACH_LANE each(moment_t) = each(moment_t) + (each(own_t) * AT(work, strip + layout__STRIP_STATION) + own * each(RATE_AT(work_t, strip + layout__STRIP_STATION)));
+            EACH_DIRECTION each(moment_t) = each(moment_t) + (each(own_t) * AT(work, strip + layout__STRIP_STATION) + own * each(RATE_AT(work_t, strip + layout__STRIP_STATION)));
             moment = moment + own * AT(work, strip + layout__STRIP_STATION);
-            EACH_LANE each(cosines_t) = each(cosines_t) + (each(own_t) * AT(work, strip + layout__STRIP_COS) + own * each(RATE_AT(work_t, strip + layout__STRIP_COS)));
+            EACH_DIRECTION each(cosines_t) = each(cosines_t) + (each(own_t) * AT(work, strip + layout__STRIP_COS) + own * each(RATE_AT(work_t, strip + layout__STRIP_COS)));
             cosines = cosines + own * AT(work, strip + layout__STRIP_COS);
-            EACH_LANE each(sines_t) = each(sines_t) + (each(own_t) * AT(work, strip + layout__STRIP_SIN) + own * each(RATE_AT(work_t, strip + layout__STRIP_SIN)));
+            EACH_DIRECTION each(sines_t) = each(sines_t) + (each(own_t) * AT(work, strip + layout__STRIP_SIN) + own * each(RATE_AT(work_t, strip + layout__STRIP_SIN)));
             sines = sines + own * AT(work, strip + layout__STRIP_SIN);
             v2 = AT(work, strip + layout__STRIP_X) + AT(work, strip + layout__STRIP_NEXT_LEAD);
-            EACH_LANE each(x_t) = each(x_t) + (each(own_t) * v2 + own * (each(RATE_AT(work_t, strip + layout__STRIP_X)) + each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD))));
+            EACH_DIRECTION each(x_t) = each(x_t) + (each(own_t) * v2 + own * (each(RATE_AT(work_t, strip + layout__STRIP_X)) + each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD))));
             x = x + own * v2;
         }
     }
     scale = 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_CARRIED)) = scale * each(load_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_CARRIED)) = scale * each(load_t);
     AT(work, region + layout__REGION_CARRIED) = scale * load;
-    EACH_LANE each(RATE_AT(work_t, region + layout__REGION_MOMENT)) = scale * each(moment_t);
+    EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_MOMENT)) = scale * each(moment_t);
     AT(work, region + layout__REGION_MOMENT) = scale * moment;
-    RATE_AT(work_t, region + layout__REGION_SLANT) = all_lanes(0.0);
+    RATE_AT(work_t, region + layout__REGION_SLANT) = along_all(0.0);
     AT(work, region + layout__REGION_SLANT) = 0.0;
     if (load != 0.0)
     {
         v3 = cosines / load;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v3 * each(load_t)) / load;
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_COS)) = (each(cosines_t) - v3 * each(load_t)) / load;
         AT(work, region + layout__REGION_COS) = v3;
         v4 = sines / load;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v4 * each(load_t)) / load;
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SIN)) = (each(sines_t) - v4 * each(load_t)) / load;
         AT(work, region + layout__REGION_SIN) = v4;
         if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
         {
             derivative_rails__upright_share_t(&v5, &v5_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, region + layout__REGION_COS), RATE_AT(work_t, region + layout__REGION_COS), AT(work, region + layout__REGION_SIN), RATE_AT(work_t, region + layout__REGION_SIN));
-            EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v5_t);
+            EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SHARE)) = each(v5_t);
             AT(work, region + layout__REGION_SHARE) = v5;
         }
     }
@@ -4025,24 +4025,24 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
     {
         v6 = moment / load;
         v7 = x / load;
-        EACH_LANE each(rates) = (each(moment_t) - v6 * each(load_t)) / load;
-        EACH_LANE each(rates_2) = (each(x_t) - v7 * each(load_t)) / load;
+        EACH_DIRECTION each(rates) = (each(moment_t) - v6 * each(load_t)) / load;
+        EACH_DIRECTION each(rates_2) = (each(x_t) - v7 * each(load_t)) / load;
         derivative_strip_patches__slant_region_t(work, work_t, region, index, v6, rates, v7, rates_2);
     }
     return 0;
 }
 
 /* Derivative of ``slant_region``. */
-static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t index, double station, lanes station_t, double x, lanes x_t)
+static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t index, double station, directional_rate station_t, double x, directional_rate x_t)
 {
-    lanes along_t, spread_t, carried_t, own_t, away_t;
+    directional_rate along_t, spread_t, carried_t, own_t, away_t;
     double along, spread, carried, v1, own, away, v2, v3, v4, v5;
     int64_t i, strip, i_end;
-    along_t = all_lanes(0.0);
+    along_t = along_all(0.0);
     along = 0.0;
-    spread_t = all_lanes(0.0);
+    spread_t = along_all(0.0);
     spread = 0.0;
-    carried_t = all_lanes(0.0);
+    carried_t = along_all(0.0);
     carried = 0.0;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
@@ -4051,38 +4051,38 @@ static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d w
         if ((int64_t)AT(work, strip + layout__STRIP_REGION) == index)
         {
             v1 = AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH);
-            EACH_LANE each(own_t) = (each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + AT(work, strip + layout__STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, strip + layout__STRIP_Y) + v1 * each(RATE_AT(work_t, strip + layout__STRIP_Y));
+            EACH_DIRECTION each(own_t) = (each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + AT(work, strip + layout__STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, strip + layout__STRIP_Y) + v1 * each(RATE_AT(work_t, strip + layout__STRIP_Y));
             own = v1 * AT(work, strip + layout__STRIP_Y);
-            EACH_LANE each(away_t) = each(RATE_AT(work_t, strip + layout__STRIP_STATION)) - each(station_t);
+            EACH_DIRECTION each(away_t) = each(RATE_AT(work_t, strip + layout__STRIP_STATION)) - each(station_t);
             away = AT(work, strip + layout__STRIP_STATION) - station;
-            EACH_LANE each(carried_t) = each(carried_t) + each(own_t);
+            EACH_DIRECTION each(carried_t) = each(carried_t) + each(own_t);
             carried = carried + own;
             v2 = own * away;
             v3 = AT(work, strip + layout__STRIP_X) + AT(work, strip + layout__STRIP_NEXT_LEAD) - x;
-            EACH_LANE each(along_t) = each(along_t) + ((each(own_t) * away + own * each(away_t)) * v3 + v2 * (each(RATE_AT(work_t, strip + layout__STRIP_X)) + each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) - each(x_t)));
+            EACH_DIRECTION each(along_t) = each(along_t) + ((each(own_t) * away + own * each(away_t)) * v3 + v2 * (each(RATE_AT(work_t, strip + layout__STRIP_X)) + each(RATE_AT(work_t, strip + layout__STRIP_NEXT_LEAD)) - each(x_t)));
             along = along + v2 * v3;
             v4 = own * away;
-            EACH_LANE each(spread_t) = each(spread_t) + ((each(own_t) * away + own * each(away_t)) * away + v4 * each(away_t));
+            EACH_DIRECTION each(spread_t) = each(spread_t) + ((each(own_t) * away + own * each(away_t)) * away + v4 * each(away_t));
             spread = spread + v4 * away;
         }
     }
     if (spread > strip_patches__CLOSE * strip_patches__CLOSE * carried)
     {
         v5 = along / spread;
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_SLANT)) = (each(along_t) - v5 * each(spread_t)) / spread;
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_SLANT)) = (each(along_t) - v5 * each(spread_t)) / spread;
         AT(work, region + layout__REGION_SLANT) = v5;
     }
     return 0;
 }
 
 /* Derivative of ``add_stiffness``. */
-static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count)
+static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t count)
 {
     int64_t index, i, row, strip, region, k3, i_end;
     double scale, v1, v2;
     for (index = 0; index < count; index += 1)
     {
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS) = 0.0;
     }
     scale = 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
@@ -4095,7 +4095,7 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
         v1 = scale * AT(work, strip + layout__STRIP_HALF_LENGTH);
         v2 = v1 * AT(work, strip + layout__STRIP_WIDTH);
         k3 = row + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
-        EACH_LANE each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) = each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) + ((scale * each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + v1 * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, k3) + v2 * each(RATE_AT(work_t, k3)));
+        EACH_DIRECTION each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) = each(RATE_AT(work_t, region + layout__REGION_STIFFNESS)) + ((scale * each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + v1 * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, k3) + v2 * each(RATE_AT(work_t, k3)));
         AT(work, region + layout__REGION_STIFFNESS) = AT(work, region + layout__REGION_STIFFNESS) + v2 * AT(work, k3);
     }
     return 0;
@@ -4108,11 +4108,11 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
  */
 
 /* Derivative of ``eliminate``. */
-static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_lanes_1d work_t, int64_t size)
+static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_directional_rate_1d work_t, int64_t size)
 {
     int64_t width, pair, k, first, second, j, i, row, back, pivot;
     double v1, inverse, factor, v2, next_inverse, v3, next_factor, one, other, v4, v5;
-    lanes inverse_t, factor_t, next_inverse_t, next_factor_t, one_t, other_t;
+    directional_rate inverse_t, factor_t, next_inverse_t, next_factor_t, one_t, other_t;
     width = size + 2;
     for (pair = 0; pair < floor_div(size, 2); pair += 1)
     {
@@ -4120,29 +4120,29 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
         first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * k;
         second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * (k + 1);
         v1 = 1.0 / AT(work, first + k);
-        EACH_LANE each(inverse_t) = -v1 * each(RATE_AT(work_t, first + k)) / AT(work, first + k);
+        EACH_DIRECTION each(inverse_t) = -v1 * each(RATE_AT(work_t, first + k)) / AT(work, first + k);
         inverse = v1;
-        EACH_LANE each(factor_t) = each(RATE_AT(work_t, second + k)) * inverse + AT(work, second + k) * each(inverse_t);
+        EACH_DIRECTION each(factor_t) = each(RATE_AT(work_t, second + k)) * inverse + AT(work, second + k) * each(inverse_t);
         factor = AT(work, second + k) * inverse;
         for (j = k + 1; j < width; j += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, second + j)) = each(RATE_AT(work_t, second + j)) - (each(factor_t) * AT(work, first + j) + factor * each(RATE_AT(work_t, first + j)));
+            EACH_DIRECTION each(RATE_AT(work_t, second + j)) = each(RATE_AT(work_t, second + j)) - (each(factor_t) * AT(work, first + j) + factor * each(RATE_AT(work_t, first + j)));
             AT(work, second + j) = AT(work, second + j) - factor * AT(work, first + j);
         }
         v2 = 1.0 / AT(work, second + (k + 1));
-        EACH_LANE each(next_inverse_t) = -v2 * each(RATE_AT(work_t, second + (k + 1))) / AT(work, second + (k + 1));
+        EACH_DIRECTION each(next_inverse_t) = -v2 * each(RATE_AT(work_t, second + (k + 1))) / AT(work, second + (k + 1));
         next_inverse = v2;
         for (i = k + 2; i < size; i += 1)
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
-            EACH_LANE each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
+            EACH_DIRECTION each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
             factor = AT(work, row + k) * inverse;
             v3 = AT(work, row + (k + 1)) - factor * AT(work, first + (k + 1));
-            EACH_LANE each(next_factor_t) = (each(RATE_AT(work_t, row + (k + 1))) - (each(factor_t) * AT(work, first + (k + 1)) + factor * each(RATE_AT(work_t, first + (k + 1))))) * next_inverse + v3 * each(next_inverse_t);
+            EACH_DIRECTION each(next_factor_t) = (each(RATE_AT(work_t, row + (k + 1))) - (each(factor_t) * AT(work, first + (k + 1)) + factor * each(RATE_AT(work_t, first + (k + 1))))) * next_inverse + v3 * each(next_inverse_t);
             next_factor = v3 * next_inverse;
             for (j = k + 2; j < width; j += 1)
             {
-                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, row + j)) - (each(factor_t) * AT(work, first + j) + factor * each(RATE_AT(work_t, first + j))) - (each(next_factor_t) * AT(work, second + j) + next_factor * each(RATE_AT(work_t, second + j)));
+                EACH_DIRECTION each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, row + j)) - (each(factor_t) * AT(work, first + j) + factor * each(RATE_AT(work_t, first + j))) - (each(next_factor_t) * AT(work, second + j) + next_factor * each(RATE_AT(work_t, second + j)));
                 AT(work, row + j) = AT(work, row + j) - factor * AT(work, first + j) - next_factor * AT(work, second + j);
             }
         }
@@ -4151,217 +4151,217 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
     {
         k = size - 1 - back;
         pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * k;
-        EACH_LANE each(one_t) = each(RATE_AT(work_t, pivot + size));
+        EACH_DIRECTION each(one_t) = each(RATE_AT(work_t, pivot + size));
         one = AT(work, pivot + size);
-        EACH_LANE each(other_t) = each(RATE_AT(work_t, pivot + (size + 1)));
+        EACH_DIRECTION each(other_t) = each(RATE_AT(work_t, pivot + (size + 1)));
         other = AT(work, pivot + (size + 1));
         for (j = k + 1; j < size; j += 1)
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * j;
-            EACH_LANE each(one_t) = each(one_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, row + size) + AT(work, pivot + j) * each(RATE_AT(work_t, row + size)));
+            EACH_DIRECTION each(one_t) = each(one_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, row + size) + AT(work, pivot + j) * each(RATE_AT(work_t, row + size)));
             one = one - AT(work, pivot + j) * AT(work, row + size);
-            EACH_LANE each(other_t) = each(other_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, row + (size + 1)) + AT(work, pivot + j) * each(RATE_AT(work_t, row + (size + 1))));
+            EACH_DIRECTION each(other_t) = each(other_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, row + (size + 1)) + AT(work, pivot + j) * each(RATE_AT(work_t, row + (size + 1))));
             other = other - AT(work, pivot + j) * AT(work, row + (size + 1));
         }
         v4 = one / AT(work, pivot + k);
-        EACH_LANE each(RATE_AT(work_t, pivot + size)) = (each(one_t) - v4 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
+        EACH_DIRECTION each(RATE_AT(work_t, pivot + size)) = (each(one_t) - v4 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
         AT(work, pivot + size) = v4;
         v5 = other / AT(work, pivot + k);
-        EACH_LANE each(RATE_AT(work_t, pivot + (size + 1))) = (each(other_t) - v5 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
+        EACH_DIRECTION each(RATE_AT(work_t, pivot + (size + 1))) = (each(other_t) - v5 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
         AT(work, pivot + (size + 1)) = v5;
     }
     return 0;
 }
 
 /* Derivative of ``nearness``. */
-static inline void derivative_strip_pressures__nearness_t(double* v5_out, lanes* v5_t_out, double distance, lanes distance_t, double half_length, lanes half_length_t)
+static inline void derivative_strip_pressures__nearness_t(double* v5_out, directional_rate* v5_t_out, double distance, directional_rate distance_t, double half_length, directional_rate half_length_t)
 {
     double v1, v2, v3, v4, v5;
-    lanes v5_t;
+    directional_rate v5_t;
     v1 = distance + half_length;
     v2 = distance / v1;
     v3 = sqrt(v2);
     v4 = (double)layout__INFLUENCE_CELLS;
     v5 = v3 * v4;
-    EACH_LANE each(v5_t) = derivative_rates__root_rate(v3, (each(distance_t) - v2 * (each(distance_t) + each(half_length_t))) / v1) * v4;
+    EACH_DIRECTION each(v5_t) = derivative_rates__root_rate(v3, (each(distance_t) - v2 * (each(distance_t) + each(half_length_t))) / v1) * v4;
     if (strip_pressures__LAST_CELL < v5)
     {
         v5 = strip_pressures__LAST_CELL;
-        v5_t = all_lanes(0.0);
+        v5_t = along_all(0.0);
     }
     *v5_out = v5;
-    EACH_LANE each(*v5_t_out) = each(v5_t);
+    EACH_DIRECTION each(*v5_t_out) = each(v5_t);
 }
 
 /* Derivative of ``apartness``. */
-static inline void derivative_strip_pressures__apartness_t(double* out_0, lanes* out_1, double apart, lanes apart_t, double square, lanes square_t)
+static inline void derivative_strip_pressures__apartness_t(double* out_0, directional_rate* out_1, double apart, directional_rate apart_t, double square, directional_rate square_t)
 {
     double v1, v2, v3;
     v1 = apart + square;
     v2 = apart / v1;
     v3 = (double)layout__INFLUENCE_COLUMNS;
     *out_0 = v2 * v3;
-    EACH_LANE each(*out_1) = (each(apart_t) - v2 * (each(apart_t) + each(square_t))) / v1 * v3;
+    EACH_DIRECTION each(*out_1) = (each(apart_t) - v2 * (each(apart_t) + each(square_t))) / v1 * v3;
 }
 
 /* Derivative of ``middle_influence``. */
-static inline void derivative_strip_pressures__middle_influence_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double x, lanes x_t)
+static inline void derivative_strip_pressures__middle_influence_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double x, directional_rate x_t)
 {
     double v1;
     v1 = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2));
     *out_0 = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * v1;
-    EACH_LANE each(*out_1) = each(x_t) * v1 + x * (each(x_t) * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
+    EACH_DIRECTION each(*out_1) = each(x_t) * v1 + x * (each(x_t) * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
 }
 
 /* Derivative of ``influence_at``. */
-static inline void derivative_strip_pressures__influence_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double x, lanes x_t, double along, lanes along_t)
+static inline void derivative_strip_pressures__influence_at_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double x, directional_rate x_t, double along, directional_rate along_t)
 {
     int64_t column, low_at;
     double v1, low, v2, high, v3, v4;
-    lanes v1_t, low_t, v2_t, high_t;
+    directional_rate v1_t, low_t, v2_t, high_t;
     column = (int64_t)along;
     low_at = layout__INFLUENCE_COLUMN * column + at;
     derivative_strip_pressures__middle_influence_t(&v1, &v1_t, tables, table, low_at, x, x_t);
-    EACH_LANE each(low_t) = each(v1_t);
+    EACH_DIRECTION each(low_t) = each(v1_t);
     low = v1;
     derivative_strip_pressures__middle_influence_t(&v2, &v2_t, tables, table, low_at + layout__INFLUENCE_COLUMN, x, x_t);
-    EACH_LANE each(high_t) = each(v2_t);
+    EACH_DIRECTION each(high_t) = each(v2_t);
     high = v2;
     v3 = along - (double)column;
     v4 = high - low;
     *out_0 = low + v3 * v4;
-    EACH_LANE each(*out_1) = each(low_t) + (each(along_t) * v4 + v3 * (each(high_t) - each(low_t)));
+    EACH_DIRECTION each(*out_1) = each(low_t) + (each(along_t) * v4 + v3 * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``spacing_at``. */
-static inline void derivative_strip_pressures__spacing_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t first, double slender, lanes slender_t)
+static inline void derivative_strip_pressures__spacing_at_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t first, double slender, directional_rate slender_t)
 {
     double v1, v2, v3, v4, place, x, v5;
-    lanes v2_t, v4_t, place_t, x_t;
+    directional_rate v2_t, v4_t, place_t, x_t;
     int64_t cell, at;
     v1 = slender - strip_pressures__FIRST_SPACING;
     v2 = v1 * strip_pressures__SPACINGS_EACH;
-    EACH_LANE each(v2_t) = each(slender_t) * strip_pressures__SPACINGS_EACH;
+    EACH_DIRECTION each(v2_t) = each(slender_t) * strip_pressures__SPACINGS_EACH;
     if (0.0 > v2)
     {
         v2 = 0.0;
-        v2_t = all_lanes(0.0);
+        v2_t = along_all(0.0);
     }
     v3 = (double)layout__SPACING_CELLS;
     v4 = v2;
-    EACH_LANE each(v4_t) = each(v2_t);
+    EACH_DIRECTION each(v4_t) = each(v2_t);
     if (v3 < v4)
     {
         v4 = v3;
-        v4_t = all_lanes(0.0);
+        v4_t = along_all(0.0);
     }
-    EACH_LANE each(place_t) = each(v4_t);
+    EACH_DIRECTION each(place_t) = each(v4_t);
     place = v4;
     cell = int64_min((int64_t)place, layout__SPACING_CELLS - 1);
-    EACH_LANE each(x_t) = each(place_t);
+    EACH_DIRECTION each(x_t) = each(place_t);
     x = place - (double)cell;
     at = first + 3 * cell;
     v5 = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 1)) + x * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2));
     *out_0 = AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + at) + x * v5;
-    EACH_LANE each(*out_1) = each(x_t) * v5 + x * (each(x_t) * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
+    EACH_DIRECTION each(*out_1) = each(x_t) * v5 + x * (each(x_t) * AT(tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + 2)));
 }
 
 /* Derivative of ``own_influence``. */
-static inline void derivative_strip_pressures__own_influence_t(double* out_0, lanes* out_1, array_double_1d tables, double slender, lanes slender_t, int64_t i, double height, lanes height_t, double constant, lanes constant_t, int64_t first)
+static inline void derivative_strip_pressures__own_influence_t(double* out_0, directional_rate* out_1, array_double_1d tables, double slender, directional_rate slender_t, int64_t i, double height, directional_rate height_t, double constant, directional_rate constant_t, int64_t first)
 {
     int64_t waves;
     double v1, rest, v2, v3;
-    lanes v1_t, rest_t;
+    directional_rate v1_t, rest_t;
     waves = (int64_t)AT(tables, layout__TABLES_WAVES);
     derivative_strip_pressures__spacing_at_t(&v1, &v1_t, tables, (int64_t)AT(tables, layout__TABLES_INFLUENCE), first, slender, slender_t);
-    EACH_LANE each(rest_t) = each(constant_t) + each(v1_t);
+    EACH_DIRECTION each(rest_t) = each(constant_t) + each(v1_t);
     rest = constant + v1;
     v2 = slender + AT(tables, waves + layout__WAVES_SPREAD + i);
     v3 = 2.0 * v2 + AT(tables, waves + layout__WAVES_SINGULAR + 16 * i + i);
     *out_0 = rest - height * v3;
-    EACH_LANE each(*out_1) = each(rest_t) - (each(height_t) * v3 + height * (2.0 * each(slender_t)));
+    EACH_DIRECTION each(*out_1) = each(rest_t) - (each(height_t) * v3 + height * (2.0 * each(slender_t)));
 }
 
 /* Derivative of ``fill_rows``. */
-static inline int64_t derivative_strip_pressures__fill_rows_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_strip_pressures__fill_rows_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t i, strip, i_end;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_PLACE));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_PLACE));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i) = AT(work, strip + layout__STRIP_PLACE);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i)) = each(RATE_AT(work_t, strip + layout__STRIP_COS));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i)) = each(RATE_AT(work_t, strip + layout__STRIP_COS));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i) = AT(work, strip + layout__STRIP_COS);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i)) = each(RATE_AT(work_t, strip + layout__STRIP_SIN));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i)) = each(RATE_AT(work_t, strip + layout__STRIP_SIN));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i) = AT(work, strip + layout__STRIP_SIN);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + i)) = each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + i)) = each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + i) = AT(work, strip + layout__STRIP_HALF_LENGTH);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_SQUARE));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_SQUARE));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + i) = AT(work, strip + layout__STRIP_SQUARE);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + i)) = each(RATE_AT(work_t, strip + layout__STRIP_WIDTH));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + i)) = each(RATE_AT(work_t, strip + layout__STRIP_WIDTH));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + i) = AT(work, strip + layout__STRIP_WIDTH);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_MIDDLE));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i)) = each(RATE_AT(work_t, strip + layout__STRIP_MIDDLE));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i) = AT(work, strip + layout__STRIP_MIDDLE);
     }
     return 0;
 }
 
 /* Derivative of ``see_pairs``. */
-static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t size, i, j, cells, within, cell, facing;
-    lanes place_t, v1_t, cos_t, sin_t, rates;
+    directional_rate place_t, v1_t, cos_t, sin_t, rates;
     double place, v2, v1, cos, sin, v3;
     derivative_strip_pressures__fill_rows_t(work, work_t);
     size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < size; i += 1)
     {
-        EACH_LANE each(place_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i));
+        EACH_DIRECTION each(place_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i));
         place = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + i);
         for (j = 0; j < size; j += 1)
         {
             v2 = place - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + j);
-            EACH_LANE each(rates) = derivative_rates__size_rate(v2, each(place_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + j)));
+            EACH_DIRECTION each(rates) = derivative_rates__size_rate(v2, each(place_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_PLACE + j)));
             derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), rates, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_HALF_LENGTH + j));
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j)) = each(v1_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j)) = each(v1_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j) = v1;
         }
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + i) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + i) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + i) = 0.0;
         cells = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + 96 * i;
         within = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_WITHIN + 96 * i;
         for (j = 0; j < size; j += 1)
         {
             cell = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j);
-            RATE_AT(work_t, cells + j) = all_lanes(0.0);
+            RATE_AT(work_t, cells + j) = along_all(0.0);
             AT(work, cells + j) = (double)(3 * cell);
-            EACH_LANE each(RATE_AT(work_t, within + j)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j));
+            EACH_DIRECTION each(RATE_AT(work_t, within + j)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j));
             AT(work, within + j) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_NEAR + j) - (double)cell;
         }
-        EACH_LANE each(cos_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i));
+        EACH_DIRECTION each(cos_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i));
         cos = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + i);
-        EACH_LANE each(sin_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i));
+        EACH_DIRECTION each(sin_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i));
         sin = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + i);
         facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
         for (j = 0; j < size; j += 1)
         {
             v3 = cos * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j) + sin * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j);
-            EACH_LANE each(RATE_AT(work_t, facing + j)) = (each(cos_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j) + cos * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j)) + (each(sin_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j) + sin * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j)))) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j) + v3 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j));
+            EACH_DIRECTION each(RATE_AT(work_t, facing + j)) = (each(cos_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j) + cos * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_COS + j)) + (each(sin_t) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j) + sin * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SIN + j)))) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j) + v3 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j));
             AT(work, facing + j) = v3 * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_WIDTH + j);
         }
-        RATE_AT(work_t, facing + i) = all_lanes(0.0);
+        RATE_AT(work_t, facing + i) = along_all(0.0);
         AT(work, facing + i) = 0.0;
     }
     return 0;
 }
 
 /* Derivative of ``write_equations``. */
-static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, bool yawed)
+static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, bool yawed)
 {
     int64_t waves, table, size, i, row, cells, within, facing, j, k, first, own, singular, strip, k_end, own_end, j_end;
-    lanes middle_t, away_t, v1_t, v2_t, v3_t, v4_t, rates;
+    directional_rate middle_t, away_t, v1_t, v2_t, v3_t, v4_t, rates;
     double middle, away, v1, v2, v3, v4;
     waves = (int64_t)AT(tables, layout__TABLES_WAVES);
     table = (int64_t)AT(tables, layout__TABLES_INFLUENCE);
@@ -4374,21 +4374,21 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
         facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
         if (yawed)
         {
-            EACH_LANE each(middle_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i));
+            EACH_DIRECTION each(middle_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i));
             middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i);
             for (j = 0; j < size; j += 1)
             {
-                EACH_LANE each(away_t) = each(middle_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j));
+                EACH_DIRECTION each(away_t) = each(middle_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j));
                 away = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j);
-                EACH_LANE each(rates) = each(away_t) * away + away * each(away_t);
+                EACH_DIRECTION each(rates) = each(away_t) * away + away * each(away_t);
                 derivative_strip_pressures__apartness_t(&v1, &v1_t, away * away, rates, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
-                EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v1_t);
+                EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v1_t);
                 AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = v1;
             }
             for (j = 0; j < size; j += 1)
             {
                 derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j));
-                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, facing + j)) * v2 + AT(work, facing + j) * each(v2_t);
+                EACH_DIRECTION each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, facing + j)) * v2 + AT(work, facing + j) * each(v2_t);
                 AT(work, row + j) = AT(work, facing + j) * v2;
             }
         }
@@ -4397,13 +4397,13 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
             for (j = 0; j < size; j += 1)
             {
                 derivative_strip_pressures__middle_influence_t(&v3, &v3_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j));
-                EACH_LANE each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, facing + j)) * v3 + AT(work, facing + j) * each(v3_t);
+                EACH_DIRECTION each(RATE_AT(work_t, row + j)) = each(RATE_AT(work_t, facing + j)) * v3 + AT(work, facing + j) * each(v3_t);
                 AT(work, row + j) = AT(work, facing + j) * v3;
             }
         }
-        EACH_LANE each(RATE_AT(work_t, row + size)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
+        EACH_DIRECTION each(RATE_AT(work_t, row + size)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
         AT(work, row + size) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE);
-        EACH_LANE each(RATE_AT(work_t, row + (size + 1))) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        EACH_DIRECTION each(RATE_AT(work_t, row + (size + 1))) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
         AT(work, row + (size + 1)) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP);
     }
     k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
@@ -4420,11 +4420,11 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
             j_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
             for (j = 0; j < j_end; j += 1)
             {
-                EACH_LANE each(RATE_AT(work_t, row + (first + j))) = each(RATE_AT(work_t, row + (first + j))) - AT(tables, singular + j) * each(RATE_AT(work_t, facing + (first + j)));
+                EACH_DIRECTION each(RATE_AT(work_t, row + (first + j))) = each(RATE_AT(work_t, row + (first + j))) - AT(tables, singular + j) * each(RATE_AT(work_t, facing + (first + j)));
                 AT(work, row + (first + j)) = AT(work, row + (first + j)) - AT(tables, singular + j) * AT(work, facing + (first + j));
             }
-            derivative_strip_pressures__own_influence_t(&v4, &v4_t, tables, AT(work, strip + layout__STRIP_SLENDER), RATE_AT(work_t, strip + layout__STRIP_SLENDER), own, 1.0, all_lanes(0.0), strip_pressures__MIDDLE_CONSTANT, all_lanes(0.0), layout__INFLUENCE_MAP);
-            EACH_LANE each(RATE_AT(work_t, row + (first + own))) = each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) * v4 + AT(work, strip + layout__STRIP_WIDTH) * each(v4_t);
+            derivative_strip_pressures__own_influence_t(&v4, &v4_t, tables, AT(work, strip + layout__STRIP_SLENDER), RATE_AT(work_t, strip + layout__STRIP_SLENDER), own, 1.0, along_all(0.0), strip_pressures__MIDDLE_CONSTANT, along_all(0.0), layout__INFLUENCE_MAP);
+            EACH_DIRECTION each(RATE_AT(work_t, row + (first + own))) = each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) * v4 + AT(work, strip + layout__STRIP_WIDTH) * each(v4_t);
             AT(work, row + (first + own)) = AT(work, strip + layout__STRIP_WIDTH) * v4;
         }
     }
@@ -4432,74 +4432,74 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
 }
 
 /* Derivative of ``local_displacement``. */
-static inline void derivative_strip_pressures__local_displacement_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t first, int64_t own)
+static inline void derivative_strip_pressures__local_displacement_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t first, int64_t own)
 {
     int64_t strip, facing, singular, j, j_end;
-    lanes left_t, v2_t, influence_t;
+    directional_rate left_t, v2_t, influence_t;
     double left, v1, v2, influence, v3;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + own);
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * (first + own);
     singular = (int64_t)AT(tables, layout__TABLES_WAVES) + layout__WAVES_SINGULAR + 16 * own;
-    left_t = all_lanes(0.0);
+    left_t = along_all(0.0);
     left = 0.0;
     j_end = (int64_t)AT(tables, (int64_t)AT(tables, layout__TABLES_WAVES) + layout__WAVES_COUNT);
     for (j = 0; j < j_end; j += 1)
     {
         v1 = AT(tables, singular + j) * AT(work, facing + (first + j));
-        EACH_LANE each(left_t) = each(left_t) + (AT(tables, singular + j) * each(RATE_AT(work_t, facing + (first + j))) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y) + v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)));
+        EACH_DIRECTION each(left_t) = each(left_t) + (AT(tables, singular + j) * each(RATE_AT(work_t, facing + (first + j))) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y) + v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)));
         left = left + v1 * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y);
     }
-    derivative_strip_pressures__own_influence_t(&v2, &v2_t, tables, AT(work, strip + layout__STRIP_SLENDER), RATE_AT(work_t, strip + layout__STRIP_SLENDER), own, strip_pressures__TESTED_HEIGHT, all_lanes(0.0), strip_pressures__TESTED_CONSTANT, all_lanes(0.0), layout__INFLUENCE_MAP + 3 * layout__SPACING_CELLS);
-    EACH_LANE each(influence_t) = each(v2_t);
+    derivative_strip_pressures__own_influence_t(&v2, &v2_t, tables, AT(work, strip + layout__STRIP_SLENDER), RATE_AT(work_t, strip + layout__STRIP_SLENDER), own, strip_pressures__TESTED_HEIGHT, along_all(0.0), strip_pressures__TESTED_CONSTANT, along_all(0.0), layout__INFLUENCE_MAP + 3 * layout__SPACING_CELLS);
+    EACH_DIRECTION each(influence_t) = each(v2_t);
     influence = v2;
     v3 = AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_Y);
     *out_0 = v3 * influence - strip_pressures__TESTED_HEIGHT * left;
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) * AT(work, strip + layout__STRIP_Y) + AT(work, strip + layout__STRIP_WIDTH) * each(RATE_AT(work_t, strip + layout__STRIP_Y))) * influence + v3 * each(influence_t) - strip_pressures__TESTED_HEIGHT * each(left_t);
+    EACH_DIRECTION each(*out_1) = (each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) * AT(work, strip + layout__STRIP_Y) + AT(work, strip + layout__STRIP_WIDTH) * each(RATE_AT(work_t, strip + layout__STRIP_Y))) * influence + v3 * each(influence_t) - strip_pressures__TESTED_HEIGHT * each(left_t);
 }
 
 /* Derivative of ``tested_displacements``. */
-static inline void derivative_strip_pressures__tested_displacements_t(double* front_out, lanes* front_t_out, double* back_out, lanes* back_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t i, double away, lanes away_t, bool yawed)
+static inline void derivative_strip_pressures__tested_displacements_t(double* front_out, directional_rate* front_t_out, double* back_out, directional_rate* back_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t i, double away, directional_rate away_t, bool yawed)
 {
     int64_t table, cells, within, facing, size, j;
-    lanes front_t, back_t, middle_t, x_t, v1_t, v2_t, pushed_t, v3_t, v4_t, v5_t, v6_t, rates, rates_2, rates_3;
+    directional_rate front_t, back_t, middle_t, x_t, v1_t, v2_t, pushed_t, v3_t, v4_t, v5_t, v6_t, rates, rates_2, rates_3;
     double front, back, middle, x, v1, v2, pushed, v3, v4, v5, v6;
     table = (int64_t)AT(tables, layout__TABLES_INFLUENCE);
     cells = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + 96 * i;
     within = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_WITHIN + 96 * i;
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + 96 * i;
     size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
-    front_t = all_lanes(0.0);
+    front_t = along_all(0.0);
     front = 0.0;
-    back_t = all_lanes(0.0);
+    back_t = along_all(0.0);
     back = 0.0;
     if (yawed)
     {
-        EACH_LANE each(middle_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i));
+        EACH_DIRECTION each(middle_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i));
         middle = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + i);
         for (j = 0; j < size; j += 1)
         {
-            EACH_LANE each(x_t) = each(middle_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j)) + each(away_t);
+            EACH_DIRECTION each(x_t) = each(middle_t) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j)) + each(away_t);
             x = middle - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_MIDDLE + j) + away;
-            EACH_LANE each(rates) = each(x_t) * x + x * each(x_t);
+            EACH_DIRECTION each(rates) = each(x_t) * x + x * each(x_t);
             derivative_strip_pressures__apartness_t(&v1, &v1_t, x * x, rates, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v1_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v1_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = v1;
-            EACH_LANE each(x_t) = each(x_t) - 2.0 * each(away_t);
+            EACH_DIRECTION each(x_t) = each(x_t) - 2.0 * each(away_t);
             x = x - 2.0 * away;
-            EACH_LANE each(rates_2) = each(x_t) * x + x * each(x_t);
+            EACH_DIRECTION each(rates_2) = each(x_t) * x + x * each(x_t);
             derivative_strip_pressures__apartness_t(&v2, &v2_t, x * x, rates_2, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j)) = each(v2_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j)) = each(v2_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j) = v2;
         }
         for (j = 0; j < size; j += 1)
         {
-            EACH_LANE each(pushed_t) = each(RATE_AT(work_t, facing + j)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y) + AT(work, facing + j) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+            EACH_DIRECTION each(pushed_t) = each(RATE_AT(work_t, facing + j)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y) + AT(work, facing + j) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
             pushed = AT(work, facing + j) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y);
             derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j));
-            EACH_LANE each(front_t) = each(front_t) + (each(v3_t) * pushed + v3 * each(pushed_t));
+            EACH_DIRECTION each(front_t) = each(front_t) + (each(v3_t) * pushed + v3 * each(pushed_t));
             front = front + v3 * pushed;
             derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_BEHIND + j));
-            EACH_LANE each(back_t) = each(back_t) + (each(v4_t) * pushed + v4 * each(pushed_t));
+            EACH_DIRECTION each(back_t) = each(back_t) + (each(v4_t) * pushed + v4 * each(pushed_t));
             back = back + v4 * pushed;
         }
     }
@@ -4507,35 +4507,35 @@ static inline void derivative_strip_pressures__tested_displacements_t(double* fr
     {
         for (j = 0; j < size; j += 1)
         {
-            EACH_LANE each(rates_3) = each(away_t) * away + away * each(away_t);
+            EACH_DIRECTION each(rates_3) = each(away_t) * away + away * each(away_t);
             derivative_strip_pressures__apartness_t(&v5, &v5_t, away * away, rates_3, AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_SQUARE + j));
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v5_t);
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j)) = each(v5_t);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j) = v5;
         }
         for (j = 0; j < size; j += 1)
         {
-            EACH_LANE each(pushed_t) = each(RATE_AT(work_t, facing + j)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y) + AT(work, facing + j) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+            EACH_DIRECTION each(pushed_t) = each(RATE_AT(work_t, facing + j)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y) + AT(work, facing + j) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
             pushed = AT(work, facing + j) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y);
             derivative_strip_pressures__influence_at_t(&v6, &v6_t, tables, table, (int64_t)AT(work, cells + j), AT(work, within + j), RATE_AT(work_t, within + j), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ROWS + layout__STRIP_ROWS_AHEAD + j));
-            EACH_LANE each(front_t) = each(front_t) + (each(v6_t) * pushed + v6 * each(pushed_t));
+            EACH_DIRECTION each(front_t) = each(front_t) + (each(v6_t) * pushed + v6 * each(pushed_t));
             front = front + v6 * pushed;
         }
-        EACH_LANE each(back_t) = each(front_t);
+        EACH_DIRECTION each(back_t) = each(front_t);
         back = front;
     }
     *front_out = front;
-    EACH_LANE each(*front_t_out) = each(front_t);
+    EACH_DIRECTION each(*front_t_out) = each(front_t);
     *back_out = back;
-    EACH_LANE each(*back_t_out) = each(back_t);
+    EACH_DIRECTION each(*back_t_out) = each(back_t);
 }
 
 /* Derivative of ``solve_pressures``. */
-static inline void derivative_strip_pressures__solve_pressures_t(double* penetration_out, lanes* penetration_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t, bool by_penetration, bool yawed)
+static inline void derivative_strip_pressures__solve_pressures_t(double* penetration_out, directional_rate* penetration_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, double force, directional_rate force_t, bool by_penetration, bool yawed)
 {
-    lanes penetration_t, v1_t;
+    directional_rate penetration_t, v1_t;
     double penetration, v1;
     int64_t size, i, row;
-    EACH_LANE each(penetration_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_DIRECTION each(penetration_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION);
     size = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT) + 1.0;
@@ -4545,28 +4545,28 @@ static inline void derivative_strip_pressures__solve_pressures_t(double* penetra
     if (!by_penetration)
     {
         derivative_strip_pressures__equilibrium_penetration_t(&v1, &v1_t, work, work_t, tables, force, force_t);
-        EACH_LANE each(penetration_t) = each(v1_t);
+        EACH_DIRECTION each(penetration_t) = each(v1_t);
         penetration = v1;
     }
     for (i = 0; i < size; i += 1)
     {
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = each(penetration_t) * AT(work, row + size) + penetration * each(RATE_AT(work_t, row + size)) - each(RATE_AT(work_t, row + (size + 1)));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = each(penetration_t) * AT(work, row + size) + penetration * each(RATE_AT(work_t, row + size)) - each(RATE_AT(work_t, row + (size + 1)));
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y) = penetration * AT(work, row + size) - AT(work, row + (size + 1));
     }
     *penetration_out = penetration;
-    EACH_LANE each(*penetration_t_out) = each(penetration_t);
+    EACH_DIRECTION each(*penetration_t_out) = each(penetration_t);
 }
 
 /* Derivative of ``equilibrium_penetration``. */
-static inline void derivative_strip_pressures__equilibrium_penetration_t(double* v6_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t)
+static inline void derivative_strip_pressures__equilibrium_penetration_t(double* v6_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, double force, directional_rate force_t)
 {
-    lanes unit_load_t, rest_load_t, half_t;
+    directional_rate unit_load_t, rest_load_t, half_t;
     double unit_load, rest_load, v1, half, v4, v5, v6;
     int64_t i, row, strip, k2, k3, i_end;
-    unit_load_t = all_lanes(0.0);
+    unit_load_t = along_all(0.0);
     unit_load = 0.0;
-    rest_load_t = all_lanes(0.0);
+    rest_load_t = along_all(0.0);
     rest_load = 0.0;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
@@ -4574,20 +4574,20 @@ static inline void derivative_strip_pressures__equilibrium_penetration_t(double*
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + 98 * i;
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         v1 = AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH);
-        EACH_LANE each(half_t) = (each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + AT(work, strip + layout__STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, strip + layout__STRIP_COUNTED) + v1 * each(RATE_AT(work_t, strip + layout__STRIP_COUNTED));
+        EACH_DIRECTION each(half_t) = (each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_WIDTH) + AT(work, strip + layout__STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__STRIP_WIDTH))) * AT(work, strip + layout__STRIP_COUNTED) + v1 * each(RATE_AT(work_t, strip + layout__STRIP_COUNTED));
         half = v1 * AT(work, strip + layout__STRIP_COUNTED);
         k2 = row + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
-        EACH_LANE each(unit_load_t) = each(unit_load_t) + (each(half_t) * AT(work, k2) + half * each(RATE_AT(work_t, k2)));
+        EACH_DIRECTION each(unit_load_t) = each(unit_load_t) + (each(half_t) * AT(work, k2) + half * each(RATE_AT(work_t, k2)));
         unit_load = unit_load + half * AT(work, k2);
         k3 = row + ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) + 1);
-        EACH_LANE each(rest_load_t) = each(rest_load_t) + (each(half_t) * AT(work, k3) + half * each(RATE_AT(work_t, k3)));
+        EACH_DIRECTION each(rest_load_t) = each(rest_load_t) + (each(half_t) * AT(work, k3) + half * each(RATE_AT(work_t, k3)));
         rest_load = rest_load + half * AT(work, k3);
     }
     v4 = 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
     v5 = force / v4 + rest_load;
     v6 = v5 / unit_load;
     *v6_out = v6;
-    EACH_LANE each(*out_1) = (each(force_t) / v4 + each(rest_load_t) - v6 * each(unit_load_t)) / unit_load;
+    EACH_DIRECTION each(*out_1) = (each(force_t) / v4 + each(rest_load_t) - v6 * each(unit_load_t)) / unit_load;
 }
 
 
@@ -4597,23 +4597,23 @@ static inline void derivative_strip_pressures__equilibrium_penetration_t(double*
  */
 
 /* Derivative of ``raise_axes``. */
-static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count)
+static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t count)
 {
-    lanes largest_t, v1_t, v3_t;
+    directional_rate largest_t, v1_t, v3_t;
     double largest, v1, v2, v3;
     int64_t i, strip;
-    largest_t = all_lanes(0.0);
+    largest_t = along_all(0.0);
     largest = 0.0;
     for (i = first; i < first + count; i += 1)
     {
         v1 = largest;
-        EACH_LANE each(v1_t) = each(largest_t);
+        EACH_DIRECTION each(v1_t) = each(largest_t);
         if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS) > v1)
         {
             v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS);
-            EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS));
+            EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS));
         }
-        EACH_LANE each(largest_t) = each(v1_t);
+        EACH_DIRECTION each(largest_t) = each(v1_t);
         largest = v1;
     }
     for (i = first; i < first + count; i += 1)
@@ -4621,28 +4621,28 @@ static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, 
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         v2 = strip_runs__FLAT_START * largest;
         v3 = AT(work, strip + layout__STRIP_AXIS);
-        EACH_LANE each(v3_t) = each(RATE_AT(work_t, strip + layout__STRIP_AXIS));
+        EACH_DIRECTION each(v3_t) = each(RATE_AT(work_t, strip + layout__STRIP_AXIS));
         if (v2 > v3)
         {
             v3 = v2;
-            EACH_LANE each(v3_t) = strip_runs__FLAT_START * each(largest_t);
+            EACH_DIRECTION each(v3_t) = strip_runs__FLAT_START * each(largest_t);
         }
-        EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(v3_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(v3_t);
         AT(work, strip + layout__STRIP_AXIS) = v3;
     }
     return 0;
 }
 
 /* Derivative of ``add_run``. */
-static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t)
+static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_directional_rate_1d work_t, int64_t low, int64_t high, double start, directional_rate start_t, double stop, directional_rate stop_t)
 {
     int64_t zone, before, run;
     double v1, least, v2, v3;
-    lanes least_t, v2_t, v3_t, rates;
+    directional_rate least_t, v2_t, v3_t, rates;
     bool joins, room, n4;
     zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
     v1 = AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START);
-    EACH_LANE each(least_t) = strip_runs__NARROW * (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)));
+    EACH_DIRECTION each(least_t) = strip_runs__NARROW * (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)));
     least = strip_runs__NARROW * v1;
     joins = false;
     if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) > 0)
@@ -4652,59 +4652,59 @@ static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, arr
         {
             joins = true;
             v2 = AT(work, before + layout__STRIP_RUN_NEXT_START);
-            EACH_LANE each(v2_t) = each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_START));
+            EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_START));
             if (start < v2)
             {
                 v2 = start;
-                EACH_LANE each(v2_t) = each(start_t);
+                EACH_DIRECTION each(v2_t) = each(start_t);
             }
-            EACH_LANE each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_START)) = each(v2_t);
+            EACH_DIRECTION each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_START)) = each(v2_t);
             AT(work, before + layout__STRIP_RUN_NEXT_START) = v2;
             v3 = AT(work, before + layout__STRIP_RUN_NEXT_STOP);
-            EACH_LANE each(v3_t) = each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_STOP));
+            EACH_DIRECTION each(v3_t) = each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_STOP));
             if (stop > v3)
             {
                 v3 = stop;
-                EACH_LANE each(v3_t) = each(stop_t);
+                EACH_DIRECTION each(v3_t) = each(stop_t);
             }
-            EACH_LANE each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_STOP)) = each(v3_t);
+            EACH_DIRECTION each(RATE_AT(work_t, before + layout__STRIP_RUN_NEXT_STOP)) = each(v3_t);
             AT(work, before + layout__STRIP_RUN_NEXT_STOP) = v3;
-            RATE_AT(work_t, before + layout__STRIP_RUN_ORIGIN) = all_lanes(0.0);
+            RATE_AT(work_t, before + layout__STRIP_RUN_ORIGIN) = along_all(0.0);
             AT(work, before + layout__STRIP_RUN_ORIGIN) = (double)(-1);
         }
     }
     room = false;
     if (stop - start > least && !joins)
     {
-        EACH_LANE each(rates) = each(stop_t) - each(start_t);
+        EACH_DIRECTION each(rates) = each(stop_t) - each(start_t);
         n4 = derivative_strip_runs__has_room_t(work, work_t, stop - start, rates);
         room = n4;
     }
     if (room)
     {
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
-        RATE_AT(work_t, run + layout__STRIP_RUN_LOW) = all_lanes(0.0);
+        RATE_AT(work_t, run + layout__STRIP_RUN_LOW) = along_all(0.0);
         AT(work, run + layout__STRIP_RUN_LOW) = (double)low;
-        RATE_AT(work_t, run + layout__STRIP_RUN_HIGH) = all_lanes(0.0);
+        RATE_AT(work_t, run + layout__STRIP_RUN_HIGH) = along_all(0.0);
         AT(work, run + layout__STRIP_RUN_HIGH) = (double)high;
-        EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)) = each(start_t);
+        EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START)) = each(start_t);
         AT(work, run + layout__STRIP_RUN_NEXT_START) = start;
-        EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) = each(stop_t);
+        EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) = each(stop_t);
         AT(work, run + layout__STRIP_RUN_NEXT_STOP) = stop;
-        RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE) = all_lanes(0.0);
+        RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE) = along_all(0.0);
         AT(work, run + layout__STRIP_RUN_START_MOVE) = 0.0;
-        RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE) = all_lanes(0.0);
+        RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE) = along_all(0.0);
         AT(work, run + layout__STRIP_RUN_STOP_MOVE) = 0.0;
-        RATE_AT(work_t, run + layout__STRIP_RUN_ORIGIN) = all_lanes(0.0);
+        RATE_AT(work_t, run + layout__STRIP_RUN_ORIGIN) = along_all(0.0);
         AT(work, run + layout__STRIP_RUN_ORIGIN) = (double)(-1);
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) + 1);
     }
     return 0;
 }
 
 /* Derivative of ``has_room``. */
-static inline bool derivative_strip_runs__has_room_t(array_double_1d work, array_lanes_1d work_t, double width, lanes width_t)
+static inline bool derivative_strip_runs__has_room_t(array_double_1d work, array_directional_rate_1d work_t, double width, directional_rate width_t)
 {
     int64_t narrowest, k, i_1, k_end, k_end_2;
     if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) < layout__STRIP_RUN_LIMIT)
@@ -4729,24 +4729,24 @@ static inline bool derivative_strip_runs__has_room_t(array_double_1d work, array
     {
         for (i_1 = 0; i_1 < layout__STRIP_RUN_SIZE; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (k + 1) + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (k + 1) + i_1));
             AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (k + 1) + i_1);
         }
     }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
     return true;
 }
 
 /* Derivative of ``run_width``. */
-static inline void derivative_strip_runs__run_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t run)
+static inline void derivative_strip_runs__run_width_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t run)
 {
     *out_0 = AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START);
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START));
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START));
 }
 
 /* Derivative of ``adopt_runs``. */
-static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t k, i_1, run, k_end;
     k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
@@ -4754,50 +4754,50 @@ static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, 
     {
         for (i_1 = 0; i_1 < layout__STRIP_RUN_SIZE; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1));
             AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1);
         }
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_START)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START));
+        EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_START)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START));
         AT(work, run + layout__STRIP_RUN_START) = AT(work, run + layout__STRIP_RUN_NEXT_START);
-        EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP));
+        EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP));
         AT(work, run + layout__STRIP_RUN_STOP) = AT(work, run + layout__STRIP_RUN_NEXT_STOP);
     }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT));
     return 0;
 }
 
 /* Derivative of ``run_station``. */
-static inline void derivative_strip_runs__run_station_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t run, double cosine, lanes cosine_t)
+static inline void derivative_strip_runs__run_station_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t run, double cosine, directional_rate cosine_t)
 {
     double v1, v2, v3;
     v1 = AT(work, run + layout__STRIP_RUN_START) + AT(work, run + layout__STRIP_RUN_STOP);
     v2 = AT(work, run + layout__STRIP_RUN_STOP) - AT(work, run + layout__STRIP_RUN_START);
     v3 = 0.5 * v2;
     *out_0 = 0.5 * v1 - v3 * cosine;
-    EACH_LANE each(*out_1) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_START)) + each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP))) - (0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START))) * cosine + v3 * each(cosine_t));
+    EACH_DIRECTION each(*out_1) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_START)) + each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP))) - (0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START))) * cosine + v3 * each(cosine_t));
 }
 
 /* Derivative of ``gap_beside``. */
-static inline void derivative_strip_runs__gap_beside_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t strip, double x, lanes x_t)
+static inline void derivative_strip_runs__gap_beside_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t strip, double x, directional_rate x_t)
 {
     double v1, v2, v3;
-    lanes v2_t, rates;
+    directional_rate v2_t, rates;
     v1 = x * x;
-    EACH_LANE each(rates) = each(RATE_AT(work_t, strip + layout__STRIP_SKEW)) * x + AT(work, strip + layout__STRIP_SKEW) * each(x_t);
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, strip + layout__STRIP_SKEW)) * x + AT(work, strip + layout__STRIP_SKEW) * each(x_t);
     derivative_penetrated__limited_t(&v2, &v2_t, AT(work, strip + layout__STRIP_SKEW) * x, rates, AT(work, strip + layout__STRIP_ODD), RATE_AT(work_t, strip + layout__STRIP_ODD));
     v3 = AT(work, strip + layout__STRIP_A) + v2;
     *out_0 = v1 * v3;
-    EACH_LANE each(*out_1) = (each(x_t) * x + x * each(x_t)) * v3 + v1 * (each(RATE_AT(work_t, strip + layout__STRIP_A)) + each(v2_t));
+    EACH_DIRECTION each(*out_1) = (each(x_t) * x + x * each(x_t)) * v3 + v1 * (each(RATE_AT(work_t, strip + layout__STRIP_A)) + each(v2_t));
 }
 
 /* Derivative of ``lay_strips``. */
-static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, bool smooth)
+static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, bool smooth)
 {
     int64_t count, k, run, j, i, strip, k_end;
     double v1, v2, v3, v4, spread, v5, v6, v7, v9, v8, v10, v11;
-    lanes spread_t, v5_t, v6_t, v8_t, v10_t, v11_t, rates;
+    directional_rate spread_t, v5_t, v6_t, v8_t, v10_t, v11_t, rates;
     count = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
     for (k = 0; k < k_end; k += 1)
@@ -4808,35 +4808,35 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
         v2 = 0.5 * v1;
         v3 = v2 * M_PI;
         v4 = (double)count;
-        EACH_LANE each(spread_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START))) * M_PI / v4;
+        EACH_DIRECTION each(spread_t) = 0.5 * (each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_START))) * M_PI / v4;
         spread = v3 / v4;
         for (i = 0; i < count; i += 1)
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
-            derivative_strip_runs__run_station_t(&v5, &v5_t, work, work_t, run, AT(tables, waves + layout__WAVES_COS + i), all_lanes(0.0));
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_STATION)) = each(v5_t);
+            derivative_strip_runs__run_station_t(&v5, &v5_t, work, work_t, run, AT(tables, waves + layout__WAVES_COS + i), along_all(0.0));
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_STATION)) = each(v5_t);
             AT(work, strip + layout__STRIP_STATION) = v5;
             j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), AT(work, strip + layout__STRIP_STATION));
             derivative_strip_surfaces__way_through_t(&v6, &v6_t, work, work_t, j, AT(work, strip + layout__STRIP_STATION), RATE_AT(work_t, strip + layout__STRIP_STATION));
             derivative_strip_runs__lay_strip_t(work, work_t, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1), v6, v6_t);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) * AT(tables, waves + layout__WAVES_SIN + i);
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) = each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) * AT(tables, waves + layout__WAVES_SIN + i);
             AT(work, strip + layout__STRIP_HALF_LENGTH) = AT(work, strip + layout__STRIP_AXIS) * AT(tables, waves + layout__WAVES_SIN + i);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SQUARE)) = each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_HALF_LENGTH) + AT(work, strip + layout__STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH));
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_SQUARE)) = each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH)) * AT(work, strip + layout__STRIP_HALF_LENGTH) + AT(work, strip + layout__STRIP_HALF_LENGTH) * each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH));
             AT(work, strip + layout__STRIP_SQUARE) = AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_HALF_LENGTH);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_MIDDLE)) = each(RATE_AT(work_t, strip + layout__STRIP_X)) + each(RATE_AT(work_t, strip + layout__STRIP_LEAD));
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_MIDDLE)) = each(RATE_AT(work_t, strip + layout__STRIP_X)) + each(RATE_AT(work_t, strip + layout__STRIP_LEAD));
             AT(work, strip + layout__STRIP_MIDDLE) = AT(work, strip + layout__STRIP_X) + AT(work, strip + layout__STRIP_LEAD);
             v7 = spread * AT(tables, waves + layout__WAVES_SIN + i);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) = each(spread_t) * AT(tables, waves + layout__WAVES_SIN + i) * AT(work, strip + layout__STRIP_STRETCH) + v7 * each(RATE_AT(work_t, strip + layout__STRIP_STRETCH));
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) = each(spread_t) * AT(tables, waves + layout__WAVES_SIN + i) * AT(work, strip + layout__STRIP_STRETCH) + v7 * each(RATE_AT(work_t, strip + layout__STRIP_STRETCH));
             AT(work, strip + layout__STRIP_WIDTH) = v7 * AT(work, strip + layout__STRIP_STRETCH);
             v9 = AT(work, strip + layout__STRIP_WIDTH) / AT(work, strip + layout__STRIP_HALF_LENGTH);
-            EACH_LANE each(rates) = (each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) - v9 * each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH))) / AT(work, strip + layout__STRIP_HALF_LENGTH);
+            EACH_DIRECTION each(rates) = (each(RATE_AT(work_t, strip + layout__STRIP_WIDTH)) - v9 * each(RATE_AT(work_t, strip + layout__STRIP_HALF_LENGTH))) / AT(work, strip + layout__STRIP_HALF_LENGTH);
             derivative_powers__log_rule_t(&v8, &v8_t, v9, rates);
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SLENDER)) = each(v8_t);
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_SLENDER)) = each(v8_t);
             AT(work, strip + layout__STRIP_SLENDER) = v8;
             if (!smooth)
             {
                 derivative_strip_surfaces__rest_gap_t(&v10, &v10_t, work, work_t, j, AT(work, strip + layout__STRIP_STATION), RATE_AT(work_t, strip + layout__STRIP_STATION));
-                EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_GAP)) = each(v10_t);
+                EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_GAP)) = each(v10_t);
                 AT(work, strip + layout__STRIP_GAP) = v10;
             }
         }
@@ -4848,7 +4848,7 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
             derivative_strip_runs__gap_beside_t(&v11, &v11_t, work, work_t, strip, AT(work, strip + layout__STRIP_LEAD), RATE_AT(work_t, strip + layout__STRIP_LEAD));
-            EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_GAP)) = each(RATE_AT(work_t, strip + layout__STRIP_GAP)) + each(v11_t);
+            EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_GAP)) = each(RATE_AT(work_t, strip + layout__STRIP_GAP)) + each(v11_t);
             AT(work, strip + layout__STRIP_GAP) = AT(work, strip + layout__STRIP_GAP) + v11;
         }
     }
@@ -4856,107 +4856,107 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
 }
 
 /* Derivative of ``smooth_gaps``. */
-static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t first)
+static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t run, int64_t first)
 {
     int64_t fine, j, i, m, i_end;
     double v1, station, v2, gap;
-    lanes v1_t, station_t, v2_t, gap_t;
+    directional_rate v1_t, station_t, v2_t, gap_t;
     fine = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
     for (i = 0; i < fine; i += 1)
     {
-        derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, AT(tables, waves + layout__WAVES_FINE_COS + i), all_lanes(0.0));
-        EACH_LANE each(station_t) = each(v1_t);
+        derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, AT(tables, waves + layout__WAVES_FINE_COS + i), along_all(0.0));
+        EACH_DIRECTION each(station_t) = each(v1_t);
         station = v1;
         j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
         derivative_strip_surfaces__rest_gap_t(&v2, &v2_t, work, work_t, j, station, station_t);
-        EACH_LANE each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + i)) = each(v2_t);
+        EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + i)) = each(v2_t);
         AT(work, run + layout__STRIP_RUN_GAPS + i) = v2;
     }
     i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     for (i = 0; i < i_end; i += 1)
     {
-        gap_t = all_lanes(0.0);
+        gap_t = along_all(0.0);
         gap = 0.0;
         for (m = 0; m < fine; m += 1)
         {
-            EACH_LANE each(gap_t) = each(gap_t) + AT(tables, waves + layout__WAVES_SMOOTHING + 48 * i + m) * each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + m));
+            EACH_DIRECTION each(gap_t) = each(gap_t) + AT(tables, waves + layout__WAVES_SMOOTHING + 48 * i + m) * each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + m));
             gap = gap + AT(tables, waves + layout__WAVES_SMOOTHING + 48 * i + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
         }
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = each(gap_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = each(gap_t);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP) = gap;
     }
     return 0;
 }
 
 /* Derivative of ``lay_strip``. */
-static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t low, int64_t high, double u, lanes u_t)
+static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_directional_rate_1d work_t, int64_t strip, int64_t low, int64_t high, double u, directional_rate u_t)
 {
     double v1, v2, v3, v4, v5, v6, v7, v8, v9, v10;
-    lanes v1_t, v2_t, v3_t, v4_t, v5_t, v6_t, v7_t, v8_t, v9_t, v10_t;
-    RATE_AT(work_t, strip + layout__STRIP_REGION) = all_lanes(0.0);
+    directional_rate v1_t, v2_t, v3_t, v4_t, v5_t, v6_t, v7_t, v8_t, v9_t, v10_t;
+    RATE_AT(work_t, strip + layout__STRIP_REGION) = along_all(0.0);
     AT(work, strip + layout__STRIP_REGION) = (double)((int64_t)AT(work, low + layout__TRACED_STATION_REGION));
     if (u > 0.5)
     {
-        RATE_AT(work_t, strip + layout__STRIP_REGION) = all_lanes(0.0);
+        RATE_AT(work_t, strip + layout__STRIP_REGION) = along_all(0.0);
         AT(work, strip + layout__STRIP_REGION) = (double)((int64_t)AT(work, high + layout__TRACED_STATION_REGION));
     }
     derivative_strip_surfaces__between_t(&v1, &v1_t, AT(work, low + layout__TRACED_STATION_PLACE), RATE_AT(work_t, low + layout__TRACED_STATION_PLACE), AT(work, high + layout__TRACED_STATION_PLACE), RATE_AT(work_t, high + layout__TRACED_STATION_PLACE), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_PLACE)) = each(v1_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_PLACE)) = each(v1_t);
     AT(work, strip + layout__STRIP_PLACE) = v1;
     derivative_strip_surfaces__between_t(&v2, &v2_t, AT(work, low + layout__TRACED_STATION_STRETCH), RATE_AT(work_t, low + layout__TRACED_STATION_STRETCH), AT(work, high + layout__TRACED_STATION_STRETCH), RATE_AT(work_t, high + layout__TRACED_STATION_STRETCH), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_STRETCH)) = each(v2_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_STRETCH)) = each(v2_t);
     AT(work, strip + layout__STRIP_STRETCH) = v2;
     derivative_strip_surfaces__between_t(&v3, &v3_t, AT(work, low + layout__TRACED_STATION_COS), RATE_AT(work_t, low + layout__TRACED_STATION_COS), AT(work, high + layout__TRACED_STATION_COS), RATE_AT(work_t, high + layout__TRACED_STATION_COS), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_COS)) = each(v3_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_COS)) = each(v3_t);
     AT(work, strip + layout__STRIP_COS) = v3;
     derivative_strip_surfaces__between_t(&v4, &v4_t, AT(work, low + layout__TRACED_STATION_SIN), RATE_AT(work_t, low + layout__TRACED_STATION_SIN), AT(work, high + layout__TRACED_STATION_SIN), RATE_AT(work_t, high + layout__TRACED_STATION_SIN), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SIN)) = each(v4_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_SIN)) = each(v4_t);
     AT(work, strip + layout__STRIP_SIN) = v4;
     derivative_strip_surfaces__between_t(&v5, &v5_t, AT(work, low + layout__TRACED_STATION_X), RATE_AT(work_t, low + layout__TRACED_STATION_X), AT(work, high + layout__TRACED_STATION_X), RATE_AT(work_t, high + layout__TRACED_STATION_X), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_X)) = each(v5_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_X)) = each(v5_t);
     AT(work, strip + layout__STRIP_X) = v5;
     derivative_strip_surfaces__between_t(&v6, &v6_t, AT(work, low + layout__TRACED_STATION_A), RATE_AT(work_t, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), RATE_AT(work_t, high + layout__TRACED_STATION_A), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_A)) = each(v6_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_A)) = each(v6_t);
     AT(work, strip + layout__STRIP_A) = v6;
     derivative_strip_surfaces__between_t(&v7, &v7_t, AT(work, low + layout__TRACED_STATION_SKEW), RATE_AT(work_t, low + layout__TRACED_STATION_SKEW), AT(work, high + layout__TRACED_STATION_SKEW), RATE_AT(work_t, high + layout__TRACED_STATION_SKEW), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SKEW)) = each(v7_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_SKEW)) = each(v7_t);
     AT(work, strip + layout__STRIP_SKEW) = v7;
     derivative_strip_surfaces__between_t(&v8, &v8_t, AT(work, low + layout__TRACED_STATION_ODD), RATE_AT(work_t, low + layout__TRACED_STATION_ODD), AT(work, high + layout__TRACED_STATION_ODD), RATE_AT(work_t, high + layout__TRACED_STATION_ODD), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_ODD)) = each(v8_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_ODD)) = each(v8_t);
     AT(work, strip + layout__STRIP_ODD) = v8;
     derivative_strip_surfaces__between_t(&v9, &v9_t, AT(work, low + layout__TRACED_STATION_SHARE), RATE_AT(work_t, low + layout__TRACED_STATION_SHARE), AT(work, high + layout__TRACED_STATION_SHARE), RATE_AT(work_t, high + layout__TRACED_STATION_SHARE), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SHARE)) = each(v9_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_SHARE)) = each(v9_t);
     AT(work, strip + layout__STRIP_SHARE) = v9;
     derivative_strip_surfaces__between_t(&v10, &v10_t, AT(work, low + layout__TRACED_STATION_COUNTED), RATE_AT(work_t, low + layout__TRACED_STATION_COUNTED), AT(work, high + layout__TRACED_STATION_COUNTED), RATE_AT(work_t, high + layout__TRACED_STATION_COUNTED), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_COUNTED)) = each(v10_t);
+    EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_COUNTED)) = each(v10_t);
     AT(work, strip + layout__STRIP_COUNTED) = v10;
     return 0;
 }
 
 /* Derivative of ``renew_runs``. */
-static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves)
+static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves)
 {
     int64_t count, i, k, after, strip, k2, k3, i_end, k_end, k_end_2, k_end_3;
-    lanes largest_t, v1_t, middle_t, station_t, half_t, lead_t;
+    directional_rate largest_t, v1_t, middle_t, station_t, half_t, lead_t;
     double largest, v1, v4, middle, v5, v6, station, half, lead;
     count = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-    largest_t = all_lanes(0.0);
+    largest_t = along_all(0.0);
     largest = 0.0;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
     for (i = 0; i < i_end; i += 1)
     {
         v1 = largest;
-        EACH_LANE each(v1_t) = each(largest_t);
+        EACH_DIRECTION each(v1_t) = each(largest_t);
         if (AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y) > v1)
         {
             v1 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y);
-            EACH_LANE each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y));
+            EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y));
         }
-        EACH_LANE each(largest_t) = each(v1_t);
+        EACH_DIRECTION each(largest_t) = each(v1_t);
         largest = v1;
     }
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
     k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT);
     for (k = 0; k < k_end; k += 1)
@@ -4981,25 +4981,25 @@ static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables
             if ((int64_t)AT(work, after + layout__STRIP_RUN_ORIGIN) >= 0)
             {
                 k2 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)AT(work, after + layout__STRIP_RUN_ORIGIN) * count + i) + layout__STRIP_NEXT_AXIS;
-                EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(RATE_AT(work_t, k2));
+                EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(RATE_AT(work_t, k2));
                 AT(work, strip + layout__STRIP_AXIS) = AT(work, k2);
                 k3 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)AT(work, after + layout__STRIP_RUN_ORIGIN) * count + i) + layout__STRIP_NEXT_LEAD;
-                EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(RATE_AT(work_t, k3));
+                EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(RATE_AT(work_t, k3));
                 AT(work, strip + layout__STRIP_LEAD) = AT(work, k3);
             }
             else
             {
                 v4 = AT(work, after + layout__STRIP_RUN_NEXT_START) + AT(work, after + layout__STRIP_RUN_NEXT_STOP);
-                EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, after + layout__STRIP_RUN_NEXT_START)) + each(RATE_AT(work_t, after + layout__STRIP_RUN_NEXT_STOP)));
+                EACH_DIRECTION each(middle_t) = 0.5 * (each(RATE_AT(work_t, after + layout__STRIP_RUN_NEXT_START)) + each(RATE_AT(work_t, after + layout__STRIP_RUN_NEXT_STOP)));
                 middle = 0.5 * v4;
                 v5 = AT(work, after + layout__STRIP_RUN_NEXT_STOP) - AT(work, after + layout__STRIP_RUN_NEXT_START);
                 v6 = 0.5 * v5;
-                EACH_LANE each(station_t) = each(middle_t) - 0.5 * (each(RATE_AT(work_t, after + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, after + layout__STRIP_RUN_NEXT_START))) * AT(tables, waves + layout__WAVES_COS + i);
+                EACH_DIRECTION each(station_t) = each(middle_t) - 0.5 * (each(RATE_AT(work_t, after + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, after + layout__STRIP_RUN_NEXT_START))) * AT(tables, waves + layout__WAVES_COS + i);
                 station = middle - v6 * AT(tables, waves + layout__WAVES_COS + i);
                 derivative_strip_runs__sample_strips_t(&half, &half_t, &lead, &lead_t, tables, work, work_t, waves, (int64_t)AT(work, after + layout__STRIP_RUN_LOW), station, station_t);
-                EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(half_t) / AT(tables, waves + layout__WAVES_SIN + i);
+                EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(half_t) / AT(tables, waves + layout__WAVES_SIN + i);
                 AT(work, strip + layout__STRIP_AXIS) = half / AT(tables, waves + layout__WAVES_SIN + i);
-                EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(lead_t);
+                EACH_DIRECTION each(RATE_AT(work_t, strip + layout__STRIP_LEAD)) = each(lead_t);
                 AT(work, strip + layout__STRIP_LEAD) = lead;
             }
         }
@@ -5009,13 +5009,13 @@ static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables
         }
     }
     derivative_strip_runs__adopt_runs_t(work, work_t);
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT) * count);
     return 0;
 }
 
 /* Derivative of ``keep_run``. */
-static inline int64_t derivative_strip_runs__keep_run_t(array_double_1d work, array_lanes_1d work_t, int64_t k)
+static inline int64_t derivative_strip_runs__keep_run_t(array_double_1d work, array_directional_rate_1d work_t, int64_t k)
 {
     int64_t run, last, kept;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
@@ -5024,27 +5024,27 @@ static inline int64_t derivative_strip_runs__keep_run_t(array_double_1d work, ar
     if (last >= 0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * last + layout__STRIP_RUN_NEXT_START) == AT(work, run + layout__STRIP_RUN_NEXT_START))
     {
         kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * last;
-        RATE_AT(work_t, kept + layout__STRIP_RUN_ORIGIN) = all_lanes(0.0);
+        RATE_AT(work_t, kept + layout__STRIP_RUN_ORIGIN) = along_all(0.0);
         AT(work, kept + layout__STRIP_RUN_ORIGIN) = (double)k;
-        EACH_LANE each(RATE_AT(work_t, kept + layout__STRIP_RUN_START_MOVE)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE));
+        EACH_DIRECTION each(RATE_AT(work_t, kept + layout__STRIP_RUN_START_MOVE)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE));
         AT(work, kept + layout__STRIP_RUN_START_MOVE) = AT(work, run + layout__STRIP_RUN_START_MOVE);
-        EACH_LANE each(RATE_AT(work_t, kept + layout__STRIP_RUN_STOP_MOVE)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE));
+        EACH_DIRECTION each(RATE_AT(work_t, kept + layout__STRIP_RUN_STOP_MOVE)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_STOP_MOVE));
         AT(work, kept + layout__STRIP_RUN_STOP_MOVE) = AT(work, run + layout__STRIP_RUN_STOP_MOVE);
     }
     return 0;
 }
 
 /* Derivative of ``part_run``. */
-static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, double largest, lanes largest_t)
+static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t k, double largest, directional_rate largest_t)
 {
     int64_t run, count, first, pulling, i, last;
     double v1, limit, v2, v3;
-    lanes limit_t, v2_t, v3_t;
+    directional_rate limit_t, v2_t, v3_t;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     count = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     first = k * count;
     v1 = -strip_runs__PULLING;
-    EACH_LANE each(limit_t) = v1 * each(largest_t);
+    EACH_DIRECTION each(limit_t) = v1 * each(largest_t);
     limit = v1 * largest;
     pulling = 0;
     for (i = 1; i < count - 1; i += 1)
@@ -5084,63 +5084,63 @@ static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, 
 }
 
 /* Derivative of ``pressed_end``. */
-static inline void derivative_strip_runs__pressed_end_t(double* station_out, lanes* station_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward)
+static inline void derivative_strip_runs__pressed_end_t(double* station_out, directional_rate* station_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward)
 {
     int64_t run, beyond, k1, k2, k3, k4;
-    lanes station_t, inner_t, outer_t, way_t, v5_t, v7_t;
+    directional_rate station_t, inner_t, outer_t, way_t, v5_t, v7_t;
     double station, inner, outer, way, v5, v6, v7, v8, v9;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     beyond = i + outward;
-    EACH_LANE each(station_t) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START));
+    EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START));
     station = AT(work, run + layout__STRIP_RUN_NEXT_START);
     if (beyond >= (int64_t)AT(tables, waves + layout__WAVES_COUNT))
     {
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP));
+        EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP));
         station = AT(work, run + layout__STRIP_RUN_NEXT_STOP);
     }
     else if (beyond >= 0)
     {
         k1 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)AT(tables, waves + layout__WAVES_COUNT) + i) + layout__STRIP_Y;
-        EACH_LANE each(inner_t) = each(RATE_AT(work_t, k1));
+        EACH_DIRECTION each(inner_t) = each(RATE_AT(work_t, k1));
         inner = AT(work, k1);
         k2 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)AT(tables, waves + layout__WAVES_COUNT) + beyond) + layout__STRIP_Y;
-        EACH_LANE each(outer_t) = each(RATE_AT(work_t, k2));
+        EACH_DIRECTION each(outer_t) = each(RATE_AT(work_t, k2));
         outer = AT(work, k2);
         k3 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)AT(tables, waves + layout__WAVES_COUNT) + i) + layout__STRIP_NEXT_STATION;
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, k3));
+        EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, k3));
         station = AT(work, k3);
         k4 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)AT(tables, waves + layout__WAVES_COUNT) + beyond) + layout__STRIP_NEXT_STATION;
-        EACH_LANE each(way_t) = each(RATE_AT(work_t, k4)) - each(station_t);
+        EACH_DIRECTION each(way_t) = each(RATE_AT(work_t, k4)) - each(station_t);
         way = AT(work, k4) - station;
         v5 = inner;
-        EACH_LANE each(v5_t) = each(inner_t);
+        EACH_DIRECTION each(v5_t) = each(inner_t);
         if (0.0 > v5)
         {
             v5 = 0.0;
-            v5_t = all_lanes(0.0);
+            v5_t = along_all(0.0);
         }
         v6 = way * v5;
         v7 = inner;
-        EACH_LANE each(v7_t) = each(inner_t);
+        EACH_DIRECTION each(v7_t) = each(inner_t);
         if (0.0 > v7)
         {
             v7 = 0.0;
-            v7_t = all_lanes(0.0);
+            v7_t = along_all(0.0);
         }
         v8 = v7 - outer;
         v9 = v6 / v8;
-        EACH_LANE each(station_t) = each(station_t) + (each(way_t) * v5 + way * each(v5_t) - v9 * (each(v7_t) - each(outer_t))) / v8;
+        EACH_DIRECTION each(station_t) = each(station_t) + (each(way_t) * v5 + way * each(v5_t) - v9 * (each(v7_t) - each(outer_t))) / v8;
         station = station + v9;
     }
     *station_out = station;
-    EACH_LANE each(*station_t_out) = each(station_t);
+    EACH_DIRECTION each(*station_t_out) = each(station_t);
 }
 
 /* Derivative of ``sample_strips``. */
-static inline void derivative_strip_runs__sample_strips_t(double* v4_out, lanes* v4_t_out, double* v5_out, lanes* v5_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t low, double station, lanes station_t)
+static inline void derivative_strip_runs__sample_strips_t(double* v4_out, directional_rate* v4_t_out, double* v5_out, directional_rate* v5_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t low, double station, directional_rate station_t)
 {
     int64_t before, after, k, i, strip, lower, upper, k_end, i_end;
-    lanes u_t, v4_t, v5_t;
+    directional_rate u_t, v4_t, v5_t;
     double u, v1, v2, v3, v4, v5;
     before = -1;
     after = -1;
@@ -5177,22 +5177,22 @@ static inline void derivative_strip_runs__sample_strips_t(double* v4_out, lanes*
     }
     lower = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before;
     upper = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after;
-    u_t = all_lanes(0.0);
+    u_t = along_all(0.0);
     u = 0.0;
     if (AT(work, upper + layout__STRIP_NEXT_STATION) > AT(work, lower + layout__STRIP_NEXT_STATION))
     {
         v1 = station - AT(work, lower + layout__STRIP_NEXT_STATION);
         v2 = AT(work, upper + layout__STRIP_NEXT_STATION) - AT(work, lower + layout__STRIP_NEXT_STATION);
         v3 = v1 / v2;
-        EACH_LANE each(u_t) = (each(station_t) - each(RATE_AT(work_t, lower + layout__STRIP_NEXT_STATION)) - v3 * (each(RATE_AT(work_t, upper + layout__STRIP_NEXT_STATION)) - each(RATE_AT(work_t, lower + layout__STRIP_NEXT_STATION)))) / v2;
+        EACH_DIRECTION each(u_t) = (each(station_t) - each(RATE_AT(work_t, lower + layout__STRIP_NEXT_STATION)) - v3 * (each(RATE_AT(work_t, upper + layout__STRIP_NEXT_STATION)) - each(RATE_AT(work_t, lower + layout__STRIP_NEXT_STATION)))) / v2;
         u = v3;
     }
     derivative_strip_surfaces__between_t(&v4, &v4_t, AT(work, lower + layout__STRIP_NEXT_HALF), RATE_AT(work_t, lower + layout__STRIP_NEXT_HALF), AT(work, upper + layout__STRIP_NEXT_HALF), RATE_AT(work_t, upper + layout__STRIP_NEXT_HALF), u, u_t);
     derivative_strip_surfaces__between_t(&v5, &v5_t, AT(work, lower + layout__STRIP_NEXT_LEAD), RATE_AT(work_t, lower + layout__STRIP_NEXT_LEAD), AT(work, upper + layout__STRIP_NEXT_LEAD), RATE_AT(work_t, upper + layout__STRIP_NEXT_LEAD), u, u_t);
     *v4_out = v4;
-    EACH_LANE each(*v4_t_out) = each(v4_t);
+    EACH_DIRECTION each(*v4_t_out) = each(v4_t);
     *v5_out = v5;
-    EACH_LANE each(*v5_t_out) = each(v5_t);
+    EACH_DIRECTION each(*v5_t_out) = each(v5_t);
 }
 
 
@@ -5202,7 +5202,7 @@ static inline void derivative_strip_runs__sample_strips_t(double* v4_out, lanes*
  */
 
 /* Derivative of ``find_zones``. */
-static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double deepest, lanes deepest_t)
+static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count, double deepest, directional_rate deepest_t)
 {
     int64_t index, region;
     for (index = 0; index < count; index += 1)
@@ -5216,90 +5216,90 @@ static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d ta
 }
 
 /* Derivative of ``measure_zone``. */
-static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, lanes deepest_t)
+static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, directional_rate deepest_t)
 {
     double v1, v2, level, v3, bend, v4, v5, v6, estimate, v7, high, v8, low;
-    lanes v2_t, level_t, v3_t, bend_t, estimate_t, v7_t, high_t, v8_t, low_t;
-    EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)) = each(RATE_AT(work_t, region + layout__REGION_OFFSET)) + each(RATE_AT(work_t, region + layout__REGION_STATION));
+    directional_rate v2_t, level_t, v3_t, bend_t, estimate_t, v7_t, high_t, v8_t, low_t;
+    EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)) = each(RATE_AT(work_t, region + layout__REGION_OFFSET)) + each(RATE_AT(work_t, region + layout__REGION_STATION));
     AT(work, zone + layout__STRIP_ZONE_MIDDLE) = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
-    EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE));
+    EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE));
     AT(work, zone + layout__STRIP_ZONE_START) = AT(work, zone + layout__STRIP_ZONE_MIDDLE);
-    EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE));
+    EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE));
     AT(work, zone + layout__STRIP_ZONE_STOP) = AT(work, zone + layout__STRIP_ZONE_MIDDLE);
-    EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     AT(work, zone + layout__STRIP_ZONE_DEPTH) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     v1 = strip_surfaces__OWN_SHALLOW * AT(work, zone + layout__STRIP_ZONE_DEPTH);
     v2 = strip_surfaces__SHALLOW * deepest;
-    EACH_LANE each(v2_t) = strip_surfaces__SHALLOW * each(deepest_t);
+    EACH_DIRECTION each(v2_t) = strip_surfaces__SHALLOW * each(deepest_t);
     if (v1 < v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = strip_surfaces__OWN_SHALLOW * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH));
+        EACH_DIRECTION each(v2_t) = strip_surfaces__OWN_SHALLOW * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH));
     }
-    EACH_LANE each(level_t) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH)) - each(v2_t);
+    EACH_DIRECTION each(level_t) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH)) - each(v2_t);
     level = AT(work, zone + layout__STRIP_ZONE_DEPTH) - v2;
     if (level > 0.0)
     {
         v3 = AT(work, region + layout__REGION_BEND);
-        EACH_LANE each(v3_t) = each(RATE_AT(work_t, region + layout__REGION_BEND));
+        EACH_DIRECTION each(v3_t) = each(RATE_AT(work_t, region + layout__REGION_BEND));
         if (AT(work, region + layout__REGION_CURVATURE) > v3)
         {
             v3 = AT(work, region + layout__REGION_CURVATURE);
-            EACH_LANE each(v3_t) = each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
+            EACH_DIRECTION each(v3_t) = each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
         }
-        EACH_LANE each(bend_t) = each(v3_t);
+        EACH_DIRECTION each(bend_t) = each(v3_t);
         bend = v3;
         v4 = 2.0 * level;
         v5 = v4 / bend;
         v6 = sqrt(v5);
-        EACH_LANE each(estimate_t) = derivative_rates__root_rate(v6, (2.0 * each(level_t) - v5 * each(bend_t)) / bend);
+        EACH_DIRECTION each(estimate_t) = derivative_rates__root_rate(v6, (2.0 * each(level_t) - v5 * each(bend_t)) / bend);
         estimate = v6;
-        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = along_all(0.0);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR) = 0.0;
-        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), level, level_t, estimate, estimate_t);
-        EACH_LANE each(high_t) = each(v7_t);
+        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, along_all(0.0), level, level_t, estimate, estimate_t);
+        EACH_DIRECTION each(high_t) = each(v7_t);
         high = v7;
-        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), level, level_t, high, high_t);
-        EACH_LANE each(low_t) = each(v8_t);
+        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, along_all(0.0), level, level_t, high, high_t);
+        EACH_DIRECTION each(low_t) = each(v8_t);
         low = v8;
-        EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) + each(high_t);
+        EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) + each(high_t);
         AT(work, zone + layout__STRIP_ZONE_STOP) = AT(work, zone + layout__STRIP_ZONE_STOP) + high;
-        EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) - each(low_t);
+        EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) - each(low_t);
         AT(work, zone + layout__STRIP_ZONE_START) = AT(work, zone + layout__STRIP_ZONE_START) - low;
     }
     return 0;
 }
 
 /* Derivative of ``weigh_zone``. */
-static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t zone, double A, lanes A_t, int64_t first, bool yawed)
+static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t zone, double A, directional_rate A_t, int64_t first, bool yawed)
 {
     double v1, low, v2, high, v3, v4, B, one_alpha, one_beta, nr, v6, v5, low_beta, v8, v7, high_beta, v9, v10, v11, slant, beta, v12, v13, v14, v15, v16;
-    lanes v1_t, low_t, v2_t, high_t, B_t, one_alpha_t, one_beta_t, nr_t, v5_t, low_beta_t, v7_t, high_beta_t, slant_t, beta_t, v12_t, rates, rates_2, rates_3, rates_4;
+    directional_rate v1_t, low_t, v2_t, high_t, B_t, one_alpha_t, one_beta_t, nr_t, v5_t, low_beta_t, v7_t, high_beta_t, slant_t, beta_t, v12_t, rates, rates_2, rates_3, rates_4;
     int64_t start, stop, i, at;
-    EACH_LANE each(rates) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START));
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START));
     derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, AT(work, zone + layout__STRIP_ZONE_DEPTH), RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH), AT(work, zone + layout__STRIP_ZONE_MIDDLE) - AT(work, zone + layout__STRIP_ZONE_START), rates, A, A_t);
-    EACH_LANE each(low_t) = each(v1_t);
+    EACH_DIRECTION each(low_t) = each(v1_t);
     low = v1;
-    EACH_LANE each(rates_2) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE));
+    EACH_DIRECTION each(rates_2) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE));
     derivative_strip_surfaces__zone_curvature_t(&v2, &v2_t, AT(work, zone + layout__STRIP_ZONE_DEPTH), RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH), AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_MIDDLE), rates_2, A, A_t);
-    EACH_LANE each(high_t) = each(v2_t);
+    EACH_DIRECTION each(high_t) = each(v2_t);
     high = v2;
     v3 = low * high;
     v4 = sqrt(v3);
-    EACH_LANE each(B_t) = derivative_rates__root_rate(v4, each(low_t) * high + low * each(high_t));
+    EACH_DIRECTION each(B_t) = derivative_rates__root_rate(v4, each(low_t) * high + low * each(high_t));
     B = v4;
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, A_t, B, B_t);
     v6 = A / low;
-    EACH_LANE each(rates_3) = (each(A_t) - v6 * each(low_t)) / low;
+    EACH_DIRECTION each(rates_3) = (each(A_t) - v6 * each(low_t)) / low;
     derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), 0, v6, rates_3);
-    EACH_LANE each(low_beta_t) = each(v5_t);
+    EACH_DIRECTION each(low_beta_t) = each(v5_t);
     low_beta = v5;
     v8 = A / high;
-    EACH_LANE each(rates_4) = (each(A_t) - v8 * each(high_t)) / high;
+    EACH_DIRECTION each(rates_4) = (each(A_t) - v8 * each(high_t)) / high;
     derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), 0, v8, rates_4);
-    EACH_LANE each(high_beta_t) = each(v7_t);
+    EACH_DIRECTION each(high_beta_t) = each(v7_t);
     high_beta = v7;
-    RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN) = all_lanes(0.0);
+    RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN) = along_all(0.0);
     AT(work, zone + layout__STRIP_ZONE_LEAN) = 0.0;
     if (yawed)
     {
@@ -5308,76 +5308,76 @@ static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d ta
         v9 = AT(work, stop + layout__TRACED_STATION_X) - AT(work, start + layout__TRACED_STATION_X);
         v10 = AT(work, stop + layout__TRACED_STATION_STATION) - AT(work, start + layout__TRACED_STATION_STATION);
         v11 = v9 / v10;
-        EACH_LANE each(slant_t) = (each(RATE_AT(work_t, stop + layout__TRACED_STATION_X)) - each(RATE_AT(work_t, start + layout__TRACED_STATION_X)) - v11 * (each(RATE_AT(work_t, stop + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, start + layout__TRACED_STATION_STATION)))) / v10;
+        EACH_DIRECTION each(slant_t) = (each(RATE_AT(work_t, stop + layout__TRACED_STATION_X)) - each(RATE_AT(work_t, start + layout__TRACED_STATION_X)) - v11 * (each(RATE_AT(work_t, stop + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, start + layout__TRACED_STATION_STATION)))) / v10;
         slant = v11;
         derivative_coefficients__skewed_coefficients_t(&one_alpha, &one_alpha_t, &beta, &beta_t, &nr, &nr_t, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, A_t, B, B_t, slant, slant_t);
         derivative_coefficients__middle_slant_t(&v12, &v12_t, tables, (int64_t)AT(tables, layout__TABLES_HERTZ), A, A_t, B, B_t, slant, slant_t);
-        EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN)) = each(v12_t) - each(slant_t);
+        EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN)) = each(v12_t) - each(slant_t);
         AT(work, zone + layout__STRIP_ZONE_LEAN) = v12 - slant;
         v13 = beta / one_beta;
-        EACH_LANE each(low_beta_t) = each(low_beta_t) * v13 + low_beta * ((each(beta_t) - v13 * each(one_beta_t)) / one_beta);
+        EACH_DIRECTION each(low_beta_t) = each(low_beta_t) * v13 + low_beta * ((each(beta_t) - v13 * each(one_beta_t)) / one_beta);
         low_beta = low_beta * v13;
         v14 = beta / one_beta;
-        EACH_LANE each(high_beta_t) = each(high_beta_t) * v14 + high_beta * ((each(beta_t) - v14 * each(one_beta_t)) / one_beta);
+        EACH_DIRECTION each(high_beta_t) = each(high_beta_t) * v14 + high_beta * ((each(beta_t) - v14 * each(one_beta_t)) / one_beta);
         high_beta = high_beta * v14;
     }
-    EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) = each(one_alpha_t);
+    EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) = each(one_alpha_t);
     AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) = one_alpha;
     v15 = AT(tables, layout__TABLES_CONTACT_MODULUS) / nr;
-    EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LINE)) = -v15 * each(nr_t) / nr;
+    EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LINE)) = -v15 * each(nr_t) / nr;
     AT(work, zone + layout__STRIP_ZONE_LINE) = v15;
     for (i = first; i < first + strip_surfaces__ZONE_STATIONS; i += 1)
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        EACH_LANE each(beta_t) = each(low_beta_t);
+        EACH_DIRECTION each(beta_t) = each(low_beta_t);
         beta = low_beta;
         if (AT(work, at + layout__TRACED_STATION_STATION) > AT(work, zone + layout__STRIP_ZONE_MIDDLE))
         {
-            EACH_LANE each(beta_t) = each(high_beta_t);
+            EACH_DIRECTION each(beta_t) = each(high_beta_t);
             beta = high_beta;
         }
         v16 = AT(work, zone + layout__STRIP_ZONE_DEPTH) - AT(work, at + layout__TRACED_STATION_OVERLAP);
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH)) - (each(beta_t) * v16 + beta * (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH)) - each(RATE_AT(work_t, at + layout__TRACED_STATION_OVERLAP))));
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH)) - (each(beta_t) * v16 + beta * (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH)) - each(RATE_AT(work_t, at + layout__TRACED_STATION_OVERLAP))));
         AT(work, at + layout__TRACED_STATION_LEVEL) = AT(work, zone + layout__STRIP_ZONE_DEPTH) - beta * v16;
     }
     return 0;
 }
 
 /* Derivative of ``zone_curvature``. */
-static inline void derivative_strip_surfaces__zone_curvature_t(double* B_out, lanes* B_t_out, double depth, lanes depth_t, double width, lanes width_t, double A, lanes A_t)
+static inline void derivative_strip_surfaces__zone_curvature_t(double* B_out, directional_rate* B_t_out, double depth, directional_rate depth_t, double width, directional_rate width_t, double A, directional_rate A_t)
 {
-    lanes B_t, v4_t;
+    directional_rate B_t, v4_t;
     double B, v1, v2, v3, v4;
-    EACH_LANE each(B_t) = strip_surfaces__SHARPEST_ZONE * each(A_t);
+    EACH_DIRECTION each(B_t) = strip_surfaces__SHARPEST_ZONE * each(A_t);
     B = strip_surfaces__SHARPEST_ZONE * A;
     if (depth < B * width * width)
     {
         v1 = width * width;
         v2 = depth / v1;
-        EACH_LANE each(B_t) = (each(depth_t) - v2 * (each(width_t) * width + width * each(width_t))) / v1;
+        EACH_DIRECTION each(B_t) = (each(depth_t) - v2 * (each(width_t) * width + width * each(width_t))) / v1;
         B = v2;
     }
     v3 = strip_surfaces__FLATTEST_ZONE * A;
     v4 = B;
-    EACH_LANE each(v4_t) = each(B_t);
+    EACH_DIRECTION each(v4_t) = each(B_t);
     if (v3 > v4)
     {
         v4 = v3;
-        EACH_LANE each(v4_t) = strip_surfaces__FLATTEST_ZONE * each(A_t);
+        EACH_DIRECTION each(v4_t) = strip_surfaces__FLATTEST_ZONE * each(A_t);
     }
-    EACH_LANE each(B_t) = each(v4_t);
+    EACH_DIRECTION each(B_t) = each(v4_t);
     B = v4;
     *B_out = B;
-    EACH_LANE each(*B_t_out) = each(B_t);
+    EACH_DIRECTION each(*B_t_out) = each(B_t);
 }
 
 /* Derivative of ``trace_zones``. */
-static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count)
+static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index, zone, region, first, i, at, i_end;
-    lanes apart_t, rates;
+    directional_rate apart_t, rates;
     double apart, v1, v2, v3;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) = (double)0;
     for (index = 0; index < count; index += 1)
     {
@@ -5388,33 +5388,33 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
             first = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
             if (index > 0 && first > 0)
             {
-                EACH_LANE each(apart_t) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - 1) + layout__STRIP_ZONE_STOP));
+                EACH_DIRECTION each(apart_t) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - 1) + layout__STRIP_ZONE_STOP));
                 apart = AT(work, zone + layout__STRIP_ZONE_START) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - 1) + layout__STRIP_ZONE_STOP);
-                RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - 1) + layout__TRACED_STATION_JOINED) = all_lanes(0.0);
+                RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - 1) + layout__TRACED_STATION_JOINED) = along_all(0.0);
                 AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - 1) + layout__TRACED_STATION_JOINED) = (double)(apart < strip_surfaces__TOUCHING * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START)));
             }
             derivative_frame__enter_plane_t(work, work_t, region, index);
             derivative_traces__start_traces_t(work, work_t, AT(work, region + layout__REGION_STATION), RATE_AT(work_t, region + layout__REGION_STATION), AT(work, region + layout__REGION_RAIL), RATE_AT(work_t, region + layout__REGION_RAIL), AT(work, region + layout__REGION_WHEEL), RATE_AT(work_t, region + layout__REGION_WHEEL));
-            derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
+            derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, along_all(0.0));
             v1 = AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START);
             v2 = (double)(strip_surfaces__ZONE_STATIONS - 1) + 2.0 * strip_surfaces__INSET;
-            EACH_LANE each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING)) = (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START))) / v2;
+            EACH_DIRECTION each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING)) = (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_STOP)) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START))) / v2;
             AT(work, zone + layout__STRIP_ZONE_SPACING) = v1 / v2;
             for (i = 0; i < strip_surfaces__ZONE_STATIONS; i += 1)
             {
                 at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + i);
                 v3 = (double)i + strip_surfaces__INSET;
-                EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) + v3 * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING));
+                EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION)) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_START)) + v3 * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING));
                 AT(work, at + layout__TRACED_STATION_STATION) = AT(work, zone + layout__STRIP_ZONE_START) + v3 * AT(work, zone + layout__STRIP_ZONE_SPACING);
-                RATE_AT(work_t, at + layout__TRACED_STATION_REGION) = all_lanes(0.0);
+                RATE_AT(work_t, at + layout__TRACED_STATION_REGION) = along_all(0.0);
                 AT(work, at + layout__TRACED_STATION_REGION) = (double)index;
-                RATE_AT(work_t, at + layout__TRACED_STATION_JOINED) = all_lanes(0.0);
+                RATE_AT(work_t, at + layout__TRACED_STATION_JOINED) = along_all(0.0);
                 AT(work, at + layout__TRACED_STATION_JOINED) = (double)(i < strip_surfaces__ZONE_STATIONS - 1);
                 derivative_strip_surfaces__trace_station_t(tables, work, work_t, pair, region, at);
             }
-            RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) = all_lanes(0.0);
+            RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) = along_all(0.0);
             AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) = (double)(first + strip_surfaces__ZONE_STATIONS);
-            EACH_LANE each(rates) = 0.5 * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
+            EACH_DIRECTION each(rates) = 0.5 * each(RATE_AT(work_t, region + layout__REGION_CURVATURE));
             derivative_strip_surfaces__weigh_zone_t(tables, work, work_t, pair, zone, 0.5 * AT(work, region + layout__REGION_CURVATURE), rates, first, frame__is_yawed(work));
             derivative_frame__leave_plane_t(work, work_t, region);
         }
@@ -5430,56 +5430,56 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
 }
 
 /* Derivative of ``trace_station``. */
-static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t at)
+static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t at)
 {
     double gap, rate, bend, curvature, height, slope, v1, v2, v3, v4;
-    lanes gap_t, rate_t, bend_t, curvature_t, height_t, slope_t, v4_t, rates;
-    EACH_LANE each(rates) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, at + layout__TRACED_STATION_STATION) - AT(work, region + layout__REGION_OFFSET), rates, strip_surfaces__STRIP_TRACE, all_lanes(0.0));
-    RATE_AT(work_t, at + layout__TRACED_STATION_RISE) = all_lanes(0.0);
+    directional_rate gap_t, rate_t, bend_t, curvature_t, height_t, slope_t, v4_t, rates;
+    EACH_DIRECTION each(rates) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, AT(work, at + layout__TRACED_STATION_STATION) - AT(work, region + layout__REGION_OFFSET), rates, strip_surfaces__STRIP_TRACE, along_all(0.0));
+    RATE_AT(work_t, at + layout__TRACED_STATION_RISE) = along_all(0.0);
     AT(work, at + layout__TRACED_STATION_RISE) = 0.0;
-    RATE_AT(work_t, at + layout__TRACED_STATION_OVERLAP) = all_lanes(0.0);
+    RATE_AT(work_t, at + layout__TRACED_STATION_OVERLAP) = along_all(0.0);
     AT(work, at + layout__TRACED_STATION_OVERLAP) = 0.0;
     if (gap < frame__NO_GAP)
     {
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_OVERLAP)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - each(gap_t);
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_OVERLAP)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - each(gap_t);
         AT(work, at + layout__TRACED_STATION_OVERLAP) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED) + AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH) - gap;
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_RISE)) = -each(rate_t);
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_RISE)) = -each(rate_t);
         AT(work, at + layout__TRACED_STATION_RISE) = -rate;
     }
     derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)) = -v3 * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
+    EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)) = -v3 * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     AT(work, at + layout__TRACED_STATION_COS) = v3;
-    EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_SIN)) = each(slope_t) * AT(work, at + layout__TRACED_STATION_COS) + slope * each(RATE_AT(work_t, at + layout__TRACED_STATION_COS));
+    EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_SIN)) = each(slope_t) * AT(work, at + layout__TRACED_STATION_COS) + slope * each(RATE_AT(work_t, at + layout__TRACED_STATION_COS));
     AT(work, at + layout__TRACED_STATION_SIN) = slope * AT(work, at + layout__TRACED_STATION_COS);
-    RATE_AT(work_t, at + layout__TRACED_STATION_X) = all_lanes(0.0);
+    RATE_AT(work_t, at + layout__TRACED_STATION_X) = along_all(0.0);
     AT(work, at + layout__TRACED_STATION_X) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_A)) = 0.5 * each(curvature_t);
+    EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_A)) = 0.5 * each(curvature_t);
     AT(work, at + layout__TRACED_STATION_A) = 0.5 * curvature;
-    RATE_AT(work_t, at + layout__TRACED_STATION_SKEW) = all_lanes(0.0);
+    RATE_AT(work_t, at + layout__TRACED_STATION_SKEW) = along_all(0.0);
     AT(work, at + layout__TRACED_STATION_SKEW) = 0.0;
-    RATE_AT(work_t, at + layout__TRACED_STATION_ODD) = all_lanes(0.0);
+    RATE_AT(work_t, at + layout__TRACED_STATION_ODD) = along_all(0.0);
     AT(work, at + layout__TRACED_STATION_ODD) = 0.0;
-    EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     AT(work, at + layout__TRACED_STATION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
     if (frame__is_yawed(work))
     {
         derivative_locus__outline_x_t(&v4, &v4_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), AT(work, at + layout__TRACED_STATION_WHEEL), RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL));
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_X)) = each(v4_t);
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_X)) = each(v4_t);
         AT(work, at + layout__TRACED_STATION_X) = v4;
     }
     return 0;
 }
 
 /* Derivative of ``measure_ridges``. */
-static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place)
+static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place)
 {
     int64_t i, at, zone, i_end;
     double v1, v2, level, v3, v4, v5;
-    lanes v2_t, level_t, rates;
+    directional_rate v2_t, level_t, rates;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
     for (i = 0; i < i_end; i += 1)
     {
@@ -5487,86 +5487,86 @@ static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1
         zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
         v1 = strip_surfaces__LEAST_LEVEL * AT(work, zone + layout__STRIP_ZONE_DEPTH);
         v2 = AT(work, at + layout__TRACED_STATION_LEVEL);
-        EACH_LANE each(v2_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL));
+        EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL));
         if (v1 > v2)
         {
             v2 = v1;
-            EACH_LANE each(v2_t) = strip_surfaces__LEAST_LEVEL * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH));
+            EACH_DIRECTION each(v2_t) = strip_surfaces__LEAST_LEVEL * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_DEPTH));
         }
-        EACH_LANE each(level_t) = each(v2_t);
+        EACH_DIRECTION each(level_t) = each(v2_t);
         level = v2;
         v3 = AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) * AT(work, at + layout__TRACED_STATION_A);
         v4 = level / v3;
         v5 = sqrt(v4);
-        EACH_LANE each(rates) = strip_pressures__TESTED * derivative_rates__root_rate(v5, (each(level_t) - v4 * (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) * AT(work, at + layout__TRACED_STATION_A) + AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) * each(RATE_AT(work_t, at + layout__TRACED_STATION_A)))) / v3);
+        EACH_DIRECTION each(rates) = strip_pressures__TESTED * derivative_rates__root_rate(v5, (each(level_t) - v4 * (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) * AT(work, at + layout__TRACED_STATION_A) + AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) * each(RATE_AT(work_t, at + layout__TRACED_STATION_A)))) / v3);
         derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, place, at, strip_pressures__TESTED * v5, rates);
     }
     return 0;
 }
 
 /* Derivative of ``profile_within``. */
-static inline void derivative_strip_surfaces__profile_within_t(double* z_out, lanes* z_t_out, array_double_1d tables, int64_t pair, double y, lanes y_t)
+static inline void derivative_strip_surfaces__profile_within_t(double* z_out, directional_rate* z_t_out, array_double_1d tables, int64_t pair, double y, directional_rate y_t)
 {
     int64_t wheel;
     double v1, v2, z, slope;
-    lanes v1_t, v2_t, z_t, slope_t;
+    directional_rate v1_t, v2_t, z_t, slope_t;
     wheel = pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL);
     v1 = y;
-    EACH_LANE each(v1_t) = each(y_t);
+    EACH_DIRECTION each(v1_t) = each(y_t);
     if (AT(tables, wheel + layout__PROFILE_START) > v1)
     {
         v1 = AT(tables, wheel + layout__PROFILE_START);
-        v1_t = all_lanes(0.0);
+        v1_t = along_all(0.0);
     }
     v2 = v1;
-    EACH_LANE each(v2_t) = each(v1_t);
+    EACH_DIRECTION each(v2_t) = each(v1_t);
     if (AT(tables, wheel + layout__PROFILE_STOP) < v2)
     {
         v2 = AT(tables, wheel + layout__PROFILE_STOP);
-        v2_t = all_lanes(0.0);
+        v2_t = along_all(0.0);
     }
-    EACH_LANE each(y_t) = each(v2_t);
+    EACH_DIRECTION each(y_t) = each(v2_t);
     y = v2;
     derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, wheel, y, y_t);
     *z_out = z;
-    EACH_LANE each(*z_t_out) = each(z_t);
+    EACH_DIRECTION each(*z_t_out) = each(z_t);
 }
 
 /* Derivative of ``measure_ridge``. */
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t at, double away, lanes away_t)
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, int64_t at, double away, directional_rate away_t)
 {
     double v1, across, z, slope, bend, v2, before, v3, after, mean, square, v4, v5, v6, v7, odd, v8, v9, v10, v11, v12, v13, v14;
-    lanes across_t, z_t, slope_t, bend_t, v2_t, before_t, v3_t, after_t, mean_t, square_t, v6_t, odd_t, rates, rates_2;
+    directional_rate across_t, z_t, slope_t, bend_t, v2_t, before_t, v3_t, after_t, mean_t, square_t, v6_t, odd_t, rates, rates_2;
     if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) != layout__LONGITUDINAL_BASIC)
     {
         v1 = away * AT(work, place + layout__PLACE_SIN_YAW);
-        EACH_LANE each(across_t) = (each(away_t) * AT(work, place + layout__PLACE_SIN_YAW) + away * each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW))) * AT(work, place + layout__PLACE_COS_ROLL) + v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
+        EACH_DIRECTION each(across_t) = (each(away_t) * AT(work, place + layout__PLACE_SIN_YAW) + away * each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW))) * AT(work, place + layout__PLACE_COS_ROLL) + v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
         across = v1 * AT(work, place + layout__PLACE_COS_ROLL);
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), AT(work, at + layout__TRACED_STATION_WHEEL), RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL));
-        EACH_LANE each(rates) = each(RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL)) - each(across_t);
+        EACH_DIRECTION each(rates) = each(RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL)) - each(across_t);
         derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, pair, AT(work, at + layout__TRACED_STATION_WHEEL) - across, rates);
-        EACH_LANE each(before_t) = each(v2_t);
+        EACH_DIRECTION each(before_t) = each(v2_t);
         before = v2;
-        EACH_LANE each(rates_2) = each(RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL)) + each(across_t);
+        EACH_DIRECTION each(rates_2) = each(RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL)) + each(across_t);
         derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, pair, AT(work, at + layout__TRACED_STATION_WHEEL) + across, rates_2);
-        EACH_LANE each(after_t) = each(v3_t);
+        EACH_DIRECTION each(after_t) = each(v3_t);
         after = v3;
-        EACH_LANE each(mean_t) = each(bend_t);
+        EACH_DIRECTION each(mean_t) = each(bend_t);
         mean = bend;
-        EACH_LANE each(square_t) = each(across_t) * across + across * each(across_t);
+        EACH_DIRECTION each(square_t) = each(across_t) * across + across * each(across_t);
         square = across * across;
         if (square > 0.0)
         {
             v4 = before + after - 2.0 * z;
             v5 = v4 / square;
-            EACH_LANE each(mean_t) = (each(before_t) + each(after_t) - 2.0 * each(z_t) - v5 * each(square_t)) / square;
+            EACH_DIRECTION each(mean_t) = (each(before_t) + each(after_t) - 2.0 * each(z_t) - v5 * each(square_t)) / square;
             mean = v5;
         }
         derivative_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, AT(work, at + layout__TRACED_STATION_WHEEL), RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL), z, z_t, slope, slope_t, mean, mean_t);
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_A)) = 0.5 * each(v6_t);
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_A)) = 0.5 * each(v6_t);
         AT(work, at + layout__TRACED_STATION_A) = 0.5 * v6;
         v7 = after - before;
-        EACH_LANE each(odd_t) = 0.5 * (each(after_t) - each(before_t)) - (each(slope_t) * across + slope * each(across_t));
+        EACH_DIRECTION each(odd_t) = 0.5 * (each(after_t) - each(before_t)) - (each(slope_t) * across + slope * each(across_t));
         odd = 0.5 * v7 - slope * across;
         v8 = 1.0 + slope * slope;
         v9 = sqrt(v8);
@@ -5574,20 +5574,20 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
         v11 = v10 * away;
         v12 = v11 * away;
         v13 = odd / v12;
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_SKEW)) = (each(odd_t) - v13 * (((derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) * away + v9 * each(away_t)) * away + v10 * each(away_t)) * away + v11 * each(away_t))) / v12;
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_SKEW)) = (each(odd_t) - v13 * (((derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) * away + v9 * each(away_t)) * away + v10 * each(away_t)) * away + v11 * each(away_t))) / v12;
         AT(work, at + layout__TRACED_STATION_SKEW) = v13;
         v14 = fabs(AT(work, at + layout__TRACED_STATION_SKEW));
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_ODD)) = derivative_rates__size_rate(AT(work, at + layout__TRACED_STATION_SKEW), each(RATE_AT(work_t, at + layout__TRACED_STATION_SKEW))) * away + v14 * each(away_t);
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_ODD)) = derivative_rates__size_rate(AT(work, at + layout__TRACED_STATION_SKEW), each(RATE_AT(work_t, at + layout__TRACED_STATION_SKEW))) * away + v14 * each(away_t);
         AT(work, at + layout__TRACED_STATION_ODD) = v14 * away;
     }
     return 0;
 }
 
 /* Derivative of ``place_on_middle``. */
-static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t i, at, before, after, i_end;
-    lanes turned_t, way_t;
+    directional_rate turned_t, way_t;
     double turned, v1, v2, v3, v4, way, v5, v6;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
     for (i = 0; i < i_end; i += 1)
@@ -5603,9 +5603,9 @@ static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_
         {
             after = i + 1;
         }
-        EACH_LANE each(turned_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS) + AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN) + AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN)));
+        EACH_DIRECTION each(turned_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS) + AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) - (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN) + AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN)));
         turned = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN);
-        RATE_AT(work_t, at + layout__TRACED_STATION_STRETCH) = all_lanes(0.0);
+        RATE_AT(work_t, at + layout__TRACED_STATION_STRETCH) = along_all(0.0);
         AT(work, at + layout__TRACED_STATION_STRETCH) = 1.0;
         if (AT(work, at + layout__TRACED_STATION_OVERLAP) > 0.0)
         {
@@ -5613,18 +5613,18 @@ static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_
             v2 = v1 * turned;
             v3 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION);
             v4 = v2 / v3;
-            EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_STRETCH)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STRETCH)) - (0.5 * each(RATE_AT(work_t, at + layout__TRACED_STATION_OVERLAP)) * turned + v1 * each(turned_t) - v4 * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION)))) / v3;
+            EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_STRETCH)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STRETCH)) - (0.5 * each(RATE_AT(work_t, at + layout__TRACED_STATION_OVERLAP)) * turned + v1 * each(turned_t) - v4 * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION)))) / v3;
             AT(work, at + layout__TRACED_STATION_STRETCH) = AT(work, at + layout__TRACED_STATION_STRETCH) - v4;
         }
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_PLACE)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION));
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_PLACE)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION));
         AT(work, at + layout__TRACED_STATION_PLACE) = AT(work, at + layout__TRACED_STATION_STATION);
         if (i > 0)
         {
-            EACH_LANE each(way_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_STATION));
+            EACH_DIRECTION each(way_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_STATION));
             way = AT(work, at + layout__TRACED_STATION_STATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_STATION);
             v5 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_STRETCH) + AT(work, at + layout__TRACED_STATION_STRETCH);
             v6 = 0.5 * v5;
-            EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_PLACE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_PLACE)) + (0.5 * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_STRETCH)) + each(RATE_AT(work_t, at + layout__TRACED_STATION_STRETCH))) * way + v6 * each(way_t));
+            EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_PLACE)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_PLACE)) + (0.5 * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_STRETCH)) + each(RATE_AT(work_t, at + layout__TRACED_STATION_STRETCH))) * way + v6 * each(way_t));
             AT(work, at + layout__TRACED_STATION_PLACE) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - 1) + layout__TRACED_STATION_PLACE) + v6 * way;
         }
     }
@@ -5632,83 +5632,83 @@ static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_
 }
 
 /* Derivative of ``incline_station``. */
-static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t at)
+static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t at)
 {
-    lanes half_t, scale_t, cosine_t, v7_t;
+    directional_rate half_t, scale_t, cosine_t, v7_t;
     double half, v1, v2, v3, scale, v4, v5, cosine, v6, v7;
-    EACH_LANE each(half_t) = 0.5 * each(RATE_AT(work_t, at + layout__TRACED_STATION_RISE));
+    EACH_DIRECTION each(half_t) = 0.5 * each(RATE_AT(work_t, at + layout__TRACED_STATION_RISE));
     half = 0.5 * AT(work, at + layout__TRACED_STATION_RISE);
     v1 = 1.0 + half * half;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    EACH_LANE each(scale_t) = -v3 * derivative_rates__root_rate(v2, each(half_t) * half + half * each(half_t)) / v2;
+    EACH_DIRECTION each(scale_t) = -v3 * derivative_rates__root_rate(v2, each(half_t) * half + half * each(half_t)) / v2;
     scale = v3;
     v4 = AT(work, at + layout__TRACED_STATION_COS) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)) = (each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)) - v4 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+    EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)) = (each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)) - v4 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
     AT(work, at + layout__TRACED_STATION_SHARE) = v4;
     v5 = AT(work, at + layout__TRACED_STATION_COS) - half * AT(work, at + layout__TRACED_STATION_SIN);
-    EACH_LANE each(cosine_t) = (each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)) - (each(half_t) * AT(work, at + layout__TRACED_STATION_SIN) + half * each(RATE_AT(work_t, at + layout__TRACED_STATION_SIN)))) * scale + v5 * each(scale_t);
+    EACH_DIRECTION each(cosine_t) = (each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)) - (each(half_t) * AT(work, at + layout__TRACED_STATION_SIN) + half * each(RATE_AT(work_t, at + layout__TRACED_STATION_SIN)))) * scale + v5 * each(scale_t);
     cosine = v5 * scale;
     v6 = AT(work, at + layout__TRACED_STATION_SIN) + half * AT(work, at + layout__TRACED_STATION_COS);
-    EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_SIN)) = (each(RATE_AT(work_t, at + layout__TRACED_STATION_SIN)) + (each(half_t) * AT(work, at + layout__TRACED_STATION_COS) + half * each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)))) * scale + v6 * each(scale_t);
+    EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_SIN)) = (each(RATE_AT(work_t, at + layout__TRACED_STATION_SIN)) + (each(half_t) * AT(work, at + layout__TRACED_STATION_COS) + half * each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)))) * scale + v6 * each(scale_t);
     AT(work, at + layout__TRACED_STATION_SIN) = v6 * scale;
-    EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)) = each(cosine_t);
+    EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_COS)) = each(cosine_t);
     AT(work, at + layout__TRACED_STATION_COS) = cosine;
-    RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED) = all_lanes(0.0);
+    RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED) = along_all(0.0);
     AT(work, at + layout__TRACED_STATION_COUNTED) = 1.0;
     if ((int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
         derivative_rails__upright_share_t(&v7, &v7_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), cosine, cosine_t, AT(work, at + layout__TRACED_STATION_SIN), RATE_AT(work_t, at + layout__TRACED_STATION_SIN));
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED)) = each(v7_t);
+        EACH_DIRECTION each(RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED)) = each(v7_t);
         AT(work, at + layout__TRACED_STATION_COUNTED) = v7;
     }
     return 0;
 }
 
 /* Derivative of ``way_through``. */
-static inline void derivative_strip_surfaces__way_through_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
+static inline void derivative_strip_surfaces__way_through_t(double* v3_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t j, double station, directional_rate station_t)
 {
-    lanes start_t;
+    directional_rate start_t;
     double start, v1, v2, v3;
-    EACH_LANE each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION));
+    EACH_DIRECTION each(start_t) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION));
     start = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION);
     v1 = station - start;
     v2 = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1) + layout__TRACED_STATION_STATION) - start;
     v3 = v1 / v2;
     *v3_out = v3;
-    EACH_LANE each(*out_1) = (each(station_t) - each(start_t) - v3 * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1) + layout__TRACED_STATION_STATION)) - each(start_t))) / v2;
+    EACH_DIRECTION each(*out_1) = (each(station_t) - each(start_t) - v3 * (each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + 1) + layout__TRACED_STATION_STATION)) - each(start_t))) / v2;
 }
 
 /* Derivative of ``between``. */
-static inline void derivative_strip_surfaces__between_t(double* out_0, lanes* out_1, double low, lanes low_t, double high, lanes high_t, double u, lanes u_t)
+static inline void derivative_strip_surfaces__between_t(double* out_0, directional_rate* out_1, double low, directional_rate low_t, double high, directional_rate high_t, double u, directional_rate u_t)
 {
     double v1;
     v1 = high - low;
     *out_0 = low + u * v1;
-    EACH_LANE each(*out_1) = each(low_t) + (each(u_t) * v1 + u * (each(high_t) - each(low_t)));
+    EACH_DIRECTION each(*out_1) = each(low_t) + (each(u_t) * v1 + u * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``rest_gap``. */
-static inline void derivative_strip_surfaces__rest_gap_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
+static inline void derivative_strip_surfaces__rest_gap_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t j, double station, directional_rate station_t)
 {
     int64_t gaps;
     double v1, u, v2, v3;
-    lanes v1_t, u_t;
+    directional_rate v1_t, u_t;
     gaps = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_GAPS;
     derivative_strip_surfaces__way_through_t(&v1, &v1_t, work, work_t, j, station, station_t);
-    EACH_LANE each(u_t) = each(v1_t);
+    EACH_DIRECTION each(u_t) = each(v1_t);
     u = v1;
     v2 = AT(work, gaps + 2) + u * AT(work, gaps + 3);
     v3 = AT(work, gaps + 1) + u * v2;
     *out_0 = AT(work, gaps + 0) + u * v3;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, gaps + 0)) + (each(u_t) * v3 + u * (each(RATE_AT(work_t, gaps + 1)) + (each(u_t) * v2 + u * (each(RATE_AT(work_t, gaps + 2)) + (each(u_t) * AT(work, gaps + 3) + u * each(RATE_AT(work_t, gaps + 3)))))));
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, gaps + 0)) + (each(u_t) * v3 + u * (each(RATE_AT(work_t, gaps + 1)) + (each(u_t) * v2 + u * (each(RATE_AT(work_t, gaps + 2)) + (each(u_t) * AT(work, gaps + 3) + u * each(RATE_AT(work_t, gaps + 3)))))));
 }
 
 /* Derivative of ``bend_gaps``. */
-static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t i, low, high, i_end;
-    lanes way_t, start_t, stop_t, grown_t;
+    directional_rate way_t, start_t, stop_t, grown_t;
     double way, start, stop, grown, v1;
     i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1;
     for (i = 0; i < i_end; i += 1)
@@ -5717,22 +5717,22 @@ static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d wor
         high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + 1);
         if (AT(work, low + layout__TRACED_STATION_JOINED) == 1.0)
         {
-            EACH_LANE each(way_t) = each(RATE_AT(work_t, high + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_STATION));
+            EACH_DIRECTION each(way_t) = each(RATE_AT(work_t, high + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_STATION));
             way = AT(work, high + layout__TRACED_STATION_STATION) - AT(work, low + layout__TRACED_STATION_STATION);
-            EACH_LANE each(start_t) = each(way_t) * AT(work, low + layout__TRACED_STATION_RISE) + way * each(RATE_AT(work_t, low + layout__TRACED_STATION_RISE));
+            EACH_DIRECTION each(start_t) = each(way_t) * AT(work, low + layout__TRACED_STATION_RISE) + way * each(RATE_AT(work_t, low + layout__TRACED_STATION_RISE));
             start = way * AT(work, low + layout__TRACED_STATION_RISE);
-            EACH_LANE each(stop_t) = each(way_t) * AT(work, high + layout__TRACED_STATION_RISE) + way * each(RATE_AT(work_t, high + layout__TRACED_STATION_RISE));
+            EACH_DIRECTION each(stop_t) = each(way_t) * AT(work, high + layout__TRACED_STATION_RISE) + way * each(RATE_AT(work_t, high + layout__TRACED_STATION_RISE));
             stop = way * AT(work, high + layout__TRACED_STATION_RISE);
-            EACH_LANE each(grown_t) = each(RATE_AT(work_t, high + layout__TRACED_STATION_OVERLAP)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_OVERLAP));
+            EACH_DIRECTION each(grown_t) = each(RATE_AT(work_t, high + layout__TRACED_STATION_OVERLAP)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_OVERLAP));
             grown = AT(work, high + layout__TRACED_STATION_OVERLAP) - AT(work, low + layout__TRACED_STATION_OVERLAP);
-            EACH_LANE each(RATE_AT(work_t, low + layout__TRACED_STATION_GAPS + 0)) = each(RATE_AT(work_t, low + layout__TRACED_STATION_SHARE)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) + AT(work, low + layout__TRACED_STATION_SHARE) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_OVERLAP));
+            EACH_DIRECTION each(RATE_AT(work_t, low + layout__TRACED_STATION_GAPS + 0)) = each(RATE_AT(work_t, low + layout__TRACED_STATION_SHARE)) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) + AT(work, low + layout__TRACED_STATION_SHARE) * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_OVERLAP));
             AT(work, low + layout__TRACED_STATION_GAPS + 0) = AT(work, low + layout__TRACED_STATION_SHARE) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) - AT(work, low + layout__TRACED_STATION_OVERLAP);
             v1 = AT(work, high + layout__TRACED_STATION_SHARE) - AT(work, low + layout__TRACED_STATION_SHARE);
-            EACH_LANE each(RATE_AT(work_t, low + layout__TRACED_STATION_GAPS + 1)) = (each(RATE_AT(work_t, high + layout__TRACED_STATION_SHARE)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_SHARE))) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) + v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - each(start_t);
+            EACH_DIRECTION each(RATE_AT(work_t, low + layout__TRACED_STATION_GAPS + 1)) = (each(RATE_AT(work_t, high + layout__TRACED_STATION_SHARE)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_SHARE))) * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) + v1 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - each(start_t);
             AT(work, low + layout__TRACED_STATION_GAPS + 1) = v1 * AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION) - start;
-            EACH_LANE each(RATE_AT(work_t, low + layout__TRACED_STATION_GAPS + 2)) = 2.0 * each(start_t) + each(stop_t) - 3.0 * each(grown_t);
+            EACH_DIRECTION each(RATE_AT(work_t, low + layout__TRACED_STATION_GAPS + 2)) = 2.0 * each(start_t) + each(stop_t) - 3.0 * each(grown_t);
             AT(work, low + layout__TRACED_STATION_GAPS + 2) = 2.0 * start + stop - 3.0 * grown;
-            EACH_LANE each(RATE_AT(work_t, low + layout__TRACED_STATION_GAPS + 3)) = 2.0 * each(grown_t) - each(start_t) - each(stop_t);
+            EACH_DIRECTION each(RATE_AT(work_t, low + layout__TRACED_STATION_GAPS + 3)) = 2.0 * each(grown_t) - each(start_t) - each(stop_t);
             AT(work, low + layout__TRACED_STATION_GAPS + 3) = 2.0 * grown - start - stop;
         }
     }
@@ -5746,25 +5746,25 @@ static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d wor
  */
 
 /* Derivative of ``place_wear``. */
-static inline int64_t derivative_wear_places__place_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side)
+static inline int64_t derivative_wear_places__place_wear_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side)
 {
     int64_t stations, index, j, patch, number, number_end;
-    lanes station_t, rail_t, wheel_t;
+    directional_rate station_t, rail_t, wheel_t;
     double station, rail, wheel;
     stations = (int64_t)AT(tables, layout__TABLES_STATIONS);
     index = 0;
     for (j = 0; j < stations; j += 1)
     {
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + j));
+        EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + j));
         station = AT(work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + j);
         index = wear_places__nearest_patch(work, side, index, station);
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
         derivative_wear_places__profile_places_t(&rail, &rail_t, &wheel, &wheel_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch), station, station_t);
-        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = each(wheel_t);
+        EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = each(wheel_t);
         AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = wheel;
-        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j))) = each(rail_t);
+        EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j))) = each(rail_t);
         AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j)) = rail;
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (3 * stations + j)) = all_lanes(0.0);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (3 * stations + j)) = along_all(0.0);
         AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (3 * stations + j)) = (double)((int64_t)AT(work, patch + layout__PATCH_RANK));
     }
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -5776,45 +5776,45 @@ static inline int64_t derivative_wear_places__place_wear_t(array_double_1d table
 }
 
 /* Derivative of ``place_strips_of_wear``. */
-static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch, int64_t worn)
+static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t patch, int64_t worn)
 {
     int64_t region, i;
     double rail, wheel;
-    lanes rail_t, wheel_t;
+    directional_rate rail_t, wheel_t;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch);
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         derivative_wear_places__profile_places_t(&rail, &rail_t, &wheel, &wheel_t, tables, work, work_t, pair, region, AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION), RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION));
-        EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = each(rail_t);
+        EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = each(rail_t);
         AT(work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i) = rail;
-        EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = each(wheel_t);
+        EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = each(wheel_t);
         AT(work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i) = wheel;
     }
     return 0;
 }
 
 /* Derivative of ``profile_places``. */
-static inline void derivative_wear_places__profile_places_t(double* rail_out, lanes* rail_t_out, double* wheel_out, lanes* wheel_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double station, lanes station_t)
+static inline void derivative_wear_places__profile_places_t(double* rail_out, directional_rate* rail_t_out, double* wheel_out, directional_rate* wheel_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double station, directional_rate station_t)
 {
     double v1, rail, wheel;
-    lanes v1_t, rail_t, wheel_t, rates;
+    directional_rate v1_t, rail_t, wheel_t, rates;
     bool n2;
     int64_t k3;
-    EACH_LANE each(rates) = each(station_t) - each(RATE_AT(work_t, region + layout__REGION_OFFSET)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
+    EACH_DIRECTION each(rates) = each(station_t) - each(RATE_AT(work_t, region + layout__REGION_OFFSET)) - each(RATE_AT(work_t, region + layout__REGION_STATION));
     derivative_patch_places__abscissa_at_t(&v1, &v1_t, tables, work, work_t, pair, region, station - AT(work, region + layout__REGION_OFFSET) - AT(work, region + layout__REGION_STATION), rates);
-    EACH_LANE each(rail_t) = each(v1_t);
+    EACH_DIRECTION each(rail_t) = each(v1_t);
     rail = v1;
-    EACH_LANE each(wheel_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL)) + each(rail_t) - each(RATE_AT(work_t, region + layout__REGION_RAIL));
+    EACH_DIRECTION each(wheel_t) = each(RATE_AT(work_t, region + layout__REGION_WHEEL)) + each(rail_t) - each(RATE_AT(work_t, region + layout__REGION_RAIL));
     wheel = AT(work, region + layout__REGION_WHEEL) + rail - AT(work, region + layout__REGION_RAIL);
-    n2 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), rail, rail_t, wheel, wheel_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), penetrated__NODE_SHARP, all_lanes(0.0));
+    n2 = derivative_penetrated__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE), rail, rail_t, wheel, wheel_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT), penetrated__NODE_SHARP, along_all(0.0));
     if (n2)
     {
         k3 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE) + layout__PLACE_MEETING + layout__MEETING_WHEEL;
-        EACH_LANE each(wheel_t) = each(RATE_AT(work_t, k3));
+        EACH_DIRECTION each(wheel_t) = each(RATE_AT(work_t, k3));
         wheel = AT(work, k3);
     }
     *rail_out = rail;
-    EACH_LANE each(*rail_t_out) = each(rail_t);
+    EACH_DIRECTION each(*rail_t_out) = each(rail_t);
     *wheel_out = wheel;
-    EACH_LANE each(*wheel_t_out) = each(wheel_t);
+    EACH_DIRECTION each(*wheel_t_out) = each(wheel_t);
 }

@@ -8,21 +8,21 @@
  */
 
 /* Derivative of ``clear_patches``. */
-static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
+static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side)
 {
     int64_t i_1;
-    RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = along_all(0.0);
     AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)0;
     for (i_1 = 0; i_1 < layout__PATCH_TOTALS_SIZE; i_1 += 1)
     {
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + i_1) = all_lanes(0.0);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + i_1) = along_all(0.0);
         AT(work, side + layout__SIDE_SEARCH_TOTALS + i_1) = 0.0;
     }
     return 0;
 }
 
 /* Derivative of ``begin_patch``. */
-static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double start, lanes start_t, int64_t first, int64_t rule)
+static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t region, double start, directional_rate start_t, int64_t first, int64_t rule)
 {
     int64_t index, patch;
     index = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -30,118 +30,118 @@ static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, ar
     {
         return index - 1;
     }
-    RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = along_all(0.0);
     AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)(index + 1);
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     derivative_filling__forget_t(work, work_t, patch);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = each(start_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = each(start_t);
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START) = start;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = each(start_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = each(start_t);
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP) = start;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_RAIL)) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_RAIL)) = each(RATE_AT(work_t, region + layout__REGION_RAIL));
     AT(work, patch + layout__PATCH_RAIL) = AT(work, region + layout__REGION_RAIL);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_WHEEL)) = each(RATE_AT(work_t, region + layout__REGION_WHEEL));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_WHEEL)) = each(RATE_AT(work_t, region + layout__REGION_WHEEL));
     AT(work, patch + layout__PATCH_WHEEL) = AT(work, region + layout__REGION_WHEEL);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STATION)) = each(RATE_AT(work_t, region + layout__REGION_OFFSET)) + each(RATE_AT(work_t, region + layout__REGION_STATION));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_STATION)) = each(RATE_AT(work_t, region + layout__REGION_OFFSET)) + each(RATE_AT(work_t, region + layout__REGION_STATION));
     AT(work, patch + layout__PATCH_STATION) = AT(work, region + layout__REGION_OFFSET) + AT(work, region + layout__REGION_STATION);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_X)) = each(RATE_AT(work_t, region + layout__REGION_X_TRACK));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_X)) = each(RATE_AT(work_t, region + layout__REGION_X_TRACK));
     AT(work, patch + layout__PATCH_X) = AT(work, region + layout__REGION_X_TRACK);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SLANT)) = each(RATE_AT(work_t, region + layout__REGION_SLANT));
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_SLANT)) = each(RATE_AT(work_t, region + layout__REGION_SLANT));
     AT(work, patch + layout__PATCH_SLANT) = AT(work, region + layout__REGION_SLANT);
-    RATE_AT(work_t, patch + layout__PATCH_RULE) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_RULE) = along_all(0.0);
     AT(work, patch + layout__PATCH_RULE) = (double)rule;
-    RATE_AT(work_t, patch + layout__PATCH_FIRST) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_FIRST) = along_all(0.0);
     AT(work, patch + layout__PATCH_FIRST) = (double)first;
-    RATE_AT(work_t, patch + layout__PATCH_LAST) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_LAST) = along_all(0.0);
     AT(work, patch + layout__PATCH_LAST) = (double)(first - 1);
     return index;
 }
 
 /* Derivative of ``forget``. */
-static inline int64_t derivative_filling__forget_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_filling__forget_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t i_1, i_2, i_3, i_4;
     for (i_1 = 0; i_1 < layout__PATCH_TOTALS_SIZE; i_1 += 1)
     {
-        RATE_AT(work_t, patch + layout__PATCH_TOTALS + i_1) = all_lanes(0.0);
+        RATE_AT(work_t, patch + layout__PATCH_TOTALS + i_1) = along_all(0.0);
         AT(work, patch + layout__PATCH_TOTALS + i_1) = 0.0;
     }
-    RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE) = along_all(0.0);
     AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE) = along_all(0.0);
     AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = 0.0;
     for (i_2 = 0; i_2 < 4; i_2 += 1)
     {
-        RATE_AT(work_t, patch + layout__PATCH_LOADS + i_2) = all_lanes(0.0);
+        RATE_AT(work_t, patch + layout__PATCH_LOADS + i_2) = along_all(0.0);
         AT(work, patch + layout__PATCH_LOADS + i_2) = 0.0;
     }
     for (i_3 = 0; i_3 < 4; i_3 += 1)
     {
-        RATE_AT(work_t, patch + layout__PATCH_MOMENTS + i_3) = all_lanes(0.0);
+        RATE_AT(work_t, patch + layout__PATCH_MOMENTS + i_3) = along_all(0.0);
         AT(work, patch + layout__PATCH_MOMENTS + i_3) = 0.0;
     }
-    RATE_AT(work_t, patch + layout__PATCH_RANK) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_RANK) = along_all(0.0);
     AT(work, patch + layout__PATCH_RANK) = (double)0;
-    RATE_AT(work_t, patch + layout__PATCH_PENETRATION) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_PENETRATION) = along_all(0.0);
     AT(work, patch + layout__PATCH_PENETRATION) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_X_TRACK) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_X_TRACK) = along_all(0.0);
     AT(work, patch + layout__PATCH_X_TRACK) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_Y_TRACK) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_Y_TRACK) = along_all(0.0);
     AT(work, patch + layout__PATCH_Y_TRACK) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_Z_TRACK) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_Z_TRACK) = along_all(0.0);
     AT(work, patch + layout__PATCH_Z_TRACK) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS) = along_all(0.0);
     AT(work, patch + layout__PATCH_ROLLING_RADIUS) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y) = along_all(0.0);
     AT(work, patch + layout__PATCH_NORMAL_Y) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z) = along_all(0.0);
     AT(work, patch + layout__PATCH_NORMAL_Z) = 0.0;
     for (i_4 = 0; i_4 < 3; i_4 += 1)
     {
-        RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i_4) = all_lanes(0.0);
+        RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i_4) = along_all(0.0);
         AT(work, patch + layout__PATCH_NORMAL_MOMENT + i_4) = 0.0;
     }
-    RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER) = along_all(0.0);
     AT(work, patch + layout__PATCH_DAMPING_POWER) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X) = along_all(0.0);
     AT(work, patch + layout__PATCH_CREEPAGE_X) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y) = along_all(0.0);
     AT(work, patch + layout__PATCH_CREEPAGE_Y) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_SPIN) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_SPIN) = along_all(0.0);
     AT(work, patch + layout__PATCH_SPIN) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_SPEED) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_SPEED) = along_all(0.0);
     AT(work, patch + layout__PATCH_SPEED) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_X) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_X) = along_all(0.0);
     AT(work, patch + layout__PATCH_CREEP_X) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_Y) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_Y) = along_all(0.0);
     AT(work, patch + layout__PATCH_CREEP_Y) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT) = along_all(0.0);
     AT(work, patch + layout__PATCH_CREEP_MOMENT) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE) = along_all(0.0);
     AT(work, patch + layout__PATCH_STICK_SHARE) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR) = along_all(0.0);
     AT(work, patch + layout__PATCH_MAX_SHEAR) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_SATURATION) = all_lanes(0.0);
+    RATE_AT(work_t, patch + layout__PATCH_SATURATION) = along_all(0.0);
     AT(work, patch + layout__PATCH_SATURATION) = 0.0;
     return 0;
 }
 
 /* Derivative of ``add_load``. */
-static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t region, double load, lanes load_t, double moment, lanes moment_t)
+static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t region, double load, directional_rate load_t, double moment, directional_rate moment_t)
 {
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + each(load_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + each(load_t);
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + load;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + each(moment_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + each(moment_t);
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) + moment;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_LOADS + region)) = each(RATE_AT(work_t, patch + layout__PATCH_LOADS + region)) + each(load_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_LOADS + region)) = each(RATE_AT(work_t, patch + layout__PATCH_LOADS + region)) + each(load_t);
     AT(work, patch + layout__PATCH_LOADS + region) = AT(work, patch + layout__PATCH_LOADS + region) + load;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + region)) = each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + region)) + each(moment_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + region)) = each(RATE_AT(work_t, patch + layout__PATCH_MOMENTS + region)) + each(moment_t);
     AT(work, patch + layout__PATCH_MOMENTS + region) = AT(work, patch + layout__PATCH_MOMENTS + region) + moment;
     return 0;
 }
 
 /* Derivative of ``finish_patch``. */
-static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
+static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side)
 {
     int64_t patch;
     double v1, v2;
@@ -149,10 +149,10 @@ static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, a
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) - 1);
         v1 = sqrt(AT(work, patch + layout__PATCH_PRESSURE_SQUARE));
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = derivative_rates__root_rate(v1, each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = derivative_rates__root_rate(v1, each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)));
         AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) = v1;
         v2 = sqrt(AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE));
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)));
         AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = v2;
         derivative_filling__complete_totals_t(work, work_t, patch + layout__PATCH_TOTALS);
         if (AT(work, patch + layout__PATCH_PRESSURE_SQUARE) == 0.0 && AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0)
@@ -164,7 +164,7 @@ static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, a
 }
 
 /* Derivative of ``fill_sliver``. */
-static inline int64_t derivative_filling__fill_sliver_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_filling__fill_sliver_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch)
 {
     int64_t totals;
     double v1, v2, v3, v4, v5;
@@ -173,38 +173,38 @@ static inline int64_t derivative_filling__fill_sliver_t(array_double_1d work, ar
     {
         v1 = 1.5 * AT(work, totals + layout__PATCH_TOTALS_LOAD);
         v2 = v1 / AT(work, totals + layout__PATCH_TOTALS_AREA);
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = (1.5 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) - v2 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA))) / AT(work, totals + layout__PATCH_TOTALS_AREA);
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = (1.5 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) - v2 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA))) / AT(work, totals + layout__PATCH_TOTALS_AREA);
         AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) = v2;
         v3 = 2.0 * AT(work, totals + layout__PATCH_TOTALS_AREA);
         v4 = M_PI * AT(work, totals + layout__PATCH_TOTALS_WIDTH);
         v5 = v3 / v4;
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) - v5 * (M_PI * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH)))) / v4;
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) - v5 * (M_PI * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH)))) / v4;
         AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = v5;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) * AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) + AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) * AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) + AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
         AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) + AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) + AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
         AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
     }
     return 0;
 }
 
 /* Derivative of ``complete_totals``. */
-static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_lanes_1d work_t, int64_t totals)
+static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_directional_rate_1d work_t, int64_t totals)
 {
     double v1;
-    EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) - each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_START));
+    EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) - each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_START));
     AT(work, totals + layout__PATCH_TOTALS_WIDTH) = AT(work, totals + layout__PATCH_TOTALS_STOP) - AT(work, totals + layout__PATCH_TOTALS_START);
     if (AT(work, totals + layout__PATCH_TOTALS_LOAD) > 0.0)
     {
         v1 = AT(work, totals + layout__PATCH_TOTALS_MOMENT) / AT(work, totals + layout__PATCH_TOTALS_LOAD);
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_CENTROID)) = (each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) - v1 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD))) / AT(work, totals + layout__PATCH_TOTALS_LOAD);
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_CENTROID)) = (each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) - v1 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD))) / AT(work, totals + layout__PATCH_TOTALS_LOAD);
         AT(work, totals + layout__PATCH_TOTALS_CENTROID) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``remove_unloaded``. */
-static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
+static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side)
 {
     int64_t index;
     index = 0;
@@ -224,7 +224,7 @@ static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work
 }
 
 /* Derivative of ``remove_patch``. */
-static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t index)
+static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t index)
 {
     int64_t beside, heir, removed, region, following, i_1, following_end;
     beside = index - 1;
@@ -234,28 +234,28 @@ static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, a
     }
     heir = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * beside;
     removed = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    EACH_LANE each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + each(RATE_AT(work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_DIRECTION each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + each(RATE_AT(work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) = AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-    EACH_LANE each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + each(RATE_AT(work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
+    EACH_DIRECTION each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + each(RATE_AT(work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
     AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) = AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) + AT(work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT);
-    EACH_LANE each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + each(RATE_AT(work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    EACH_DIRECTION each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = each(RATE_AT(work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + each(RATE_AT(work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
     AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) = AT(work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) + AT(work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA);
     derivative_filling__complete_totals_t(work, work_t, heir + layout__PATCH_TOTALS);
     for (region = 0; region < layout__REGION_LIMIT; region += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, heir + layout__PATCH_LOADS + region)) = each(RATE_AT(work_t, heir + layout__PATCH_LOADS + region)) + each(RATE_AT(work_t, removed + layout__PATCH_LOADS + region));
+        EACH_DIRECTION each(RATE_AT(work_t, heir + layout__PATCH_LOADS + region)) = each(RATE_AT(work_t, heir + layout__PATCH_LOADS + region)) + each(RATE_AT(work_t, removed + layout__PATCH_LOADS + region));
         AT(work, heir + layout__PATCH_LOADS + region) = AT(work, heir + layout__PATCH_LOADS + region) + AT(work, removed + layout__PATCH_LOADS + region);
-        EACH_LANE each(RATE_AT(work_t, heir + layout__PATCH_MOMENTS + region)) = each(RATE_AT(work_t, heir + layout__PATCH_MOMENTS + region)) + each(RATE_AT(work_t, removed + layout__PATCH_MOMENTS + region));
+        EACH_DIRECTION each(RATE_AT(work_t, heir + layout__PATCH_MOMENTS + region)) = each(RATE_AT(work_t, heir + layout__PATCH_MOMENTS + region)) + each(RATE_AT(work_t, removed + layout__PATCH_MOMENTS + region));
         AT(work, heir + layout__PATCH_MOMENTS + region) = AT(work, heir + layout__PATCH_MOMENTS + region) + AT(work, removed + layout__PATCH_MOMENTS + region);
     }
-    RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = along_all(0.0);
     AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) - 1);
     following_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     for (following = index; following < following_end; following += 1)
     {
         for (i_1 = 0; i_1 < layout__PATCH_SIZE; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + 1) + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + 1) + i_1));
             AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1) = AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + 1) + i_1);
         }
     }
@@ -263,7 +263,7 @@ static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, a
 }
 
 /* Derivative of ``finish_patches``. */
-static inline int64_t derivative_filling__finish_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
+static inline int64_t derivative_filling__finish_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side)
 {
     int64_t rank, heaviest, ranked, rank_end;
     derivative_filling__remove_unloaded_t(work, work_t, side);
@@ -275,7 +275,7 @@ static inline int64_t derivative_filling__finish_patches_t(array_double_1d work,
         if (heaviest >= 0)
         {
             ranked = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * heaviest;
-            RATE_AT(work_t, ranked + layout__PATCH_RANK) = all_lanes(0.0);
+            RATE_AT(work_t, ranked + layout__PATCH_RANK) = along_all(0.0);
             AT(work, ranked + layout__PATCH_RANK) = (double)rank;
         }
     }
@@ -283,52 +283,52 @@ static inline int64_t derivative_filling__finish_patches_t(array_double_1d work,
 }
 
 /* Derivative of ``total_patches``. */
-static inline int64_t derivative_filling__total_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
+static inline int64_t derivative_filling__total_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side)
 {
     int64_t totals, index, one, index_end;
     double v1, v2;
-    lanes v1_t, v2_t;
+    directional_rate v1_t, v2_t;
     totals = side + layout__SIDE_SEARCH_TOTALS;
-    RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD) = all_lanes(0.0);
+    RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD) = along_all(0.0);
     AT(work, totals + layout__PATCH_TOTALS_LOAD) = 0.0;
-    RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA) = all_lanes(0.0);
+    RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA) = along_all(0.0);
     AT(work, totals + layout__PATCH_TOTALS_AREA) = 0.0;
-    RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT) = all_lanes(0.0);
+    RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT) = along_all(0.0);
     AT(work, totals + layout__PATCH_TOTALS_MOMENT) = 0.0;
     index_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     for (index = 0; index < index_end; index += 1)
     {
         one = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS;
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) + each(RATE_AT(work_t, one + layout__PATCH_TOTALS_LOAD));
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) + each(RATE_AT(work_t, one + layout__PATCH_TOTALS_LOAD));
         AT(work, totals + layout__PATCH_TOTALS_LOAD) = AT(work, totals + layout__PATCH_TOTALS_LOAD) + AT(work, one + layout__PATCH_TOTALS_LOAD);
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) + each(RATE_AT(work_t, one + layout__PATCH_TOTALS_AREA));
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) + each(RATE_AT(work_t, one + layout__PATCH_TOTALS_AREA));
         AT(work, totals + layout__PATCH_TOTALS_AREA) = AT(work, totals + layout__PATCH_TOTALS_AREA) + AT(work, one + layout__PATCH_TOTALS_AREA);
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) + each(RATE_AT(work_t, one + layout__PATCH_TOTALS_MOMENT));
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MOMENT)) + each(RATE_AT(work_t, one + layout__PATCH_TOTALS_MOMENT));
         AT(work, totals + layout__PATCH_TOTALS_MOMENT) = AT(work, totals + layout__PATCH_TOTALS_MOMENT) + AT(work, one + layout__PATCH_TOTALS_MOMENT);
         v1 = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
-        EACH_LANE each(v1_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+        EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
         if (AT(work, one + layout__PATCH_TOTALS_MAX_PRESSURE) > v1)
         {
             v1 = AT(work, one + layout__PATCH_TOTALS_MAX_PRESSURE);
-            EACH_LANE each(v1_t) = each(RATE_AT(work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+            EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE));
         }
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = each(v1_t);
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = each(v1_t);
         AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) = v1;
         v2 = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-        EACH_LANE each(v2_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
         if (AT(work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH) > v2)
         {
             v2 = AT(work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-            EACH_LANE each(v2_t) = each(RATE_AT(work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+            EACH_DIRECTION each(v2_t) = each(RATE_AT(work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
         }
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = each(v2_t);
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = each(v2_t);
         AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = v2;
         if (index == 0)
         {
-            EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_START)) = each(RATE_AT(work_t, one + layout__PATCH_TOTALS_START));
+            EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_START)) = each(RATE_AT(work_t, one + layout__PATCH_TOTALS_START));
             AT(work, totals + layout__PATCH_TOTALS_START) = AT(work, one + layout__PATCH_TOTALS_START);
         }
-        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) = each(RATE_AT(work_t, one + layout__PATCH_TOTALS_STOP));
+        EACH_DIRECTION each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP)) = each(RATE_AT(work_t, one + layout__PATCH_TOTALS_STOP));
         AT(work, totals + layout__PATCH_TOTALS_STOP) = AT(work, one + layout__PATCH_TOTALS_STOP);
     }
     derivative_filling__complete_totals_t(work, work_t, totals);
@@ -342,19 +342,19 @@ static inline int64_t derivative_filling__total_patches_t(array_double_1d work, 
  */
 
 /* Derivative of ``curved_at``. */
-static inline void derivative_outline__curved_at_t(double* half_length_out, lanes* half_length_t_out, double* pressure_out, lanes* pressure_t_out, array_double_1d work, array_lanes_1d work_t, int64_t count, double station, lanes station_t)
+static inline void derivative_outline__curved_at_t(double* half_length_out, directional_rate* half_length_t_out, double* pressure_out, directional_rate* pressure_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t count, double station, directional_rate station_t)
 {
-    lanes half_length_t, pressure_t, own_t;
+    directional_rate half_length_t, pressure_t, own_t;
     double half_length, pressure, own;
     int64_t index, region;
-    half_length_t = all_lanes(0.0);
+    half_length_t = along_all(0.0);
     half_length = 0.0;
-    pressure_t = all_lanes(0.0);
+    pressure_t = along_all(0.0);
     pressure = 0.0;
     for (index = 0; index < count; index += 1)
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        EACH_LANE each(own_t) = each(station_t) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
+        EACH_DIRECTION each(own_t) = each(station_t) - each(RATE_AT(work_t, region + layout__REGION_OFFSET));
         own = station - AT(work, region + layout__REGION_OFFSET);
         if (own >= AT(work, region + layout__REGION_LOW) && own <= AT(work, region + layout__REGION_HIGH) && half_length == 0.0)
         {
@@ -362,25 +362,25 @@ static inline void derivative_outline__curved_at_t(double* half_length_out, lane
         }
     }
     *half_length_out = half_length;
-    EACH_LANE each(*half_length_t_out) = each(half_length_t);
+    EACH_DIRECTION each(*half_length_t_out) = each(half_length_t);
     *pressure_out = pressure;
-    EACH_LANE each(*pressure_t_out) = each(pressure_t);
+    EACH_DIRECTION each(*pressure_t_out) = each(pressure_t);
 }
 
 /* Derivative of ``between_strips``. */
-static inline void derivative_outline__between_strips_t(double* half_length_out, lanes* half_length_t_out, double* pressure_out, lanes* pressure_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double own, lanes own_t)
+static inline void derivative_outline__between_strips_t(double* half_length_out, directional_rate* half_length_t_out, double* pressure_out, directional_rate* pressure_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, double own, directional_rate own_t)
 {
-    lanes half_length_t, pressure_t, u_t, x_t, v3_t, length_t, v4_t, square_t;
+    directional_rate half_length_t, pressure_t, u_t, x_t, v3_t, length_t, v4_t, square_t;
     double half_length, pressure, v1, v2, u, x, v3, length, v4, square, v5, v6;
     bool inside;
     int64_t outward, low, inner, before, here, after;
-    half_length_t = all_lanes(0.0);
+    half_length_t = along_all(0.0);
     half_length = 0.0;
-    pressure_t = all_lanes(0.0);
+    pressure_t = along_all(0.0);
     pressure = 0.0;
     v1 = own - AT(work, region + layout__REGION_STATION);
     v2 = v1 / AT(work, region + layout__REGION_SPACING);
-    EACH_LANE each(u_t) = (each(own_t) - each(RATE_AT(work_t, region + layout__REGION_STATION)) - v2 * each(RATE_AT(work_t, region + layout__REGION_SPACING))) / AT(work, region + layout__REGION_SPACING);
+    EACH_DIRECTION each(u_t) = (each(own_t) - each(RATE_AT(work_t, region + layout__REGION_STATION)) - v2 * each(RATE_AT(work_t, region + layout__REGION_SPACING))) / AT(work, region + layout__REGION_SPACING);
     u = v2;
     inside = u > (int64_t)AT(work, region + layout__REGION_FIRST) && u < (int64_t)AT(work, region + layout__REGION_LAST);
     if (AT(work, region + layout__REGION_LOCAL_PENETRATION) > 0.0 && inside)
@@ -389,99 +389,99 @@ static inline void derivative_outline__between_strips_t(double* half_length_out,
         if (u < 0.0)
         {
             outward = -1;
-            EACH_LANE each(u_t) = -each(u_t);
+            EACH_DIRECTION each(u_t) = -each(u_t);
             u = -u;
         }
         low = (int64_t)u;
-        EACH_LANE each(x_t) = each(u_t);
+        EACH_DIRECTION each(x_t) = each(u_t);
         x = u - (double)low;
         inner = (int64_t)AT(work, region + layout__REGION_STRIP) + outward * low;
         before = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (inner - outward);
         here = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * inner;
         after = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (inner + outward);
         derivative_quadrature__quadratic_value_t(&v3, &v3_t, AT(work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), AT(work, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), RATE_AT(work_t, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE), x, x_t);
-        EACH_LANE each(length_t) = each(v3_t);
+        EACH_DIRECTION each(length_t) = each(v3_t);
         length = v3;
         derivative_quadrature__quadratic_value_t(&v4, &v4_t, AT(work, before + layout__SOLVED_STRIP_PRESSURE_SQUARE), RATE_AT(work_t, before + layout__SOLVED_STRIP_PRESSURE_SQUARE), AT(work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE), RATE_AT(work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE), AT(work, after + layout__SOLVED_STRIP_PRESSURE_SQUARE), RATE_AT(work_t, after + layout__SOLVED_STRIP_PRESSURE_SQUARE), x, x_t);
-        EACH_LANE each(square_t) = each(v4_t);
+        EACH_DIRECTION each(square_t) = each(v4_t);
         square = v4;
         if (length > 0.0 && square > 0.0)
         {
             v5 = sqrt(length);
-            EACH_LANE each(half_length_t) = derivative_rates__root_rate(v5, each(length_t));
+            EACH_DIRECTION each(half_length_t) = derivative_rates__root_rate(v5, each(length_t));
             half_length = v5;
             v6 = sqrt(square);
-            EACH_LANE each(pressure_t) = derivative_rates__root_rate(v6, each(square_t));
+            EACH_DIRECTION each(pressure_t) = derivative_rates__root_rate(v6, each(square_t));
             pressure = v6;
         }
     }
     *half_length_out = half_length;
-    EACH_LANE each(*half_length_t_out) = each(half_length_t);
+    EACH_DIRECTION each(*half_length_t_out) = each(half_length_t);
     *pressure_out = pressure;
-    EACH_LANE each(*pressure_t_out) = each(pressure_t);
+    EACH_DIRECTION each(*pressure_t_out) = each(pressure_t);
 }
 
 /* Derivative of ``straight_at``. */
-static inline void derivative_outline__straight_at_t(double* half_length_out, lanes* half_length_t_out, double* pressure_out, lanes* pressure_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t after, double station, lanes station_t)
+static inline void derivative_outline__straight_at_t(double* half_length_out, directional_rate* half_length_t_out, double* pressure_out, directional_rate* pressure_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t after, double station, directional_rate station_t)
 {
-    lanes low_t, low_length_t, low_pressure_t, high_t, high_length_t, high_pressure_t, share_t, half_length_t, pressure_t;
+    directional_rate low_t, low_length_t, low_pressure_t, high_t, high_length_t, high_pressure_t, share_t, half_length_t, pressure_t;
     double low, low_length, low_pressure, high, high_length, high_pressure, v1, v2, v3, share, v4, v5, v6, half_length, v7, v8, v9, pressure;
     int64_t inner, outer;
-    EACH_LANE each(low_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
     low = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START);
-    low_length_t = all_lanes(0.0);
+    low_length_t = along_all(0.0);
     low_length = 0.0;
-    low_pressure_t = all_lanes(0.0);
+    low_pressure_t = along_all(0.0);
     low_pressure = 0.0;
     if (after > (int64_t)AT(work, patch + layout__PATCH_FIRST))
     {
         inner = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (after - 1);
-        EACH_LANE each(low_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION));
+        EACH_DIRECTION each(low_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_STATION));
         low = AT(work, inner + layout__SOLVED_STRIP_STATION);
-        EACH_LANE each(low_length_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+        EACH_DIRECTION each(low_length_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
         low_length = AT(work, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
-        EACH_LANE each(low_pressure_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+        EACH_DIRECTION each(low_pressure_t) = each(RATE_AT(work_t, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
         low_pressure = AT(work, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE);
     }
-    EACH_LANE each(high_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    EACH_DIRECTION each(high_t) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
     high = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP);
-    high_length_t = all_lanes(0.0);
+    high_length_t = along_all(0.0);
     high_length = 0.0;
-    high_pressure_t = all_lanes(0.0);
+    high_pressure_t = along_all(0.0);
     high_pressure = 0.0;
     if (after <= (int64_t)AT(work, patch + layout__PATCH_LAST))
     {
         outer = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * after;
-        EACH_LANE each(high_t) = each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_STATION));
+        EACH_DIRECTION each(high_t) = each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_STATION));
         high = AT(work, outer + layout__SOLVED_STRIP_STATION);
-        EACH_LANE each(high_length_t) = each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+        EACH_DIRECTION each(high_length_t) = each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
         high_length = AT(work, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE);
-        EACH_LANE each(high_pressure_t) = each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+        EACH_DIRECTION each(high_pressure_t) = each(RATE_AT(work_t, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE));
         high_pressure = AT(work, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE);
     }
     v1 = station - low;
     v2 = high - low;
     v3 = v1 / v2;
-    EACH_LANE each(share_t) = (each(station_t) - each(low_t) - v3 * (each(high_t) - each(low_t))) / v2;
+    EACH_DIRECTION each(share_t) = (each(station_t) - each(low_t) - v3 * (each(high_t) - each(low_t))) / v2;
     share = v3;
     v4 = high_length - low_length;
     v5 = low_length + share * v4;
     v6 = sqrt(v5);
-    EACH_LANE each(half_length_t) = derivative_rates__root_rate(v6, each(low_length_t) + (each(share_t) * v4 + share * (each(high_length_t) - each(low_length_t))));
+    EACH_DIRECTION each(half_length_t) = derivative_rates__root_rate(v6, each(low_length_t) + (each(share_t) * v4 + share * (each(high_length_t) - each(low_length_t))));
     half_length = v6;
     v7 = high_pressure - low_pressure;
     v8 = low_pressure + share * v7;
     v9 = sqrt(v8);
-    EACH_LANE each(pressure_t) = derivative_rates__root_rate(v9, each(low_pressure_t) + (each(share_t) * v7 + share * (each(high_pressure_t) - each(low_pressure_t))));
+    EACH_DIRECTION each(pressure_t) = derivative_rates__root_rate(v9, each(low_pressure_t) + (each(share_t) * v7 + share * (each(high_pressure_t) - each(low_pressure_t))));
     pressure = v9;
     *half_length_out = half_length;
-    EACH_LANE each(*half_length_t_out) = each(half_length_t);
+    EACH_DIRECTION each(*half_length_t_out) = each(half_length_t);
     *pressure_out = pressure;
-    EACH_LANE each(*pressure_t_out) = each(pressure_t);
+    EACH_DIRECTION each(*pressure_t_out) = each(pressure_t);
 }
 
 /* Derivative of ``write_outline``. */
-static inline int64_t derivative_outline__write_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t side, int64_t count)
+static inline int64_t derivative_outline__write_outline_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t side, int64_t count)
 {
     int64_t rule;
     if ((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
@@ -504,51 +504,51 @@ static inline int64_t derivative_outline__write_outline_t(array_double_1d work, 
 }
 
 /* Derivative of ``write_ellipse``. */
-static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t totals)
+static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t totals)
 {
-    lanes half_length_t, half_width_t, pressure_t;
+    directional_rate half_length_t, half_width_t, pressure_t;
     double half_length, half_width, pressure, share, height;
     int64_t last, j;
-    EACH_LANE each(half_length_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_DIRECTION each(half_length_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
     half_length = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-    EACH_LANE each(half_width_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP));
+    EACH_DIRECTION each(half_width_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP));
     half_width = AT(work, totals + layout__PATCH_TOTALS_STOP);
-    EACH_LANE each(pressure_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    EACH_DIRECTION each(pressure_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
     pressure = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
     last = stations - 1;
     for (j = 0; j < floor_div(stations + 1, 2); j += 1)
     {
         share = 1.0 - 2.0 * (double)j / (double)last;
         height = sqrt(1.0 - share * share);
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j)) = -(share * each(half_width_t));
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j)) = -(share * each(half_width_t));
         AT(work, outline + layout__OUTLINE_NUMBERS + j) = 0.0 - share * half_width;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (last - j))) = share * each(half_width_t);
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (last - j))) = share * each(half_width_t);
         AT(work, outline + layout__OUTLINE_NUMBERS + (last - j)) = share * half_width;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = each(half_length_t) * height;
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = each(half_length_t) * height;
         AT(work, outline + layout__OUTLINE_NUMBERS + (stations + j)) = half_length * height;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations + last - j))) = each(half_length_t) * height;
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations + last - j))) = each(half_length_t) * height;
         AT(work, outline + layout__OUTLINE_NUMBERS + (stations + last - j)) = half_length * height;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (2 * stations + j))) = each(pressure_t) * height;
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (2 * stations + j))) = each(pressure_t) * height;
         AT(work, outline + layout__OUTLINE_NUMBERS + (2 * stations + j)) = pressure * height;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (2 * stations + last - j))) = each(pressure_t) * height;
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (2 * stations + last - j))) = each(pressure_t) * height;
         AT(work, outline + layout__OUTLINE_NUMBERS + (2 * stations + last - j)) = pressure * height;
     }
     return 0;
 }
 
 /* Derivative of ``write_quadratic``. */
-static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t totals, int64_t count)
+static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t totals, int64_t count)
 {
-    lanes start_t, stop_t, largest_t, peak_t, station_t, half_length_t, pressure_t, v5_t, v6_t;
+    directional_rate start_t, stop_t, largest_t, peak_t, station_t, half_length_t, pressure_t, v5_t, v6_t;
     double start, stop, largest, peak, v1, v2, v3, v4, station, half_length, pressure, v5, v6;
     int64_t j;
-    EACH_LANE each(start_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_START));
+    EACH_DIRECTION each(start_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_START));
     start = AT(work, totals + layout__PATCH_TOTALS_START);
-    EACH_LANE each(stop_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP));
+    EACH_DIRECTION each(stop_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_STOP));
     stop = AT(work, totals + layout__PATCH_TOTALS_STOP);
-    EACH_LANE each(largest_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_DIRECTION each(largest_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
     largest = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-    EACH_LANE each(peak_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    EACH_DIRECTION each(peak_t) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
     peak = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
     for (j = 0; j < stations; j += 1)
     {
@@ -556,53 +556,53 @@ static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work
         v2 = (double)j;
         v3 = v1 * v2;
         v4 = (double)(stations - 1);
-        EACH_LANE each(station_t) = each(start_t) + (each(stop_t) - each(start_t)) * v2 / v4;
+        EACH_DIRECTION each(station_t) = each(start_t) + (each(stop_t) - each(start_t)) * v2 / v4;
         station = start + v3 / v4;
-        half_length_t = all_lanes(0.0);
+        half_length_t = along_all(0.0);
         half_length = 0.0;
-        pressure_t = all_lanes(0.0);
+        pressure_t = along_all(0.0);
         pressure = 0.0;
         if (j > 0 && j < stations - 1)
         {
             derivative_outline__curved_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
         }
         v5 = half_length;
-        EACH_LANE each(v5_t) = each(half_length_t);
+        EACH_DIRECTION each(v5_t) = each(half_length_t);
         if (largest < v5)
         {
             v5 = largest;
-            EACH_LANE each(v5_t) = each(largest_t);
+            EACH_DIRECTION each(v5_t) = each(largest_t);
         }
-        EACH_LANE each(half_length_t) = each(v5_t);
+        EACH_DIRECTION each(half_length_t) = each(v5_t);
         half_length = v5;
         v6 = pressure;
-        EACH_LANE each(v6_t) = each(pressure_t);
+        EACH_DIRECTION each(v6_t) = each(pressure_t);
         if (peak < v6)
         {
             v6 = peak;
-            EACH_LANE each(v6_t) = each(peak_t);
+            EACH_DIRECTION each(v6_t) = each(peak_t);
         }
-        EACH_LANE each(pressure_t) = each(v6_t);
+        EACH_DIRECTION each(pressure_t) = each(v6_t);
         pressure = v6;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j)) = each(station_t);
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j)) = each(station_t);
         AT(work, outline + layout__OUTLINE_NUMBERS + j) = station;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = each(half_length_t);
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = each(half_length_t);
         AT(work, outline + layout__OUTLINE_NUMBERS + (stations + j)) = half_length;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (2 * stations + j))) = each(pressure_t);
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (2 * stations + j))) = each(pressure_t);
         AT(work, outline + layout__OUTLINE_NUMBERS + (2 * stations + j)) = pressure;
     }
     return 0;
 }
 
 /* Derivative of ``write_straight``. */
-static inline int64_t derivative_outline__write_straight_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t side)
+static inline int64_t derivative_outline__write_straight_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t side)
 {
-    lanes start_t, stop_t, station_t, half_length_t, pressure_t;
+    directional_rate start_t, stop_t, station_t, half_length_t, pressure_t;
     double start, stop, v1, v2, v3, v4, station, half_length, pressure;
     int64_t index, strip, j, patch;
-    EACH_LANE each(start_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_START));
+    EACH_DIRECTION each(start_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_START));
     start = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_START);
-    EACH_LANE each(stop_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    EACH_DIRECTION each(stop_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_STOP));
     stop = AT(work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_STOP);
     index = 0;
     strip = 0;
@@ -612,11 +612,11 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
         v2 = (double)j;
         v3 = v1 * v2;
         v4 = (double)(stations - 1);
-        EACH_LANE each(station_t) = each(start_t) + (each(stop_t) - each(start_t)) * v2 / v4;
+        EACH_DIRECTION each(station_t) = each(start_t) + (each(stop_t) - each(start_t)) * v2 / v4;
         station = start + v3 / v4;
-        half_length_t = all_lanes(0.0);
+        half_length_t = along_all(0.0);
         half_length = 0.0;
-        pressure_t = all_lanes(0.0);
+        pressure_t = along_all(0.0);
         pressure = 0.0;
         index = outline__patch_beside(work, side, index, station);
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
@@ -629,11 +629,11 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
             }
             derivative_outline__straight_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, patch, strip, station, station_t);
         }
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j)) = each(station_t);
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j)) = each(station_t);
         AT(work, outline + layout__OUTLINE_NUMBERS + j) = station;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = each(half_length_t);
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = each(half_length_t);
         AT(work, outline + layout__OUTLINE_NUMBERS + (stations + j)) = half_length;
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (2 * stations + j))) = each(pressure_t);
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (2 * stations + j))) = each(pressure_t);
         AT(work, outline + layout__OUTLINE_NUMBERS + (2 * stations + j)) = pressure;
     }
     return 0;
@@ -646,94 +646,94 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
  */
 
 /* Derivative of ``bend_of``. */
-static inline void derivative_quadrature__bend_of_t(double* bend_out, lanes* bend_t_out, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t)
+static inline void derivative_quadrature__bend_of_t(double* bend_out, directional_rate* bend_t_out, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t)
 {
     double v1, bend, v2, limit, v3, v4, v5;
-    lanes bend_t, limit_t, v3_t, v5_t;
+    directional_rate bend_t, limit_t, v3_t, v5_t;
     v1 = before - 2.0 * low + high;
-    EACH_LANE each(bend_t) = 0.5 * (each(before_t) - 2.0 * each(low_t) + each(high_t));
+    EACH_DIRECTION each(bend_t) = 0.5 * (each(before_t) - 2.0 * each(low_t) + each(high_t));
     bend = 0.5 * v1;
     v2 = fabs(low) + fabs(high);
-    EACH_LANE each(limit_t) = 0.5 * (derivative_rates__size_rate(low, each(low_t)) + derivative_rates__size_rate(high, each(high_t)));
+    EACH_DIRECTION each(limit_t) = 0.5 * (derivative_rates__size_rate(low, each(low_t)) + derivative_rates__size_rate(high, each(high_t)));
     limit = 0.5 * v2;
     v3 = bend;
-    EACH_LANE each(v3_t) = each(bend_t);
+    EACH_DIRECTION each(v3_t) = each(bend_t);
     if (limit < v3)
     {
         v3 = limit;
-        EACH_LANE each(v3_t) = each(limit_t);
+        EACH_DIRECTION each(v3_t) = each(limit_t);
     }
     v4 = -limit;
     v5 = v3;
-    EACH_LANE each(v5_t) = each(v3_t);
+    EACH_DIRECTION each(v5_t) = each(v3_t);
     if (v4 > v5)
     {
         v5 = v4;
-        EACH_LANE each(v5_t) = -each(limit_t);
+        EACH_DIRECTION each(v5_t) = -each(limit_t);
     }
-    EACH_LANE each(bend_t) = each(v5_t);
+    EACH_DIRECTION each(bend_t) = each(v5_t);
     bend = v5;
     *bend_out = bend;
-    EACH_LANE each(*bend_t_out) = each(bend_t);
+    EACH_DIRECTION each(*bend_t_out) = each(bend_t);
 }
 
 /* Derivative of ``quadratic_value``. */
-static inline void derivative_quadrature__quadratic_value_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t)
+static inline void derivative_quadrature__quadratic_value_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double x, directional_rate x_t)
 {
     double v1, bend, v2;
-    lanes v1_t, bend_t;
+    directional_rate v1_t, bend_t;
     derivative_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    EACH_LANE each(bend_t) = each(v1_t);
+    EACH_DIRECTION each(bend_t) = each(v1_t);
     bend = v1;
     v2 = high - low - bend + x * bend;
     *out_0 = low + x * v2;
-    EACH_LANE each(*out_1) = each(low_t) + (each(x_t) * v2 + x * (each(high_t) - each(low_t) - each(bend_t) + (each(x_t) * bend + x * each(bend_t))));
+    EACH_DIRECTION each(*out_1) = each(low_t) + (each(x_t) * v2 + x * (each(high_t) - each(low_t) - each(bend_t) + (each(x_t) * bend + x * each(bend_t))));
 }
 
 /* Derivative of ``cell_part``. */
-static inline void derivative_quadrature__cell_part_t(double* start_out, lanes* start_t_out, double* stop_out, lanes* stop_t_out, double d_before, lanes d_before_t, double d_low, lanes d_low_t, double d_high, lanes d_high_t)
+static inline void derivative_quadrature__cell_part_t(double* start_out, directional_rate* start_t_out, double* stop_out, directional_rate* stop_t_out, double d_before, directional_rate d_before_t, double d_low, directional_rate d_low_t, double d_high, directional_rate d_high_t)
 {
-    lanes start_t, stop_t, v1_t, bend_t, slope_t, v3_t, spread_t, root_t;
+    directional_rate start_t, stop_t, v1_t, bend_t, slope_t, v3_t, spread_t, root_t;
     double start, stop, v1, bend, slope, v2, v3, spread, v4, root, v5, v6, v7, v8, v9, v10, v11;
-    start_t = all_lanes(0.0);
+    start_t = along_all(0.0);
     start = 0.0;
-    stop_t = all_lanes(0.0);
+    stop_t = along_all(0.0);
     stop = 1.0;
     if (d_low <= 0.0 && d_high <= 0.0)
     {
-        stop_t = all_lanes(0.0);
+        stop_t = along_all(0.0);
         stop = 0.0;
     }
     else if (d_low <= 0.0 || d_high <= 0.0)
     {
         derivative_quadrature__bend_of_t(&v1, &v1_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
-        EACH_LANE each(bend_t) = each(v1_t);
+        EACH_DIRECTION each(bend_t) = each(v1_t);
         bend = v1;
-        EACH_LANE each(slope_t) = each(d_high_t) - each(d_low_t) - each(bend_t);
+        EACH_DIRECTION each(slope_t) = each(d_high_t) - each(d_low_t) - each(bend_t);
         slope = d_high - d_low - bend;
         v2 = 4.0 * bend;
         v3 = slope * slope - v2 * d_low;
-        EACH_LANE each(v3_t) = each(slope_t) * slope + slope * each(slope_t) - (4.0 * each(bend_t) * d_low + v2 * each(d_low_t));
+        EACH_DIRECTION each(v3_t) = each(slope_t) * slope + slope * each(slope_t) - (4.0 * each(bend_t) * d_low + v2 * each(d_low_t));
         if (0.0 > v3)
         {
             v3 = 0.0;
-            v3_t = all_lanes(0.0);
+            v3_t = along_all(0.0);
         }
-        EACH_LANE each(spread_t) = each(v3_t);
+        EACH_DIRECTION each(spread_t) = each(v3_t);
         spread = v3;
         v4 = sqrt(spread);
-        EACH_LANE each(spread_t) = derivative_rates__root_rate(v4, each(spread_t));
+        EACH_DIRECTION each(spread_t) = derivative_rates__root_rate(v4, each(spread_t));
         spread = v4;
-        root_t = all_lanes(0.0);
+        root_t = along_all(0.0);
         root = 0.0;
         if (d_low > 0.0)
         {
             v5 = 2.0 * d_low;
             v6 = spread - slope;
             v7 = v5 / v6;
-            EACH_LANE each(root_t) = (2.0 * each(d_low_t) - v7 * (each(spread_t) - each(slope_t))) / v6;
+            EACH_DIRECTION each(root_t) = (2.0 * each(d_low_t) - v7 * (each(spread_t) - each(slope_t))) / v6;
             root = v7;
-            EACH_LANE each(stop_t) = each(root_t);
+            EACH_DIRECTION each(stop_t) = each(root_t);
             stop = root;
         }
         else
@@ -742,100 +742,100 @@ static inline void derivative_quadrature__cell_part_t(double* start_out, lanes* 
             v9 = v8 * d_low;
             v10 = spread + slope;
             v11 = v9 / v10;
-            EACH_LANE each(root_t) = (v8 * each(d_low_t) - v11 * (each(spread_t) + each(slope_t))) / v10;
+            EACH_DIRECTION each(root_t) = (v8 * each(d_low_t) - v11 * (each(spread_t) + each(slope_t))) / v10;
             root = v11;
-            EACH_LANE each(start_t) = each(root_t);
+            EACH_DIRECTION each(start_t) = each(root_t);
             start = root;
         }
     }
     *start_out = start;
-    EACH_LANE each(*start_t_out) = each(start_t);
+    EACH_DIRECTION each(*start_t_out) = each(start_t);
     *stop_out = stop;
-    EACH_LANE each(*stop_t_out) = each(stop_t);
+    EACH_DIRECTION each(*stop_t_out) = each(stop_t);
 }
 
 /* Derivative of ``quadratic_integral``. */
-static inline void derivative_quadrature__quadratic_integral_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double stop, lanes stop_t)
+static inline void derivative_quadrature__quadratic_integral_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double stop, directional_rate stop_t)
 {
     double v1, bend, slope, v2, v3, v4;
-    lanes v1_t, bend_t, slope_t;
+    directional_rate v1_t, bend_t, slope_t;
     derivative_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    EACH_LANE each(bend_t) = each(v1_t);
+    EACH_DIRECTION each(bend_t) = each(v1_t);
     bend = v1;
-    EACH_LANE each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
+    EACH_DIRECTION each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
     slope = high - low - bend;
     v2 = stop * bend;
     v3 = slope / 2.0 + v2 / 3.0;
     v4 = low + stop * v3;
     *out_0 = stop * v4;
-    EACH_LANE each(*out_1) = each(stop_t) * v4 + stop * (each(low_t) + (each(stop_t) * v3 + stop * (each(slope_t) / 2.0 + (each(stop_t) * bend + stop * each(bend_t)) / 3.0)));
+    EACH_DIRECTION each(*out_1) = each(stop_t) * v4 + stop * (each(low_t) + (each(stop_t) * v3 + stop * (each(slope_t) / 2.0 + (each(stop_t) * bend + stop * each(bend_t)) / 3.0)));
 }
 
 /* Derivative of ``quadratic_moment``. */
-static inline void derivative_quadrature__quadratic_moment_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double stop, lanes stop_t)
+static inline void derivative_quadrature__quadratic_moment_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double stop, directional_rate stop_t)
 {
     double v1, bend, slope, v2, v3, v4, v5;
-    lanes v1_t, bend_t, slope_t;
+    directional_rate v1_t, bend_t, slope_t;
     derivative_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    EACH_LANE each(bend_t) = each(v1_t);
+    EACH_DIRECTION each(bend_t) = each(v1_t);
     bend = v1;
-    EACH_LANE each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
+    EACH_DIRECTION each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
     slope = high - low - bend;
     v2 = stop * stop;
     v3 = stop * bend;
     v4 = slope / 3.0 + v3 / 4.0;
     v5 = low / 2.0 + stop * v4;
     *out_0 = v2 * v5;
-    EACH_LANE each(*out_1) = (each(stop_t) * stop + stop * each(stop_t)) * v5 + v2 * (each(low_t) / 2.0 + (each(stop_t) * v4 + stop * (each(slope_t) / 3.0 + (each(stop_t) * bend + stop * each(bend_t)) / 4.0)));
+    EACH_DIRECTION each(*out_1) = (each(stop_t) * stop + stop * each(stop_t)) * v5 + v2 * (each(low_t) / 2.0 + (each(stop_t) * v4 + stop * (each(slope_t) / 3.0 + (each(stop_t) * bend + stop * each(bend_t)) / 4.0)));
 }
 
 /* Derivative of ``root_integral``. */
-static inline void derivative_quadrature__root_integral_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double start, lanes start_t, double stop, lanes stop_t)
+static inline void derivative_quadrature__root_integral_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double start, directional_rate start_t, double stop, directional_rate stop_t)
 {
     double v1, bend, slope, v2, v3, first, v4, last, v5, p, v6, q, total, width, v7, v8, v9, v10, chord, v11, cube, v12, v13, v14, v15, v16, v17, v18, v19, v20;
-    lanes v1_t, bend_t, slope_t, v2_t, v3_t, first_t, v4_t, last_t, p_t, q_t, total_t, width_t, chord_t, cube_t;
+    directional_rate v1_t, bend_t, slope_t, v2_t, v3_t, first_t, v4_t, last_t, p_t, q_t, total_t, width_t, chord_t, cube_t;
     derivative_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    EACH_LANE each(bend_t) = each(v1_t);
+    EACH_DIRECTION each(bend_t) = each(v1_t);
     bend = v1;
-    EACH_LANE each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
+    EACH_DIRECTION each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
     slope = high - low - bend;
     if (bend < -quadrature__STRAIGHT * (fabs(low) + fabs(high)))
     {
         derivative_quadrature__bent_integral_t(&v2, &v2_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t, stop, stop_t);
         *out_0 = v2;
-        EACH_LANE each(*out_1) = each(v2_t);
+        EACH_DIRECTION each(*out_1) = each(v2_t);
         return;
     }
     derivative_quadrature__quadratic_at_t(&v3, &v3_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t);
-    EACH_LANE each(first_t) = each(v3_t);
+    EACH_DIRECTION each(first_t) = each(v3_t);
     first = v3;
     derivative_quadrature__quadratic_at_t(&v4, &v4_t, low, low_t, slope, slope_t, bend, bend_t, stop, stop_t);
-    EACH_LANE each(last_t) = each(v4_t);
+    EACH_DIRECTION each(last_t) = each(v4_t);
     last = v4;
     v5 = sqrt(first);
-    EACH_LANE each(p_t) = derivative_rates__root_rate(v5, each(first_t));
+    EACH_DIRECTION each(p_t) = derivative_rates__root_rate(v5, each(first_t));
     p = v5;
     v6 = sqrt(last);
-    EACH_LANE each(q_t) = derivative_rates__root_rate(v6, each(last_t));
+    EACH_DIRECTION each(q_t) = derivative_rates__root_rate(v6, each(last_t));
     q = v6;
-    EACH_LANE each(total_t) = each(p_t) + each(q_t);
+    EACH_DIRECTION each(total_t) = each(p_t) + each(q_t);
     total = p + q;
     if (!(total > 0.0))
     {
         *out_0 = 0.0;
-        *out_1 = all_lanes(0.0);
+        *out_1 = along_all(0.0);
         return;
     }
-    EACH_LANE each(width_t) = each(stop_t) - each(start_t);
+    EACH_DIRECTION each(width_t) = each(stop_t) - each(start_t);
     width = stop - start;
     v7 = 2.0 / 3.0;
     v8 = first + p * q + last;
     v9 = v7 * v8;
     v10 = v9 / total;
-    EACH_LANE each(chord_t) = (v7 * (each(first_t) + (each(p_t) * q + p * each(q_t)) + each(last_t)) - v10 * each(total_t)) / total;
+    EACH_DIRECTION each(chord_t) = (v7 * (each(first_t) + (each(p_t) * q + p * each(q_t)) + each(last_t)) - v10 * each(total_t)) / total;
     chord = v10;
     v11 = total * total;
-    EACH_LANE each(cube_t) = (each(total_t) * total + total * each(total_t)) * total + v11 * each(total_t);
+    EACH_DIRECTION each(cube_t) = (each(total_t) * total + total * each(total_t)) * total + v11 * each(total_t);
     cube = v11 * total;
     v12 = 2.0 / 15.0;
     v13 = v12 * bend;
@@ -847,88 +847,88 @@ static inline void derivative_quadrature__root_integral_t(double* out_0, lanes* 
     v19 = v18 / cube;
     v20 = chord - v19;
     *out_0 = width * v20;
-    EACH_LANE each(*out_1) = each(width_t) * v20 + width * (each(chord_t) - (((v12 * each(bend_t) * width + v13 * each(width_t)) * width + v14 * each(width_t)) * v17 + v15 * (each(first_t) + (3.0 * each(p_t) * q + v16 * each(q_t)) + each(last_t)) - v19 * each(cube_t)) / cube);
+    EACH_DIRECTION each(*out_1) = each(width_t) * v20 + width * (each(chord_t) - (((v12 * each(bend_t) * width + v13 * each(width_t)) * width + v14 * each(width_t)) * v17 + v15 * (each(first_t) + (3.0 * each(p_t) * q + v16 * each(q_t)) + each(last_t)) - v19 * each(cube_t)) / cube);
 }
 
 /* Derivative of ``quadratic_at``. */
-static inline void derivative_quadrature__quadratic_at_t(double* value_out, lanes* value_t_out, double low, lanes low_t, double slope, lanes slope_t, double bend, lanes bend_t, double x, lanes x_t)
+static inline void derivative_quadrature__quadratic_at_t(double* value_out, directional_rate* value_t_out, double low, directional_rate low_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t, double x, directional_rate x_t)
 {
     double v1, v2, value;
-    lanes v2_t, value_t;
+    directional_rate v2_t, value_t;
     v1 = slope + x * bend;
     v2 = low + x * v1;
-    EACH_LANE each(v2_t) = each(low_t) + (each(x_t) * v1 + x * (each(slope_t) + (each(x_t) * bend + x * each(bend_t))));
+    EACH_DIRECTION each(v2_t) = each(low_t) + (each(x_t) * v1 + x * (each(slope_t) + (each(x_t) * bend + x * each(bend_t))));
     if (0.0 > v2)
     {
         v2 = 0.0;
-        v2_t = all_lanes(0.0);
+        v2_t = along_all(0.0);
     }
-    EACH_LANE each(value_t) = each(v2_t);
+    EACH_DIRECTION each(value_t) = each(v2_t);
     value = v2;
     *value_out = value;
-    EACH_LANE each(*value_t_out) = each(value_t);
+    EACH_DIRECTION each(*value_t_out) = each(value_t);
 }
 
 /* Derivative of ``bent_integral``. */
-static inline void derivative_quadrature__bent_integral_t(double* out_0, lanes* out_1, double low, lanes low_t, double slope, lanes slope_t, double bend, lanes bend_t, double start, lanes start_t, double stop, lanes stop_t)
+static inline void derivative_quadrature__bent_integral_t(double* out_0, directional_rate* out_1, double low, directional_rate low_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t, double start, directional_rate start_t, double stop, directional_rate stop_t)
 {
     double v1, first, v2, last, v3, spread, v4, first_root, v5, last_root, v6, first_rate, v7, last_rate, v8, v9, across, v10, height, v11, height_before, up, along, angle, v13, v12, v14, v15, v16, v17, v18, v19, v20, v21;
-    lanes v1_t, first_t, v2_t, last_t, spread_t, first_root_t, last_root_t, first_rate_t, last_rate_t, across_t, height_t, height_before_t, up_t, along_t, angle_t, v12_t, v14_t, rates;
+    directional_rate v1_t, first_t, v2_t, last_t, spread_t, first_root_t, last_root_t, first_rate_t, last_rate_t, across_t, height_t, height_before_t, up_t, along_t, angle_t, v12_t, v14_t, rates;
     derivative_quadrature__quadratic_at_t(&v1, &v1_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t);
-    EACH_LANE each(first_t) = each(v1_t);
+    EACH_DIRECTION each(first_t) = each(v1_t);
     first = v1;
     derivative_quadrature__quadratic_at_t(&v2, &v2_t, low, low_t, slope, slope_t, bend, bend_t, stop, stop_t);
-    EACH_LANE each(last_t) = each(v2_t);
+    EACH_DIRECTION each(last_t) = each(v2_t);
     last = v2;
     v3 = 4.0 * bend;
-    EACH_LANE each(spread_t) = each(slope_t) * slope + slope * each(slope_t) - (4.0 * each(bend_t) * low + v3 * each(low_t));
+    EACH_DIRECTION each(spread_t) = each(slope_t) * slope + slope * each(slope_t) - (4.0 * each(bend_t) * low + v3 * each(low_t));
     spread = slope * slope - v3 * low;
     if (!(spread > 0.0))
     {
         *out_0 = 0.0;
-        *out_1 = all_lanes(0.0);
+        *out_1 = along_all(0.0);
         return;
     }
     v4 = sqrt(first);
-    EACH_LANE each(first_root_t) = derivative_rates__root_rate(v4, each(first_t));
+    EACH_DIRECTION each(first_root_t) = derivative_rates__root_rate(v4, each(first_t));
     first_root = v4;
     v5 = sqrt(last);
-    EACH_LANE each(last_root_t) = derivative_rates__root_rate(v5, each(last_t));
+    EACH_DIRECTION each(last_root_t) = derivative_rates__root_rate(v5, each(last_t));
     last_root = v5;
     v6 = 2.0 * bend;
-    EACH_LANE each(first_rate_t) = 2.0 * each(bend_t) * start + v6 * each(start_t) + each(slope_t);
+    EACH_DIRECTION each(first_rate_t) = 2.0 * each(bend_t) * start + v6 * each(start_t) + each(slope_t);
     first_rate = v6 * start + slope;
     v7 = 2.0 * bend;
-    EACH_LANE each(last_rate_t) = 2.0 * each(bend_t) * stop + v7 * each(stop_t) + each(slope_t);
+    EACH_DIRECTION each(last_rate_t) = 2.0 * each(bend_t) * stop + v7 * each(stop_t) + each(slope_t);
     last_rate = v7 * stop + slope;
     v8 = -bend;
     v9 = sqrt(v8);
-    EACH_LANE each(across_t) = derivative_rates__root_rate(v9, -each(bend_t));
+    EACH_DIRECTION each(across_t) = derivative_rates__root_rate(v9, -each(bend_t));
     across = v9;
     v10 = 2.0 * across;
-    EACH_LANE each(height_t) = 2.0 * each(across_t) * last_root + v10 * each(last_root_t);
+    EACH_DIRECTION each(height_t) = 2.0 * each(across_t) * last_root + v10 * each(last_root_t);
     height = v10 * last_root;
     v11 = 2.0 * across;
-    EACH_LANE each(height_before_t) = 2.0 * each(across_t) * first_root + v11 * each(first_root_t);
+    EACH_DIRECTION each(height_before_t) = 2.0 * each(across_t) * first_root + v11 * each(first_root_t);
     height_before = v11 * first_root;
-    EACH_LANE each(up_t) = each(height_t) * first_rate + height * each(first_rate_t) - (each(height_before_t) * last_rate + height_before * each(last_rate_t));
+    EACH_DIRECTION each(up_t) = each(height_t) * first_rate + height * each(first_rate_t) - (each(height_before_t) * last_rate + height_before * each(last_rate_t));
     up = height * first_rate - height_before * last_rate;
-    EACH_LANE each(along_t) = each(height_t) * height_before + height * each(height_before_t) + (each(last_rate_t) * first_rate + last_rate * each(first_rate_t));
+    EACH_DIRECTION each(along_t) = each(height_t) * height_before + height * each(height_before_t) + (each(last_rate_t) * first_rate + last_rate * each(first_rate_t));
     along = height * height_before + last_rate * first_rate;
-    angle_t = all_lanes(0.0);
+    angle_t = along_all(0.0);
     angle = 0.0;
     if (along > fabs(up))
     {
         v13 = up / along;
-        EACH_LANE each(rates) = (each(up_t) - v13 * each(along_t)) / along;
+        EACH_DIRECTION each(rates) = (each(up_t) - v13 * each(along_t)) / along;
         derivative_circle__atan_rule_t(&v12, &v12_t, v13, rates);
-        EACH_LANE each(angle_t) = each(v12_t);
+        EACH_DIRECTION each(angle_t) = each(v12_t);
         angle = v12;
     }
     else
     {
         derivative_circle__atan2_rule_t(&v14, &v14_t, up, up_t, along, along_t);
-        EACH_LANE each(angle_t) = each(v14_t);
+        EACH_DIRECTION each(angle_t) = each(v14_t);
         angle = v14;
     }
     v15 = last_rate * last_root - first_rate * first_root;
@@ -939,5 +939,5 @@ static inline void derivative_quadrature__bent_integral_t(double* out_0, lanes* 
     v20 = v19 * across;
     v21 = spread / v20;
     *out_0 = v17 + v21 * angle;
-    EACH_LANE each(*out_1) = (each(last_rate_t) * last_root + last_rate * each(last_root_t) - (each(first_rate_t) * first_root + first_rate * each(first_root_t)) - v17 * (4.0 * each(bend_t))) / v16 + ((each(spread_t) - v21 * (8.0 * -each(bend_t) * across + v19 * each(across_t))) / v20 * angle + v21 * each(angle_t));
+    EACH_DIRECTION each(*out_1) = (each(last_rate_t) * last_root + last_rate * each(last_root_t) - (each(first_rate_t) * first_root + first_rate * each(first_root_t)) - v17 * (4.0 * each(bend_t))) / v16 + ((each(spread_t) - v21 * (8.0 * -each(bend_t) * across + v19 * each(across_t))) / v20 * angle + v21 * each(angle_t));
 }

@@ -8,13 +8,13 @@
  */
 
 /* Derivative of ``place_both``. */
-static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t)
+static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t inputs, double roll, directional_rate roll_t)
 {
-    lanes rates;
-    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_LATERAL_SHIFT), RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_SHIFT), AT(work, inputs + layout__INPUTS_YAW), RATE_AT(work_t, inputs + layout__INPUTS_YAW), roll, roll_t, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), all_lanes(0.0), AT(tables, layout__TABLES_HEIGHT), all_lanes(0.0), AT(tables, layout__TABLES_ARM), all_lanes(0.0));
-    derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), all_lanes(0.0));
+    directional_rate rates;
+    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_LATERAL_SHIFT), RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_SHIFT), AT(work, inputs + layout__INPUTS_YAW), RATE_AT(work_t, inputs + layout__INPUTS_YAW), roll, roll_t, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RADIUS), along_all(0.0), AT(tables, layout__TABLES_HEIGHT), along_all(0.0), AT(tables, layout__TABLES_ARM), along_all(0.0));
+    derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS), along_all(0.0));
     derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
-    EACH_LANE each(rates) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
+    EACH_DIRECTION each(rates) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
     derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL), rates, AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL), RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
     if (rails__on_springs(tables))
     {
@@ -29,18 +29,18 @@ static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_
 }
 
 /* Derivative of ``roll_rails``. */
-static inline int64_t derivative_roll__roll_rails_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t)
+static inline int64_t derivative_roll__roll_rails_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t inputs, double roll, directional_rate roll_t)
 {
-    lanes rates;
-    derivative_rails__roll_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RAIL_Y), all_lanes(0.0), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL));
-    EACH_LANE each(rates) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL));
-    derivative_rails__roll_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y), all_lanes(0.0), -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL), rates);
+    directional_rate rates;
+    derivative_rails__roll_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * 1 + layout__PAIR_RAIL_Y), along_all(0.0), AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL), RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL));
+    EACH_DIRECTION each(rates) = -each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL));
+    derivative_rails__roll_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, AT(tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y), along_all(0.0), -AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL), rates);
     derivative_roll__turn_both_t(work, work_t, roll, roll_t);
     return 0;
 }
 
 /* Derivative of ``turn_both``. */
-static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
+static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_directional_rate_1d work_t, double roll, directional_rate roll_t)
 {
     if (AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING) == 1.0)
     {
@@ -58,11 +58,11 @@ static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_l
 }
 
 /* Derivative of ``restore_yaw``. */
-static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t place)
+static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place)
 {
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW));
     AT(work, place + layout__PLACE_SIN_YAW) = AT(work, place + layout__PLACE_TRACK_SIN_YAW);
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW));
     AT(work, place + layout__PLACE_COS_YAW) = AT(work, place + layout__PLACE_TRACK_COS_YAW);
     return 0;
 }

@@ -8,61 +8,61 @@
  */
 
 /* Derivative of ``profile_curvature``. */
-static inline void derivative_curvature__profile_curvature_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double y, lanes y_t)
+static inline void derivative_curvature__profile_curvature_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, double y, directional_rate y_t)
 {
     double v1, share, before, v2;
     int64_t cell;
-    lanes share_t, rates;
+    directional_rate share_t, rates;
     v1 = y - AT(tables, table + layout__CURVATURE_TABLE_START);
-    EACH_LANE each(rates) = each(y_t) * AT(tables, table + layout__CURVATURE_TABLE_PER_METRE);
-    derivative_tables__table_cell_t(&cell, &share, &share_t, v1 * AT(tables, table + layout__CURVATURE_TABLE_PER_METRE), rates, AT(tables, table + layout__CURVATURE_TABLE_COUNT) - 1.0, all_lanes(0.0));
+    EACH_DIRECTION each(rates) = each(y_t) * AT(tables, table + layout__CURVATURE_TABLE_PER_METRE);
+    derivative_tables__table_cell_t(&cell, &share, &share_t, v1 * AT(tables, table + layout__CURVATURE_TABLE_PER_METRE), rates, AT(tables, table + layout__CURVATURE_TABLE_COUNT) - 1.0, along_all(0.0));
     before = AT(tables, table + layout__CURVATURE_TABLE_CURVATURES + cell);
     v2 = AT(tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + 1)) - before;
     *out_0 = before + share * v2;
-    EACH_LANE each(*out_1) = each(share_t) * v2;
+    EACH_DIRECTION each(*out_1) = each(share_t) * v2;
 }
 
 /* Derivative of ``relative_curvature``. */
-static inline void derivative_curvature__relative_curvature_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double y, lanes y_t, double abscissa, lanes abscissa_t)
+static inline void derivative_curvature__relative_curvature_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t pair, double y, directional_rate y_t, double abscissa, directional_rate abscissa_t)
 {
     double v1, wheel, v2, rail, v3;
-    lanes v1_t, wheel_t, v2_t, rail_t;
+    directional_rate v1_t, wheel_t, v2_t, rail_t;
     derivative_curvature__profile_curvature_t(&v1, &v1_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL_CURVATURE), y, y_t);
-    EACH_LANE each(wheel_t) = each(v1_t);
+    EACH_DIRECTION each(wheel_t) = each(v1_t);
     wheel = v1;
     derivative_curvature__profile_curvature_t(&v2, &v2_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL_CURVATURE), abscissa, abscissa_t);
-    EACH_LANE each(rail_t) = each(v2_t);
+    EACH_DIRECTION each(rail_t) = each(v2_t);
     rail = v2;
     v3 = wheel + rail;
     *out_0 = 0.5 * v3;
-    EACH_LANE each(*out_1) = 0.5 * (each(wheel_t) + each(rail_t));
+    EACH_DIRECTION each(*out_1) = 0.5 * (each(wheel_t) + each(rail_t));
 }
 
 /* Derivative of ``longitudinal_curvature``. */
-static inline void derivative_curvature__longitudinal_curvature_t(double* v2_out, lanes* v2_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+static inline void derivative_curvature__longitudinal_curvature_t(double* v2_out, directional_rate* v2_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t place, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t)
 {
     double v1, v2;
-    lanes v1_t, v2_t;
+    directional_rate v1_t, v2_t;
     if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) != layout__LONGITUDINAL_EFFECTIVE)
     {
         derivative_curvature__other_curvature_t(&v1, &v1_t, work, work_t, tables, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         *v2_out = v1;
-        EACH_LANE each(*v2_t_out) = each(v1_t);
+        EACH_DIRECTION each(*v2_t_out) = each(v1_t);
         return;
     }
     derivative_curvature__effective_curvature_t(&v2, &v2_t, work, work_t, place, z, z_t, slope, slope_t, bend, bend_t);
     *v2_out = v2;
-    EACH_LANE each(*v2_t_out) = each(v2_t);
+    EACH_DIRECTION each(*v2_t_out) = each(v2_t);
 }
 
 /* Derivative of ``effective_curvature``. */
-static inline void derivative_curvature__effective_curvature_t(double* curvature_out, lanes* curvature_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+static inline void derivative_curvature__effective_curvature_t(double* curvature_out, directional_rate* curvature_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t)
 {
-    lanes r_t, curvature_t, sin_phi_t, cos_phi_t, e1_t, e2_t, e3_t, around_t, steep_t, v14_t;
+    directional_rate r_t, curvature_t, sin_phi_t, cos_phi_t, e1_t, e2_t, e3_t, around_t, steep_t, v14_t;
     double r, curvature, v1, v2, v3, v4, sin_phi, cos_phi, e1, e2, e3, around, v5, v6, steep, v7, v8, v9, v10, v11, v12, v13, v14;
-    EACH_LANE each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
+    EACH_DIRECTION each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
     r = AT(work, place + layout__PLACE_RADIUS) + z;
-    curvature_t = all_lanes(0.0);
+    curvature_t = along_all(0.0);
     curvature = 0.0;
     if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
@@ -70,23 +70,23 @@ static inline void derivative_curvature__effective_curvature_t(double* curvature
         v2 = sqrt(v1);
         v3 = r * v2;
         v4 = 1.0 / v3;
-        EACH_LANE each(curvature_t) = -v4 * (each(r_t) * v2 + r * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t))) / v3;
+        EACH_DIRECTION each(curvature_t) = -v4 * (each(r_t) * v2 + r * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t))) / v3;
         curvature = v4;
     }
     else
     {
         derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-        EACH_LANE each(e1_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
+        EACH_DIRECTION each(e1_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
         e1 = AT(work, place + layout__PLACE_COS_YAW);
-        EACH_LANE each(e2_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * AT(work, place + layout__PLACE_COS_ROLL) + AT(work, place + layout__PLACE_SIN_YAW) * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
+        EACH_DIRECTION each(e2_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * AT(work, place + layout__PLACE_COS_ROLL) + AT(work, place + layout__PLACE_SIN_YAW) * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
         e2 = AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_COS_ROLL);
-        EACH_LANE each(e3_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * AT(work, place + layout__PLACE_SIN_ROLL) + AT(work, place + layout__PLACE_SIN_YAW) * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
+        EACH_DIRECTION each(e3_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * AT(work, place + layout__PLACE_SIN_ROLL) + AT(work, place + layout__PLACE_SIN_YAW) * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
         e3 = AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_SIN_ROLL);
-        EACH_LANE each(around_t) = each(e1_t) * cos_phi + e1 * each(cos_phi_t) - (each(e3_t) * sin_phi + e3 * each(sin_phi_t));
+        EACH_DIRECTION each(around_t) = each(e1_t) * cos_phi + e1 * each(cos_phi_t) - (each(e3_t) * sin_phi + e3 * each(sin_phi_t));
         around = e1 * cos_phi - e3 * sin_phi;
         v5 = 1.0 + slope * slope;
         v6 = sqrt(v5);
-        EACH_LANE each(steep_t) = derivative_rates__root_rate(v6, each(slope_t) * slope + slope * each(slope_t));
+        EACH_DIRECTION each(steep_t) = derivative_rates__root_rate(v6, each(slope_t) * slope + slope * each(slope_t));
         steep = v6;
         v7 = around * around;
         v8 = v7 / r;
@@ -96,43 +96,43 @@ static inline void derivative_curvature__effective_curvature_t(double* curvature
         v12 = r * steep;
         v13 = curvature__CURVATURE_FLOOR / v12;
         v14 = v11;
-        EACH_LANE each(v14_t) = ((each(around_t) * around + around * each(around_t) - v8 * each(r_t)) / r - ((each(bend_t) * e2 + bend * each(e2_t)) * e2 + v9 * each(e2_t)) - v11 * each(steep_t)) / steep;
+        EACH_DIRECTION each(v14_t) = ((each(around_t) * around + around * each(around_t) - v8 * each(r_t)) / r - ((each(bend_t) * e2 + bend * each(e2_t)) * e2 + v9 * each(e2_t)) - v11 * each(steep_t)) / steep;
         if (v13 > v14)
         {
             v14 = v13;
-            EACH_LANE each(v14_t) = -v13 * (each(r_t) * steep + r * each(steep_t)) / v12;
+            EACH_DIRECTION each(v14_t) = -v13 * (each(r_t) * steep + r * each(steep_t)) / v12;
         }
-        EACH_LANE each(curvature_t) = each(v14_t);
+        EACH_DIRECTION each(curvature_t) = each(v14_t);
         curvature = v14;
     }
     *curvature_out = curvature;
-    EACH_LANE each(*curvature_t_out) = each(curvature_t);
+    EACH_DIRECTION each(*curvature_t_out) = each(curvature_t);
 }
 
 /* Derivative of ``other_curvature``. */
-static inline void derivative_curvature__other_curvature_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+static inline void derivative_curvature__other_curvature_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t place, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t)
 {
     double v1, v2, v3, v4;
-    lanes v3_t, v4_t;
+    directional_rate v3_t, v4_t;
     if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) == layout__LONGITUDINAL_BASIC)
     {
         v1 = AT(work, place + layout__PLACE_RADIUS) + z;
         v2 = 1.0 / v1;
         *out_0 = v2;
-        EACH_LANE each(*out_1) = -v2 * (each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t)) / v1;
+        EACH_DIRECTION each(*out_1) = -v2 * (each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t)) / v1;
         return;
     }
     derivative_curvature__effective_curvature_t(&v3, &v3_t, work, work_t, place, z, z_t, slope, slope_t, bend, bend_t);
     derivative_curvature__rail_bend_t(&v4, &v4_t, tables, y, y_t);
     *out_0 = v3 + v4;
-    EACH_LANE each(*out_1) = each(v3_t) + each(v4_t);
+    EACH_DIRECTION each(*out_1) = each(v3_t) + each(v4_t);
 }
 
 /* Derivative of ``rail_bend``. */
-static inline void derivative_curvature__rail_bend_t(double* out_0, lanes* out_1, array_double_1d tables, double y, lanes y_t)
+static inline void derivative_curvature__rail_bend_t(double* out_0, directional_rate* out_1, array_double_1d tables, double y, directional_rate y_t)
 {
     int64_t low, high, middle, before, behind;
-    lanes share_t, v3_t, v4_t;
+    directional_rate share_t, v3_t, v4_t;
     double share, v1, v2, v3, v4, v5;
     low = (int64_t)AT(tables, layout__TABLES_VALLEY_FIRST);
     high = (int64_t)AT(tables, layout__TABLES_VALLEY_LAST);
@@ -150,32 +150,32 @@ static inline void derivative_curvature__rail_bend_t(double* out_0, lanes* out_1
     }
     before = (int64_t)AT(tables, layout__TABLES_VALLEY) + layout__VALLEY_NODE_SIZE * low;
     behind = (int64_t)AT(tables, layout__TABLES_VALLEY) + layout__VALLEY_NODE_SIZE * high;
-    share_t = all_lanes(0.0);
+    share_t = along_all(0.0);
     share = 0.0;
     if (AT(tables, behind + layout__VALLEY_NODE_WHEEL) > AT(tables, before + layout__VALLEY_NODE_WHEEL))
     {
         v1 = y - AT(tables, before + layout__VALLEY_NODE_WHEEL);
         v2 = AT(tables, behind + layout__VALLEY_NODE_WHEEL) - AT(tables, before + layout__VALLEY_NODE_WHEEL);
         v3 = v1 / v2;
-        EACH_LANE each(v3_t) = each(y_t) / v2;
+        EACH_DIRECTION each(v3_t) = each(y_t) / v2;
         if (0.0 > v3)
         {
             v3 = 0.0;
-            v3_t = all_lanes(0.0);
+            v3_t = along_all(0.0);
         }
         v4 = v3;
-        EACH_LANE each(v4_t) = each(v3_t);
+        EACH_DIRECTION each(v4_t) = each(v3_t);
         if (1.0 < v4)
         {
             v4 = 1.0;
-            v4_t = all_lanes(0.0);
+            v4_t = along_all(0.0);
         }
-        EACH_LANE each(share_t) = each(v4_t);
+        EACH_DIRECTION each(share_t) = each(v4_t);
         share = v4;
     }
     v5 = AT(tables, behind + layout__VALLEY_NODE_BEND) - AT(tables, before + layout__VALLEY_NODE_BEND);
     *out_0 = AT(tables, before + layout__VALLEY_NODE_BEND) + share * v5;
-    EACH_LANE each(*out_1) = each(share_t) * v5;
+    EACH_DIRECTION each(*out_1) = each(share_t) * v5;
 }
 
 
@@ -185,54 +185,54 @@ static inline void derivative_curvature__rail_bend_t(double* out_0, lanes* out_1
  */
 
 /* Derivative of ``vertical_gap``. */
-static inline void derivative_gap__vertical_gap_t(double* out_0, lanes* out_1, double* mismatch_out, lanes* mismatch_t_out, double* out_4, lanes* out_5, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t)
+static inline void derivative_gap__vertical_gap_t(double* out_0, directional_rate* out_1, double* mismatch_out, directional_rate* mismatch_t_out, double* out_4, directional_rate* out_5, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double y, directional_rate y_t)
 {
     double z, slope, bend, y_track, z_track, outline_slope, stretch, outline_rate, z_rail, rail_slope, rail_bend, mismatch;
-    lanes z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, outline_rate_t, z_rail_t, rail_slope_t, rail_bend_t, mismatch_t;
+    directional_rate z_t, slope_t, bend_t, y_track_t, z_track_t, outline_slope_t, stretch_t, outline_rate_t, z_rail_t, rail_slope_t, rail_bend_t, mismatch_t;
     derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
     derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
     derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), y_track - AT(tables, pair + layout__PAIR_RAIL_Y), y_track_t);
-    EACH_LANE each(mismatch_t) = each(rail_slope_t) - each(outline_slope_t);
+    EACH_DIRECTION each(mismatch_t) = each(rail_slope_t) - each(outline_slope_t);
     mismatch = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
-        mismatch_t = all_lanes(0.0);
+        mismatch_t = along_all(0.0);
         mismatch = gap__FOLDED;
     }
     *out_0 = z_rail - z_track;
-    EACH_LANE each(*out_1) = each(z_rail_t) - each(z_track_t);
+    EACH_DIRECTION each(*out_1) = each(z_rail_t) - each(z_track_t);
     *mismatch_out = mismatch;
-    EACH_LANE each(*mismatch_t_out) = each(mismatch_t);
+    EACH_DIRECTION each(*mismatch_t_out) = each(mismatch_t);
     *out_4 = rail_bend * stretch - outline_rate;
-    EACH_LANE each(*out_5) = each(rail_bend_t) * stretch + rail_bend * each(stretch_t) - each(outline_rate_t);
+    EACH_DIRECTION each(*out_5) = each(rail_bend_t) * stretch + rail_bend * each(stretch_t) - each(outline_rate_t);
 }
 
 /* Derivative of ``gap_per_roll``. */
-static inline void derivative_gap__gap_per_roll_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t)
+static inline void derivative_gap__gap_per_roll_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double y, directional_rate y_t)
 {
     double z, slope, y_track, z_track, outline_slope, z_rail, rail_slope, sin_phi, cos_phi, arm, v1, height, sin_roll, cos_roll, v2, v3, lateral, vertical;
-    lanes z_t, slope_t, y_track_t, z_track_t, outline_slope_t, z_rail_t, rail_slope_t, sin_phi_t, cos_phi_t, arm_t, height_t, sin_roll_t, cos_roll_t, lateral_t, vertical_t;
+    directional_rate z_t, slope_t, y_track_t, z_track_t, outline_slope_t, z_rail_t, rail_slope_t, sin_phi_t, cos_phi_t, arm_t, height_t, sin_roll_t, cos_roll_t, lateral_t, vertical_t;
     derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
     derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t);
     derivative_tables__height_slope_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), y_track - AT(tables, pair + layout__PAIR_RAIL_Y), y_track_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-    EACH_LANE each(arm_t) = each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t);
+    EACH_DIRECTION each(arm_t) = each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t);
     arm = AT(work, place + layout__PLACE_ARM) + y;
     v1 = AT(work, place + layout__PLACE_RADIUS) + z;
-    EACH_LANE each(height_t) = (each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t)) * cos_phi + v1 * each(cos_phi_t);
+    EACH_DIRECTION each(height_t) = (each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t)) * cos_phi + v1 * each(cos_phi_t);
     height = v1 * cos_phi;
-    EACH_LANE each(sin_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_DIRECTION each(sin_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
     sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
-    EACH_LANE each(cos_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
+    EACH_DIRECTION each(cos_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
     cos_roll = AT(work, place + layout__PLACE_COS_ROLL);
     v2 = -AT(work, place + layout__PLACE_COS_YAW);
     v3 = arm * sin_roll + height * cos_roll;
-    EACH_LANE each(lateral_t) = -each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) * v3 + v2 * (each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(height_t) * cos_roll + height * each(cos_roll_t)));
+    EACH_DIRECTION each(lateral_t) = -each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) * v3 + v2 * (each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(height_t) * cos_roll + height * each(cos_roll_t)));
     lateral = v2 * v3;
-    EACH_LANE each(vertical_t) = each(arm_t) * cos_roll + arm * each(cos_roll_t) - (each(height_t) * sin_roll + height * each(sin_roll_t));
+    EACH_DIRECTION each(vertical_t) = each(arm_t) * cos_roll + arm * each(cos_roll_t) - (each(height_t) * sin_roll + height * each(sin_roll_t));
     vertical = arm * cos_roll - height * sin_roll;
     *out_0 = rail_slope * lateral - vertical;
-    EACH_LANE each(*out_1) = each(rail_slope_t) * lateral + rail_slope * each(lateral_t) - each(vertical_t);
+    EACH_DIRECTION each(*out_1) = each(rail_slope_t) * lateral + rail_slope * each(lateral_t) - each(vertical_t);
 }
 
 
@@ -242,372 +242,372 @@ static inline void derivative_gap__gap_per_roll_t(double* out_0, lanes* out_1, a
  */
 
 /* Derivative of ``place_wheelset``. */
-static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral_shift, lanes lateral_shift_t, double yaw, lanes yaw_t, double roll, lanes roll_t, double radius, lanes radius_t, double height, lanes height_t, double arm, lanes arm_t)
+static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double lateral_shift, directional_rate lateral_shift_t, double yaw, directional_rate yaw_t, double roll, directional_rate roll_t, double radius, directional_rate radius_t, double height, directional_rate height_t, double arm, directional_rate arm_t)
 {
     double sine, cosine;
-    lanes sine_t, cosine_t;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) = each(lateral_shift_t);
+    directional_rate sine_t, cosine_t;
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) = each(lateral_shift_t);
     AT(work, place + layout__PLACE_SHIFT) = lateral_shift;
-    RATE_AT(work_t, place + layout__PLACE_SIN_YAW) = all_lanes(0.0);
+    RATE_AT(work_t, place + layout__PLACE_SIN_YAW) = along_all(0.0);
     AT(work, place + layout__PLACE_SIN_YAW) = 0.0;
-    RATE_AT(work_t, place + layout__PLACE_COS_YAW) = all_lanes(0.0);
+    RATE_AT(work_t, place + layout__PLACE_COS_YAW) = along_all(0.0);
     AT(work, place + layout__PLACE_COS_YAW) = 1.0;
-    RATE_AT(work_t, place + layout__PLACE_YAWED) = all_lanes(0.0);
+    RATE_AT(work_t, place + layout__PLACE_YAWED) = along_all(0.0);
     AT(work, place + layout__PLACE_YAWED) = (double)false;
     if (yaw != 0.0)
     {
         derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
-        EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) = each(sine_t);
+        EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) = each(sine_t);
         AT(work, place + layout__PLACE_SIN_YAW) = sine;
-        EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) = each(cosine_t);
+        EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) = each(cosine_t);
         AT(work, place + layout__PLACE_COS_YAW) = cosine;
-        RATE_AT(work_t, place + layout__PLACE_YAWED) = all_lanes(0.0);
+        RATE_AT(work_t, place + layout__PLACE_YAWED) = along_all(0.0);
         AT(work, place + layout__PLACE_YAWED) = (double)true;
     }
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) = each(radius_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) = each(radius_t);
     AT(work, place + layout__PLACE_RADIUS) = radius;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) = each(height_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) = each(height_t);
     AT(work, place + layout__PLACE_HEIGHT) = height;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_ARM)) = each(arm_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_ARM)) = each(arm_t);
     AT(work, place + layout__PLACE_ARM) = arm;
-    RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL) = all_lanes(0.0);
+    RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL) = along_all(0.0);
     AT(work, place + layout__PLACE_RAIL_LATERAL) = 0.0;
-    RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL) = all_lanes(0.0);
+    RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL) = along_all(0.0);
     AT(work, place + layout__PLACE_RAIL_VERTICAL) = 0.0;
-    RATE_AT(work_t, place + layout__PLACE_LEANING) = all_lanes(0.0);
+    RATE_AT(work_t, place + layout__PLACE_LEANING) = along_all(0.0);
     AT(work, place + layout__PLACE_LEANING) = (double)false;
-    RATE_AT(work_t, place + layout__PLACE_RAIL_SIN) = all_lanes(0.0);
+    RATE_AT(work_t, place + layout__PLACE_RAIL_SIN) = along_all(0.0);
     AT(work, place + layout__PLACE_RAIL_SIN) = 0.0;
     derivative_locus__turn_wheelset_t(work, work_t, place, roll, roll_t);
     return 0;
 }
 
 /* Derivative of ``turn_wheelset``. */
-static inline int64_t derivative_locus__turn_wheelset_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double roll, lanes roll_t)
+static inline int64_t derivative_locus__turn_wheelset_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double roll, directional_rate roll_t)
 {
     double sine, cosine;
-    lanes sine_t, cosine_t;
+    directional_rate sine_t, cosine_t;
     derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, roll, roll_t);
     derivative_locus__set_roll_t(work, work_t, place, sine, sine_t, cosine, cosine_t);
     return 0;
 }
 
 /* Derivative of ``set_roll``. */
-static inline int64_t derivative_locus__set_roll_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double sin_roll, lanes sin_roll_t, double cos_roll, lanes cos_roll_t)
+static inline int64_t derivative_locus__set_roll_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double sin_roll, directional_rate sin_roll_t, double cos_roll, directional_rate cos_roll_t)
 {
-    lanes t_t, cos_t_t, w_per_slope_t, tan_yaw_t;
+    directional_rate t_t, cos_t_t, w_per_slope_t, tan_yaw_t;
     double t, cos_t, w_per_slope, v1, tan_yaw, v2, v3, v4, v5;
-    t_t = all_lanes(0.0);
+    t_t = along_all(0.0);
     t = 0.0;
-    cos_t_t = all_lanes(0.0);
+    cos_t_t = along_all(0.0);
     cos_t = 1.0;
-    w_per_slope_t = all_lanes(0.0);
+    w_per_slope_t = along_all(0.0);
     w_per_slope = 0.0;
     if (AT(work, place + layout__PLACE_YAWED) == 1.0)
     {
         v1 = AT(work, place + layout__PLACE_SIN_YAW) / AT(work, place + layout__PLACE_COS_YAW);
-        EACH_LANE each(tan_yaw_t) = (each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) - v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_YAW))) / AT(work, place + layout__PLACE_COS_YAW);
+        EACH_DIRECTION each(tan_yaw_t) = (each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) - v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_YAW))) / AT(work, place + layout__PLACE_COS_YAW);
         tan_yaw = v1;
-        EACH_LANE each(t_t) = each(tan_yaw_t) * sin_roll + tan_yaw * each(sin_roll_t);
+        EACH_DIRECTION each(t_t) = each(tan_yaw_t) * sin_roll + tan_yaw * each(sin_roll_t);
         t = tan_yaw * sin_roll;
         v2 = 1.0 + t * t;
         v3 = sqrt(v2);
         v4 = 1.0 / v3;
-        EACH_LANE each(cos_t_t) = -v4 * derivative_rates__root_rate(v3, each(t_t) * t + t * each(t_t)) / v3;
+        EACH_DIRECTION each(cos_t_t) = -v4 * derivative_rates__root_rate(v3, each(t_t) * t + t * each(t_t)) / v3;
         cos_t = v4;
         v5 = tan_yaw * cos_roll;
-        EACH_LANE each(w_per_slope_t) = (each(tan_yaw_t) * cos_roll + tan_yaw * each(cos_roll_t)) * cos_t + v5 * each(cos_t_t);
+        EACH_DIRECTION each(w_per_slope_t) = (each(tan_yaw_t) * cos_roll + tan_yaw * each(cos_roll_t)) * cos_t + v5 * each(cos_t_t);
         w_per_slope = v5 * cos_t;
     }
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) = each(sin_roll_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) = each(sin_roll_t);
     AT(work, place + layout__PLACE_SIN_ROLL) = sin_roll;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) = each(cos_roll_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) = each(cos_roll_t);
     AT(work, place + layout__PLACE_COS_ROLL) = cos_roll;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_T)) = each(t_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_T)) = each(t_t);
     AT(work, place + layout__PLACE_T) = t;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_COS_T)) = each(cos_t_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_COS_T)) = each(cos_t_t);
     AT(work, place + layout__PLACE_COS_T) = cos_t;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE)) = each(w_per_slope_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE)) = each(w_per_slope_t);
     AT(work, place + layout__PLACE_W_PER_SLOPE) = w_per_slope;
     return 0;
 }
 
 /* Derivative of ``mirror_place``. */
-static inline int64_t derivative_locus__mirror_place_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t mirrored, double radius, lanes radius_t)
+static inline int64_t derivative_locus__mirror_place_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, int64_t mirrored, double radius, directional_rate radius_t)
 {
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_SHIFT)) = -each(RATE_AT(work_t, place + layout__PLACE_SHIFT));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_SHIFT)) = -each(RATE_AT(work_t, place + layout__PLACE_SHIFT));
     AT(work, mirrored + layout__PLACE_SHIFT) = -AT(work, place + layout__PLACE_SHIFT);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_SIN_YAW)) = -each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_SIN_YAW)) = -each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
     AT(work, mirrored + layout__PLACE_SIN_YAW) = -AT(work, place + layout__PLACE_SIN_YAW);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
     AT(work, mirrored + layout__PLACE_COS_YAW) = AT(work, place + layout__PLACE_COS_YAW);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_RADIUS)) = each(radius_t);
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_RADIUS)) = each(radius_t);
     AT(work, mirrored + layout__PLACE_RADIUS) = radius;
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_HEIGHT)) = each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_HEIGHT)) = each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
     AT(work, mirrored + layout__PLACE_HEIGHT) = AT(work, place + layout__PLACE_HEIGHT);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_ARM)) = each(RATE_AT(work_t, place + layout__PLACE_ARM));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_ARM)) = each(RATE_AT(work_t, place + layout__PLACE_ARM));
     AT(work, mirrored + layout__PLACE_ARM) = AT(work, place + layout__PLACE_ARM);
-    RATE_AT(work_t, mirrored + layout__PLACE_YAWED) = all_lanes(0.0);
+    RATE_AT(work_t, mirrored + layout__PLACE_YAWED) = along_all(0.0);
     AT(work, mirrored + layout__PLACE_YAWED) = (double)(AT(work, place + layout__PLACE_YAWED) == 1.0);
-    RATE_AT(work_t, mirrored + layout__PLACE_LEANING) = all_lanes(0.0);
+    RATE_AT(work_t, mirrored + layout__PLACE_LEANING) = along_all(0.0);
     AT(work, mirrored + layout__PLACE_LEANING) = (double)false;
-    RATE_AT(work_t, mirrored + layout__PLACE_RAIL_SIN) = all_lanes(0.0);
+    RATE_AT(work_t, mirrored + layout__PLACE_RAIL_SIN) = along_all(0.0);
     AT(work, mirrored + layout__PLACE_RAIL_SIN) = 0.0;
     derivative_locus__mirror_roll_t(work, work_t, place, mirrored);
     return 0;
 }
 
 /* Derivative of ``mirror_roll``. */
-static inline int64_t derivative_locus__mirror_roll_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t mirrored)
+static inline int64_t derivative_locus__mirror_roll_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, int64_t mirrored)
 {
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_SIN_ROLL)) = -each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_SIN_ROLL)) = -each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
     AT(work, mirrored + layout__PLACE_SIN_ROLL) = -AT(work, place + layout__PLACE_SIN_ROLL);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_COS_ROLL)) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_COS_ROLL)) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
     AT(work, mirrored + layout__PLACE_COS_ROLL) = AT(work, place + layout__PLACE_COS_ROLL);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_T)) = each(RATE_AT(work_t, place + layout__PLACE_T));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_T)) = each(RATE_AT(work_t, place + layout__PLACE_T));
     AT(work, mirrored + layout__PLACE_T) = AT(work, place + layout__PLACE_T);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_COS_T)) = each(RATE_AT(work_t, place + layout__PLACE_COS_T));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_COS_T)) = each(RATE_AT(work_t, place + layout__PLACE_COS_T));
     AT(work, mirrored + layout__PLACE_COS_T) = AT(work, place + layout__PLACE_COS_T);
-    EACH_LANE each(RATE_AT(work_t, mirrored + layout__PLACE_W_PER_SLOPE)) = -each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE));
+    EACH_DIRECTION each(RATE_AT(work_t, mirrored + layout__PLACE_W_PER_SLOPE)) = -each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE));
     AT(work, mirrored + layout__PLACE_W_PER_SLOPE) = -AT(work, place + layout__PLACE_W_PER_SLOPE);
     return 0;
 }
 
 /* Derivative of ``around_wheel``. */
-static inline void derivative_locus__around_wheel_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t place, double slope, lanes slope_t)
+static inline void derivative_locus__around_wheel_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double slope, directional_rate slope_t)
 {
     double v1, v2, v3, w, v4, v5, root, t, cos_t, v6, v7;
-    lanes v1_t, v3_t, w_t, root_t, t_t, cos_t_t;
+    directional_rate v1_t, v3_t, w_t, root_t, t_t, cos_t_t;
     v1 = AT(work, place + layout__PLACE_W_PER_SLOPE) * slope;
-    EACH_LANE each(v1_t) = each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + AT(work, place + layout__PLACE_W_PER_SLOPE) * each(slope_t);
+    EACH_DIRECTION each(v1_t) = each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + AT(work, place + layout__PLACE_W_PER_SLOPE) * each(slope_t);
     if (1.0 < v1)
     {
         v1 = 1.0;
-        v1_t = all_lanes(0.0);
+        v1_t = along_all(0.0);
     }
     v2 = -1.0;
     v3 = v1;
-    EACH_LANE each(v3_t) = each(v1_t);
+    EACH_DIRECTION each(v3_t) = each(v1_t);
     if (v2 > v3)
     {
         v3 = v2;
-        v3_t = all_lanes(0.0);
+        v3_t = along_all(0.0);
     }
-    EACH_LANE each(w_t) = each(v3_t);
+    EACH_DIRECTION each(w_t) = each(v3_t);
     w = v3;
     v4 = 1.0 - w * w;
     v5 = sqrt(v4);
-    EACH_LANE each(root_t) = derivative_rates__root_rate(v5, -(each(w_t) * w + w * each(w_t)));
+    EACH_DIRECTION each(root_t) = derivative_rates__root_rate(v5, -(each(w_t) * w + w * each(w_t)));
     root = v5;
-    EACH_LANE each(t_t) = each(RATE_AT(work_t, place + layout__PLACE_T));
+    EACH_DIRECTION each(t_t) = each(RATE_AT(work_t, place + layout__PLACE_T));
     t = AT(work, place + layout__PLACE_T);
-    EACH_LANE each(cos_t_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_T));
+    EACH_DIRECTION each(cos_t_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_T));
     cos_t = AT(work, place + layout__PLACE_COS_T);
     v6 = -(t * root + w);
     v7 = root - t * w;
     *out_0 = v6 * cos_t;
-    EACH_LANE each(*out_1) = -(each(t_t) * root + t * each(root_t) + each(w_t)) * cos_t + v6 * each(cos_t_t);
+    EACH_DIRECTION each(*out_1) = -(each(t_t) * root + t * each(root_t) + each(w_t)) * cos_t + v6 * each(cos_t_t);
     *out_2 = v7 * cos_t;
-    EACH_LANE each(*out_3) = (each(root_t) - (each(t_t) * w + t * each(w_t))) * cos_t + v7 * each(cos_t_t);
+    EACH_DIRECTION each(*out_3) = (each(root_t) - (each(t_t) * w + t * each(w_t))) * cos_t + v7 * each(cos_t_t);
 }
 
 /* Derivative of ``outline_point``. */
-static inline void derivative_locus__outline_point_t(double* y_track_out, lanes* y_track_t_out, double* z_track_out, lanes* z_track_t_out, double* outline_slope_out, lanes* outline_slope_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t)
+static inline void derivative_locus__outline_point_t(double* y_track_out, directional_rate* y_track_t_out, double* z_track_out, directional_rate* z_track_t_out, double* outline_slope_out, directional_rate* outline_slope_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t)
 {
-    lanes sin_roll_t, cos_roll_t, arm_t, r_t, y_track_t, z_track_t, outline_slope_t, sin_yaw_t, cos_yaw_t, sin_phi_t, cos_phi_t, normal_y_t, normal_z_t;
+    directional_rate sin_roll_t, cos_roll_t, arm_t, r_t, y_track_t, z_track_t, outline_slope_t, sin_yaw_t, cos_yaw_t, sin_phi_t, cos_phi_t, normal_y_t, normal_z_t;
     double sin_roll, cos_roll, arm, r, y_track, z_track, v1, v2, v3, outline_slope, sin_yaw, cos_yaw, sin_phi, cos_phi, v4, v5, v6, v7, v8, normal_y, normal_z, v9, v10;
-    EACH_LANE each(sin_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_DIRECTION each(sin_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
     sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
-    EACH_LANE each(cos_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
+    EACH_DIRECTION each(cos_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
     cos_roll = AT(work, place + layout__PLACE_COS_ROLL);
-    EACH_LANE each(arm_t) = each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t);
+    EACH_DIRECTION each(arm_t) = each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t);
     arm = AT(work, place + layout__PLACE_ARM) + y;
-    EACH_LANE each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
+    EACH_DIRECTION each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
     r = AT(work, place + layout__PLACE_RADIUS) + z;
     if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
-        EACH_LANE each(y_track_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) + (each(arm_t) * cos_roll + arm * each(cos_roll_t)) - (each(r_t) * sin_roll + r * each(sin_roll_t));
+        EACH_DIRECTION each(y_track_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) + (each(arm_t) * cos_roll + arm * each(cos_roll_t)) - (each(r_t) * sin_roll + r * each(sin_roll_t));
         y_track = AT(work, place + layout__PLACE_SHIFT) + arm * cos_roll - r * sin_roll;
-        EACH_LANE each(z_track_t) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(r_t) * cos_roll + r * each(cos_roll_t)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
+        EACH_DIRECTION each(z_track_t) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(r_t) * cos_roll + r * each(cos_roll_t)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
         z_track = arm * sin_roll + r * cos_roll - AT(work, place + layout__PLACE_HEIGHT);
         v1 = slope * cos_roll + sin_roll;
         v2 = cos_roll - slope * sin_roll;
         v3 = v1 / v2;
-        EACH_LANE each(outline_slope_t) = (each(slope_t) * cos_roll + slope * each(cos_roll_t) + each(sin_roll_t) - v3 * (each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t)))) / v2;
+        EACH_DIRECTION each(outline_slope_t) = (each(slope_t) * cos_roll + slope * each(cos_roll_t) + each(sin_roll_t) - v3 * (each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t)))) / v2;
         outline_slope = v3;
     }
     else
     {
-        EACH_LANE each(sin_yaw_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
+        EACH_DIRECTION each(sin_yaw_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
         sin_yaw = AT(work, place + layout__PLACE_SIN_YAW);
-        EACH_LANE each(cos_yaw_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
+        EACH_DIRECTION each(cos_yaw_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
         cos_yaw = AT(work, place + layout__PLACE_COS_YAW);
         derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
         v4 = sin_yaw * r;
         v5 = r * cos_phi;
         v6 = arm * cos_roll - v5 * sin_roll;
-        EACH_LANE each(y_track_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) + ((each(sin_yaw_t) * r + sin_yaw * each(r_t)) * sin_phi + v4 * each(sin_phi_t)) + (each(cos_yaw_t) * v6 + cos_yaw * (each(arm_t) * cos_roll + arm * each(cos_roll_t) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * sin_roll + v5 * each(sin_roll_t))));
+        EACH_DIRECTION each(y_track_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) + ((each(sin_yaw_t) * r + sin_yaw * each(r_t)) * sin_phi + v4 * each(sin_phi_t)) + (each(cos_yaw_t) * v6 + cos_yaw * (each(arm_t) * cos_roll + arm * each(cos_roll_t) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * sin_roll + v5 * each(sin_roll_t))));
         y_track = AT(work, place + layout__PLACE_SHIFT) + v4 * sin_phi + cos_yaw * v6;
         v7 = r * cos_phi;
-        EACH_LANE each(z_track_t) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * cos_roll + v7 * each(cos_roll_t)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
+        EACH_DIRECTION each(z_track_t) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * cos_roll + v7 * each(cos_roll_t)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
         z_track = arm * sin_roll + v7 * cos_roll - AT(work, place + layout__PLACE_HEIGHT);
         v8 = slope * cos_roll + cos_phi * sin_roll;
-        EACH_LANE each(normal_y_t) = each(sin_yaw_t) * sin_phi + sin_yaw * each(sin_phi_t) - (each(cos_yaw_t) * v8 + cos_yaw * (each(slope_t) * cos_roll + slope * each(cos_roll_t) + (each(cos_phi_t) * sin_roll + cos_phi * each(sin_roll_t))));
+        EACH_DIRECTION each(normal_y_t) = each(sin_yaw_t) * sin_phi + sin_yaw * each(sin_phi_t) - (each(cos_yaw_t) * v8 + cos_yaw * (each(slope_t) * cos_roll + slope * each(cos_roll_t) + (each(cos_phi_t) * sin_roll + cos_phi * each(sin_roll_t))));
         normal_y = sin_yaw * sin_phi - cos_yaw * v8;
-        EACH_LANE each(normal_z_t) = each(cos_phi_t) * cos_roll + cos_phi * each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
+        EACH_DIRECTION each(normal_z_t) = each(cos_phi_t) * cos_roll + cos_phi * each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
         normal_z = cos_phi * cos_roll - slope * sin_roll;
         v9 = -normal_y;
         v10 = v9 / normal_z;
-        EACH_LANE each(outline_slope_t) = (-each(normal_y_t) - v10 * each(normal_z_t)) / normal_z;
+        EACH_DIRECTION each(outline_slope_t) = (-each(normal_y_t) - v10 * each(normal_z_t)) / normal_z;
         outline_slope = v10;
     }
     *y_track_out = y_track;
-    EACH_LANE each(*y_track_t_out) = each(y_track_t);
+    EACH_DIRECTION each(*y_track_t_out) = each(y_track_t);
     *z_track_out = z_track;
-    EACH_LANE each(*z_track_t_out) = each(z_track_t);
+    EACH_DIRECTION each(*z_track_t_out) = each(z_track_t);
     *outline_slope_out = outline_slope;
-    EACH_LANE each(*outline_slope_t_out) = each(outline_slope_t);
+    EACH_DIRECTION each(*outline_slope_t_out) = each(outline_slope_t);
 }
 
 /* Derivative of ``outline_jet``. */
-static inline void derivative_locus__outline_jet_t(double* y_track_out, lanes* y_track_t_out, double* z_track_out, lanes* z_track_t_out, double* outline_slope_out, lanes* outline_slope_t_out, double* stretch_out, lanes* stretch_t_out, double* slope_rate_out, lanes* slope_rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
+static inline void derivative_locus__outline_jet_t(double* y_track_out, directional_rate* y_track_t_out, double* z_track_out, directional_rate* z_track_t_out, double* outline_slope_out, directional_rate* outline_slope_t_out, double* stretch_out, directional_rate* stretch_t_out, double* slope_rate_out, directional_rate* slope_rate_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t)
 {
-    lanes sin_roll_t, cos_roll_t, arm_t, r_t, y_track_t, z_track_t, stretch_t, outline_slope_t, slope_rate_t, sin_yaw_t, cos_yaw_t, v5_t, v7_t, w_t, root_t, sin_phi_t, cos_phi_t, phi_rate_t, normal_y_t, normal_z_t, normal_y_rate_t, normal_z_rate_t;
+    directional_rate sin_roll_t, cos_roll_t, arm_t, r_t, y_track_t, z_track_t, stretch_t, outline_slope_t, slope_rate_t, sin_yaw_t, cos_yaw_t, v5_t, v7_t, w_t, root_t, sin_phi_t, cos_phi_t, phi_rate_t, normal_y_t, normal_z_t, normal_y_rate_t, normal_z_rate_t;
     double sin_roll, cos_roll, arm, r, y_track, z_track, stretch, v1, v2, outline_slope, v3, v4, slope_rate, sin_yaw, cos_yaw, v5, v6, v7, w, v8, v9, root, v10, sin_phi, v11, cos_phi, phi_rate, v12, v13, v14, v15, v16, v17, v18, v19, v20, v21, v22, v23, v24, normal_y, normal_z, v25, v26, v27, normal_y_rate, v28, v29, normal_z_rate, v30, v31, v32, v33;
-    EACH_LANE each(sin_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_DIRECTION each(sin_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
     sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
-    EACH_LANE each(cos_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
+    EACH_DIRECTION each(cos_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
     cos_roll = AT(work, place + layout__PLACE_COS_ROLL);
-    EACH_LANE each(arm_t) = each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t);
+    EACH_DIRECTION each(arm_t) = each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t);
     arm = AT(work, place + layout__PLACE_ARM) + y;
-    EACH_LANE each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
+    EACH_DIRECTION each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
     r = AT(work, place + layout__PLACE_RADIUS) + z;
     if (!(AT(work, place + layout__PLACE_YAWED) == 1.0))
     {
-        EACH_LANE each(y_track_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) + (each(arm_t) * cos_roll + arm * each(cos_roll_t)) - (each(r_t) * sin_roll + r * each(sin_roll_t));
+        EACH_DIRECTION each(y_track_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) + (each(arm_t) * cos_roll + arm * each(cos_roll_t)) - (each(r_t) * sin_roll + r * each(sin_roll_t));
         y_track = AT(work, place + layout__PLACE_SHIFT) + arm * cos_roll - r * sin_roll;
-        EACH_LANE each(z_track_t) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(r_t) * cos_roll + r * each(cos_roll_t)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
+        EACH_DIRECTION each(z_track_t) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(r_t) * cos_roll + r * each(cos_roll_t)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
         z_track = arm * sin_roll + r * cos_roll - AT(work, place + layout__PLACE_HEIGHT);
-        EACH_LANE each(stretch_t) = each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
+        EACH_DIRECTION each(stretch_t) = each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
         stretch = cos_roll - slope * sin_roll;
         v1 = slope * cos_roll + sin_roll;
         v2 = v1 / stretch;
-        EACH_LANE each(outline_slope_t) = (each(slope_t) * cos_roll + slope * each(cos_roll_t) + each(sin_roll_t) - v2 * each(stretch_t)) / stretch;
+        EACH_DIRECTION each(outline_slope_t) = (each(slope_t) * cos_roll + slope * each(cos_roll_t) + each(sin_roll_t) - v2 * each(stretch_t)) / stretch;
         outline_slope = v2;
         v3 = stretch * stretch;
         v4 = bend / v3;
-        EACH_LANE each(slope_rate_t) = (each(bend_t) - v4 * (each(stretch_t) * stretch + stretch * each(stretch_t))) / v3;
+        EACH_DIRECTION each(slope_rate_t) = (each(bend_t) - v4 * (each(stretch_t) * stretch + stretch * each(stretch_t))) / v3;
         slope_rate = v4;
     }
     else
     {
-        EACH_LANE each(sin_yaw_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
+        EACH_DIRECTION each(sin_yaw_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
         sin_yaw = AT(work, place + layout__PLACE_SIN_YAW);
-        EACH_LANE each(cos_yaw_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
+        EACH_DIRECTION each(cos_yaw_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
         cos_yaw = AT(work, place + layout__PLACE_COS_YAW);
         v5 = AT(work, place + layout__PLACE_W_PER_SLOPE) * slope;
-        EACH_LANE each(v5_t) = each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + AT(work, place + layout__PLACE_W_PER_SLOPE) * each(slope_t);
+        EACH_DIRECTION each(v5_t) = each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + AT(work, place + layout__PLACE_W_PER_SLOPE) * each(slope_t);
         if (1.0 < v5)
         {
             v5 = 1.0;
-            v5_t = all_lanes(0.0);
+            v5_t = along_all(0.0);
         }
         v6 = -1.0;
         v7 = v5;
-        EACH_LANE each(v7_t) = each(v5_t);
+        EACH_DIRECTION each(v7_t) = each(v5_t);
         if (v6 > v7)
         {
             v7 = v6;
-            v7_t = all_lanes(0.0);
+            v7_t = along_all(0.0);
         }
-        EACH_LANE each(w_t) = each(v7_t);
+        EACH_DIRECTION each(w_t) = each(v7_t);
         w = v7;
         v8 = 1.0 - w * w;
         v9 = sqrt(v8);
-        EACH_LANE each(root_t) = derivative_rates__root_rate(v9, -(each(w_t) * w + w * each(w_t)));
+        EACH_DIRECTION each(root_t) = derivative_rates__root_rate(v9, -(each(w_t) * w + w * each(w_t)));
         root = v9;
         v10 = -(AT(work, place + layout__PLACE_T) * root + w);
-        EACH_LANE each(sin_phi_t) = -(each(RATE_AT(work_t, place + layout__PLACE_T)) * root + AT(work, place + layout__PLACE_T) * each(root_t) + each(w_t)) * AT(work, place + layout__PLACE_COS_T) + v10 * each(RATE_AT(work_t, place + layout__PLACE_COS_T));
+        EACH_DIRECTION each(sin_phi_t) = -(each(RATE_AT(work_t, place + layout__PLACE_T)) * root + AT(work, place + layout__PLACE_T) * each(root_t) + each(w_t)) * AT(work, place + layout__PLACE_COS_T) + v10 * each(RATE_AT(work_t, place + layout__PLACE_COS_T));
         sin_phi = v10 * AT(work, place + layout__PLACE_COS_T);
         v11 = root - AT(work, place + layout__PLACE_T) * w;
-        EACH_LANE each(cos_phi_t) = (each(root_t) - (each(RATE_AT(work_t, place + layout__PLACE_T)) * w + AT(work, place + layout__PLACE_T) * each(w_t))) * AT(work, place + layout__PLACE_COS_T) + v11 * each(RATE_AT(work_t, place + layout__PLACE_COS_T));
+        EACH_DIRECTION each(cos_phi_t) = (each(root_t) - (each(RATE_AT(work_t, place + layout__PLACE_T)) * w + AT(work, place + layout__PLACE_T) * each(w_t))) * AT(work, place + layout__PLACE_COS_T) + v11 * each(RATE_AT(work_t, place + layout__PLACE_COS_T));
         cos_phi = v11 * AT(work, place + layout__PLACE_COS_T);
-        phi_rate_t = all_lanes(0.0);
+        phi_rate_t = along_all(0.0);
         phi_rate = 0.0;
         if (root > 0.0)
         {
             v12 = -AT(work, place + layout__PLACE_W_PER_SLOPE);
             v13 = v12 * bend;
             v14 = v13 / root;
-            EACH_LANE each(phi_rate_t) = (-each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE)) * bend + v12 * each(bend_t) - v14 * each(root_t)) / root;
+            EACH_DIRECTION each(phi_rate_t) = (-each(RATE_AT(work_t, place + layout__PLACE_W_PER_SLOPE)) * bend + v12 * each(bend_t) - v14 * each(root_t)) / root;
             phi_rate = v14;
         }
         v15 = sin_yaw * r;
         v16 = r * cos_phi;
         v17 = arm * cos_roll - v16 * sin_roll;
-        EACH_LANE each(y_track_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) + ((each(sin_yaw_t) * r + sin_yaw * each(r_t)) * sin_phi + v15 * each(sin_phi_t)) + (each(cos_yaw_t) * v17 + cos_yaw * (each(arm_t) * cos_roll + arm * each(cos_roll_t) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * sin_roll + v16 * each(sin_roll_t))));
+        EACH_DIRECTION each(y_track_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) + ((each(sin_yaw_t) * r + sin_yaw * each(r_t)) * sin_phi + v15 * each(sin_phi_t)) + (each(cos_yaw_t) * v17 + cos_yaw * (each(arm_t) * cos_roll + arm * each(cos_roll_t) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * sin_roll + v16 * each(sin_roll_t))));
         y_track = AT(work, place + layout__PLACE_SHIFT) + v15 * sin_phi + cos_yaw * v17;
         v18 = r * cos_phi;
-        EACH_LANE each(z_track_t) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * cos_roll + v18 * each(cos_roll_t)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
+        EACH_DIRECTION each(z_track_t) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * cos_roll + v18 * each(cos_roll_t)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
         z_track = arm * sin_roll + v18 * cos_roll - AT(work, place + layout__PLACE_HEIGHT);
         v19 = r * cos_phi;
         v20 = slope * sin_phi + v19 * phi_rate;
         v21 = r * sin_phi;
         v22 = slope * cos_phi - v21 * phi_rate;
         v23 = cos_roll - sin_roll * v22;
-        EACH_LANE each(stretch_t) = each(sin_yaw_t) * v20 + sin_yaw * (each(slope_t) * sin_phi + slope * each(sin_phi_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * phi_rate + v19 * each(phi_rate_t))) + (each(cos_yaw_t) * v23 + cos_yaw * (each(cos_roll_t) - (each(sin_roll_t) * v22 + sin_roll * (each(slope_t) * cos_phi + slope * each(cos_phi_t) - ((each(r_t) * sin_phi + r * each(sin_phi_t)) * phi_rate + v21 * each(phi_rate_t))))));
+        EACH_DIRECTION each(stretch_t) = each(sin_yaw_t) * v20 + sin_yaw * (each(slope_t) * sin_phi + slope * each(sin_phi_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * phi_rate + v19 * each(phi_rate_t))) + (each(cos_yaw_t) * v23 + cos_yaw * (each(cos_roll_t) - (each(sin_roll_t) * v22 + sin_roll * (each(slope_t) * cos_phi + slope * each(cos_phi_t) - ((each(r_t) * sin_phi + r * each(sin_phi_t)) * phi_rate + v21 * each(phi_rate_t))))));
         stretch = sin_yaw * v20 + cos_yaw * v23;
         v24 = slope * cos_roll + cos_phi * sin_roll;
-        EACH_LANE each(normal_y_t) = each(sin_yaw_t) * sin_phi + sin_yaw * each(sin_phi_t) - (each(cos_yaw_t) * v24 + cos_yaw * (each(slope_t) * cos_roll + slope * each(cos_roll_t) + (each(cos_phi_t) * sin_roll + cos_phi * each(sin_roll_t))));
+        EACH_DIRECTION each(normal_y_t) = each(sin_yaw_t) * sin_phi + sin_yaw * each(sin_phi_t) - (each(cos_yaw_t) * v24 + cos_yaw * (each(slope_t) * cos_roll + slope * each(cos_roll_t) + (each(cos_phi_t) * sin_roll + cos_phi * each(sin_roll_t))));
         normal_y = sin_yaw * sin_phi - cos_yaw * v24;
-        EACH_LANE each(normal_z_t) = each(cos_phi_t) * cos_roll + cos_phi * each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
+        EACH_DIRECTION each(normal_z_t) = each(cos_phi_t) * cos_roll + cos_phi * each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
         normal_z = cos_phi * cos_roll - slope * sin_roll;
         v25 = sin_yaw * cos_phi;
         v26 = sin_phi * phi_rate;
         v27 = bend * cos_roll - v26 * sin_roll;
-        EACH_LANE each(normal_y_rate_t) = (each(sin_yaw_t) * cos_phi + sin_yaw * each(cos_phi_t)) * phi_rate + v25 * each(phi_rate_t) - (each(cos_yaw_t) * v27 + cos_yaw * (each(bend_t) * cos_roll + bend * each(cos_roll_t) - ((each(sin_phi_t) * phi_rate + sin_phi * each(phi_rate_t)) * sin_roll + v26 * each(sin_roll_t))));
+        EACH_DIRECTION each(normal_y_rate_t) = (each(sin_yaw_t) * cos_phi + sin_yaw * each(cos_phi_t)) * phi_rate + v25 * each(phi_rate_t) - (each(cos_yaw_t) * v27 + cos_yaw * (each(bend_t) * cos_roll + bend * each(cos_roll_t) - ((each(sin_phi_t) * phi_rate + sin_phi * each(phi_rate_t)) * sin_roll + v26 * each(sin_roll_t))));
         normal_y_rate = v25 * phi_rate - cos_yaw * v27;
         v28 = -sin_phi;
         v29 = v28 * phi_rate;
-        EACH_LANE each(normal_z_rate_t) = (-each(sin_phi_t) * phi_rate + v28 * each(phi_rate_t)) * cos_roll + v29 * each(cos_roll_t) - (each(bend_t) * sin_roll + bend * each(sin_roll_t));
+        EACH_DIRECTION each(normal_z_rate_t) = (-each(sin_phi_t) * phi_rate + v28 * each(phi_rate_t)) * cos_roll + v29 * each(cos_roll_t) - (each(bend_t) * sin_roll + bend * each(sin_roll_t));
         normal_z_rate = v29 * cos_roll - bend * sin_roll;
         v30 = -normal_y;
         v31 = v30 / normal_z;
-        EACH_LANE each(outline_slope_t) = (-each(normal_y_t) - v31 * each(normal_z_t)) / normal_z;
+        EACH_DIRECTION each(outline_slope_t) = (-each(normal_y_t) - v31 * each(normal_z_t)) / normal_z;
         outline_slope = v31;
         v32 = -(normal_y_rate + outline_slope * normal_z_rate);
         v33 = v32 / normal_z;
-        EACH_LANE each(slope_rate_t) = (-(each(normal_y_rate_t) + (each(outline_slope_t) * normal_z_rate + outline_slope * each(normal_z_rate_t))) - v33 * each(normal_z_t)) / normal_z;
+        EACH_DIRECTION each(slope_rate_t) = (-(each(normal_y_rate_t) + (each(outline_slope_t) * normal_z_rate + outline_slope * each(normal_z_rate_t))) - v33 * each(normal_z_t)) / normal_z;
         slope_rate = v33;
     }
     *y_track_out = y_track;
-    EACH_LANE each(*y_track_t_out) = each(y_track_t);
+    EACH_DIRECTION each(*y_track_t_out) = each(y_track_t);
     *z_track_out = z_track;
-    EACH_LANE each(*z_track_t_out) = each(z_track_t);
+    EACH_DIRECTION each(*z_track_t_out) = each(z_track_t);
     *outline_slope_out = outline_slope;
-    EACH_LANE each(*outline_slope_t_out) = each(outline_slope_t);
+    EACH_DIRECTION each(*outline_slope_t_out) = each(outline_slope_t);
     *stretch_out = stretch;
-    EACH_LANE each(*stretch_t_out) = each(stretch_t);
+    EACH_DIRECTION each(*stretch_t_out) = each(stretch_t);
     *slope_rate_out = slope_rate;
-    EACH_LANE each(*slope_rate_t_out) = each(slope_rate_t);
+    EACH_DIRECTION each(*slope_rate_t_out) = each(slope_rate_t);
 }
 
 /* Derivative of ``outline_x``. */
-static inline void derivative_locus__outline_x_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t)
+static inline void derivative_locus__outline_x_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double y, directional_rate y_t)
 {
     double z, slope, sin_phi, cos_phi, r, v1, v2, lateral, v3;
-    lanes z_t, slope_t, sin_phi_t, cos_phi_t, r_t, lateral_t;
+    directional_rate z_t, slope_t, sin_phi_t, cos_phi_t, r_t, lateral_t;
     derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y, y_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-    EACH_LANE each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
+    EACH_DIRECTION each(r_t) = each(RATE_AT(work_t, place + layout__PLACE_RADIUS)) + each(z_t);
     r = AT(work, place + layout__PLACE_RADIUS) + z;
     v1 = AT(work, place + layout__PLACE_ARM) + y;
     v2 = r * cos_phi;
-    EACH_LANE each(lateral_t) = (each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t)) * AT(work, place + layout__PLACE_COS_ROLL) + v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * AT(work, place + layout__PLACE_SIN_ROLL) + v2 * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)));
+    EACH_DIRECTION each(lateral_t) = (each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t)) * AT(work, place + layout__PLACE_COS_ROLL) + v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * AT(work, place + layout__PLACE_SIN_ROLL) + v2 * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)));
     lateral = v1 * AT(work, place + layout__PLACE_COS_ROLL) - v2 * AT(work, place + layout__PLACE_SIN_ROLL);
     v3 = AT(work, place + layout__PLACE_COS_YAW) * r;
     *out_0 = v3 * sin_phi - AT(work, place + layout__PLACE_SIN_YAW) * lateral;
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) * r + AT(work, place + layout__PLACE_COS_YAW) * each(r_t)) * sin_phi + v3 * each(sin_phi_t) - (each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * lateral + AT(work, place + layout__PLACE_SIN_YAW) * each(lateral_t));
+    EACH_DIRECTION each(*out_1) = (each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) * r + AT(work, place + layout__PLACE_COS_YAW) * each(r_t)) * sin_phi + v3 * each(sin_phi_t) - (each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * lateral + AT(work, place + layout__PLACE_SIN_YAW) * each(lateral_t));
 }
 
 
@@ -617,150 +617,150 @@ static inline void derivative_locus__outline_x_t(double* out_0, lanes* out_1, ar
  */
 
 /* Derivative of ``move_rail``. */
-static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
+static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double lateral, directional_rate lateral_t, double vertical, directional_rate vertical_t)
 {
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) - each(lateral_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) - each(lateral_t);
     AT(work, place + layout__PLACE_SHIFT) = AT(work, place + layout__PLACE_SHIFT) - lateral;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) = each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) + each(vertical_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) = each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) + each(vertical_t);
     AT(work, place + layout__PLACE_HEIGHT) = AT(work, place + layout__PLACE_HEIGHT) + vertical;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL)) = each(lateral_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL)) = each(lateral_t);
     AT(work, place + layout__PLACE_RAIL_LATERAL) = lateral;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL)) = each(vertical_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL)) = each(vertical_t);
     AT(work, place + layout__PLACE_RAIL_VERTICAL) = vertical;
     return 0;
 }
 
 /* Derivative of ``deflect_rail``. */
-static inline int64_t derivative_rails__deflect_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t deflection)
+static inline int64_t derivative_rails__deflect_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, int64_t deflection)
 {
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) - each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) - each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL));
     AT(work, place + layout__PLACE_SHIFT) = AT(work, place + layout__PLACE_SHIFT) - AT(work, deflection + layout__DEFLECTION_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) = each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) = each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL));
     AT(work, place + layout__PLACE_HEIGHT) = AT(work, place + layout__PLACE_HEIGHT) + AT(work, deflection + layout__DEFLECTION_VERTICAL);
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL)) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL)) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL));
     AT(work, place + layout__PLACE_RAIL_LATERAL) = AT(work, place + layout__PLACE_RAIL_LATERAL) + AT(work, deflection + layout__DEFLECTION_LATERAL);
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL)) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL)) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL)) + each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL));
     AT(work, place + layout__PLACE_RAIL_VERTICAL) = AT(work, place + layout__PLACE_RAIL_VERTICAL) + AT(work, deflection + layout__DEFLECTION_VERTICAL);
     return 0;
 }
 
 /* Derivative of ``roll_rail``. */
-static inline int64_t derivative_rails__roll_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t)
+static inline int64_t derivative_rails__roll_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double rail_y, directional_rate rail_y_t, double angle, directional_rate angle_t)
 {
     double sine, cosine, across, down;
-    lanes sine_t, cosine_t, across_t, down_t;
+    directional_rate sine_t, cosine_t, across_t, down_t;
     derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, angle, angle_t);
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) - each(rail_y_t);
+    EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) - each(rail_y_t);
     across = AT(work, place + layout__PLACE_SHIFT) - rail_y;
-    EACH_LANE each(down_t) = each(RATE_AT(work_t, place + layout__PLACE_REFERENCE)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
+    EACH_DIRECTION each(down_t) = each(RATE_AT(work_t, place + layout__PLACE_REFERENCE)) - each(RATE_AT(work_t, place + layout__PLACE_HEIGHT));
     down = AT(work, place + layout__PLACE_REFERENCE) - AT(work, place + layout__PLACE_HEIGHT);
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) = each(rail_y_t) + (each(cosine_t) * across + cosine * each(across_t)) + (each(sine_t) * down + sine * each(down_t));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_SHIFT)) = each(rail_y_t) + (each(cosine_t) * across + cosine * each(across_t)) + (each(sine_t) * down + sine * each(down_t));
     AT(work, place + layout__PLACE_SHIFT) = rail_y + cosine * across + sine * down;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) = each(RATE_AT(work_t, place + layout__PLACE_REFERENCE)) - (each(cosine_t) * down + cosine * each(down_t) - (each(sine_t) * across + sine * each(across_t)));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_HEIGHT)) = each(RATE_AT(work_t, place + layout__PLACE_REFERENCE)) - (each(cosine_t) * down + cosine * each(down_t) - (each(sine_t) * across + sine * each(across_t)));
     AT(work, place + layout__PLACE_HEIGHT) = AT(work, place + layout__PLACE_REFERENCE) - (cosine * down - sine * across);
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_RAIL_ROLL)) = each(angle_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_RAIL_ROLL)) = each(angle_t);
     AT(work, place + layout__PLACE_RAIL_ROLL) = angle;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) = each(sine_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) = each(sine_t);
     AT(work, place + layout__PLACE_RAIL_SIN) = sine;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) = each(cosine_t);
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) = each(cosine_t);
     AT(work, place + layout__PLACE_RAIL_COS) = cosine;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW));
     AT(work, place + layout__PLACE_TRACK_SIN_YAW) = AT(work, place + layout__PLACE_SIN_YAW);
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) = each(RATE_AT(work_t, place + layout__PLACE_COS_YAW));
     AT(work, place + layout__PLACE_TRACK_COS_YAW) = AT(work, place + layout__PLACE_COS_YAW);
-    RATE_AT(work_t, place + layout__PLACE_LEANING) = all_lanes(0.0);
+    RATE_AT(work_t, place + layout__PLACE_LEANING) = along_all(0.0);
     AT(work, place + layout__PLACE_LEANING) = (double)true;
     return 0;
 }
 
 /* Derivative of ``turn_rolled_rail``. */
-static inline int64_t derivative_rails__turn_rolled_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place)
+static inline int64_t derivative_rails__turn_rolled_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place)
 {
-    lanes sin_roll_t, cos_roll_t, along_t, level_t, across_t, sine_t, cosine_t;
+    directional_rate sin_roll_t, cos_roll_t, along_t, level_t, across_t, sine_t, cosine_t;
     double sin_roll, cos_roll, v1, along, level, across, sine, v2, v3, cosine, v4, v5, v6;
-    EACH_LANE each(sin_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_DIRECTION each(sin_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL));
     sin_roll = AT(work, place + layout__PLACE_SIN_ROLL);
-    EACH_LANE each(cos_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
+    EACH_DIRECTION each(cos_roll_t) = each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL));
     cos_roll = AT(work, place + layout__PLACE_COS_ROLL);
     v1 = -AT(work, place + layout__PLACE_TRACK_SIN_YAW);
-    EACH_LANE each(along_t) = -each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) * cos_roll + v1 * each(cos_roll_t);
+    EACH_DIRECTION each(along_t) = -each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW)) * cos_roll + v1 * each(cos_roll_t);
     along = v1 * cos_roll;
-    EACH_LANE each(level_t) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) * cos_roll + AT(work, place + layout__PLACE_TRACK_COS_YAW) * each(cos_roll_t);
+    EACH_DIRECTION each(level_t) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) * cos_roll + AT(work, place + layout__PLACE_TRACK_COS_YAW) * each(cos_roll_t);
     level = AT(work, place + layout__PLACE_TRACK_COS_YAW) * cos_roll;
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * level + AT(work, place + layout__PLACE_RAIL_COS) * each(level_t) + (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * sin_roll + AT(work, place + layout__PLACE_RAIL_SIN) * each(sin_roll_t));
+    EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * level + AT(work, place + layout__PLACE_RAIL_COS) * each(level_t) + (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * sin_roll + AT(work, place + layout__PLACE_RAIL_SIN) * each(sin_roll_t));
     across = AT(work, place + layout__PLACE_RAIL_COS) * level + AT(work, place + layout__PLACE_RAIL_SIN) * sin_roll;
-    EACH_LANE each(sine_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * sin_roll + AT(work, place + layout__PLACE_RAIL_COS) * each(sin_roll_t) - (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * level + AT(work, place + layout__PLACE_RAIL_SIN) * each(level_t));
+    EACH_DIRECTION each(sine_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * sin_roll + AT(work, place + layout__PLACE_RAIL_COS) * each(sin_roll_t) - (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * level + AT(work, place + layout__PLACE_RAIL_SIN) * each(level_t));
     sine = AT(work, place + layout__PLACE_RAIL_COS) * sin_roll - AT(work, place + layout__PLACE_RAIL_SIN) * level;
     v2 = along * along + across * across;
     v3 = sqrt(v2);
-    EACH_LANE each(cosine_t) = derivative_rates__root_rate(v3, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+    EACH_DIRECTION each(cosine_t) = derivative_rates__root_rate(v3, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
     cosine = v3;
     v4 = -along;
     v5 = v4 / cosine;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) = (-each(along_t) - v5 * each(cosine_t)) / cosine;
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) = (-each(along_t) - v5 * each(cosine_t)) / cosine;
     AT(work, place + layout__PLACE_SIN_YAW) = v5;
     v6 = across / cosine;
-    EACH_LANE each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) = (each(across_t) - v6 * each(cosine_t)) / cosine;
+    EACH_DIRECTION each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) = (each(across_t) - v6 * each(cosine_t)) / cosine;
     AT(work, place + layout__PLACE_COS_YAW) = v6;
     derivative_locus__set_roll_t(work, work_t, place, sine, sine_t, cosine, cosine_t);
     return 0;
 }
 
 /* Derivative of ``pitch_of_frame``. */
-static inline void derivative_rails__pitch_of_frame_t(double* sine_out, lanes* sine_t_out, double* cosine_out, lanes* cosine_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place)
+static inline void derivative_rails__pitch_of_frame_t(double* sine_out, directional_rate* sine_t_out, double* cosine_out, directional_rate* cosine_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place)
 {
-    lanes forward_t, down_t, sine_t, cosine_t;
+    directional_rate forward_t, down_t, sine_t, cosine_t;
     double forward, v1, down, v2, sine, cosine;
-    EACH_LANE each(forward_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * AT(work, place + layout__PLACE_TRACK_SIN_YAW) + AT(work, place + layout__PLACE_RAIL_COS) * each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW));
+    EACH_DIRECTION each(forward_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * AT(work, place + layout__PLACE_TRACK_SIN_YAW) + AT(work, place + layout__PLACE_RAIL_COS) * each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW));
     forward = AT(work, place + layout__PLACE_RAIL_COS) * AT(work, place + layout__PLACE_TRACK_SIN_YAW);
     v1 = -AT(work, place + layout__PLACE_RAIL_SIN);
-    EACH_LANE each(down_t) = -each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * AT(work, place + layout__PLACE_TRACK_SIN_YAW) + v1 * each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW));
+    EACH_DIRECTION each(down_t) = -each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * AT(work, place + layout__PLACE_TRACK_SIN_YAW) + v1 * each(RATE_AT(work_t, place + layout__PLACE_TRACK_SIN_YAW));
     down = v1 * AT(work, place + layout__PLACE_TRACK_SIN_YAW);
     v2 = AT(work, place + layout__PLACE_TRACK_COS_YAW) * AT(work, place + layout__PLACE_SIN_YAW) - forward * AT(work, place + layout__PLACE_COS_YAW);
-    EACH_LANE each(sine_t) = -((each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) * AT(work, place + layout__PLACE_SIN_YAW) + AT(work, place + layout__PLACE_TRACK_COS_YAW) * each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) - (each(forward_t) * AT(work, place + layout__PLACE_COS_YAW) + forward * each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)))) * AT(work, place + layout__PLACE_SIN_ROLL) + v2 * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) + (each(down_t) * AT(work, place + layout__PLACE_COS_ROLL) + down * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL))));
+    EACH_DIRECTION each(sine_t) = -((each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) * AT(work, place + layout__PLACE_SIN_YAW) + AT(work, place + layout__PLACE_TRACK_COS_YAW) * each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) - (each(forward_t) * AT(work, place + layout__PLACE_COS_YAW) + forward * each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)))) * AT(work, place + layout__PLACE_SIN_ROLL) + v2 * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)) + (each(down_t) * AT(work, place + layout__PLACE_COS_ROLL) + down * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL))));
     sine = -(v2 * AT(work, place + layout__PLACE_SIN_ROLL) + down * AT(work, place + layout__PLACE_COS_ROLL));
-    EACH_LANE each(cosine_t) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) * AT(work, place + layout__PLACE_COS_YAW) + AT(work, place + layout__PLACE_TRACK_COS_YAW) * each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) + (each(forward_t) * AT(work, place + layout__PLACE_SIN_YAW) + forward * each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)));
+    EACH_DIRECTION each(cosine_t) = each(RATE_AT(work_t, place + layout__PLACE_TRACK_COS_YAW)) * AT(work, place + layout__PLACE_COS_YAW) + AT(work, place + layout__PLACE_TRACK_COS_YAW) * each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) + (each(forward_t) * AT(work, place + layout__PLACE_SIN_YAW) + forward * each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)));
     cosine = AT(work, place + layout__PLACE_TRACK_COS_YAW) * AT(work, place + layout__PLACE_COS_YAW) + forward * AT(work, place + layout__PLACE_SIN_YAW);
     *sine_out = sine;
-    EACH_LANE each(*sine_t_out) = each(sine_t);
+    EACH_DIRECTION each(*sine_t_out) = each(sine_t);
     *cosine_out = cosine;
-    EACH_LANE each(*cosine_t_out) = each(cosine_t);
+    EACH_DIRECTION each(*cosine_t_out) = each(cosine_t);
 }
 
 /* Derivative of ``upright_share``. */
-static inline void derivative_rails__upright_share_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double cosine, lanes cosine_t, double sine, lanes sine_t)
+static inline void derivative_rails__upright_share_t(double* share_out, directional_rate* share_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double cosine, directional_rate cosine_t, double sine, directional_rate sine_t)
 {
-    lanes share_t;
+    directional_rate share_t;
     double share;
-    EACH_LANE each(share_t) = each(cosine_t);
+    EACH_DIRECTION each(share_t) = each(cosine_t);
     share = cosine;
     if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
-        EACH_LANE each(share_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * cosine + AT(work, place + layout__PLACE_RAIL_COS) * each(cosine_t) - (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * sine + AT(work, place + layout__PLACE_RAIL_SIN) * each(sine_t));
+        EACH_DIRECTION each(share_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * cosine + AT(work, place + layout__PLACE_RAIL_COS) * each(cosine_t) - (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * sine + AT(work, place + layout__PLACE_RAIL_SIN) * each(sine_t));
         share = AT(work, place + layout__PLACE_RAIL_COS) * cosine - AT(work, place + layout__PLACE_RAIL_SIN) * sine;
     }
     *share_out = share;
-    EACH_LANE each(*share_t_out) = each(share_t);
+    EACH_DIRECTION each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``on_track``. */
-static inline void derivative_rails__on_track_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double y, lanes y_t, double z, lanes z_t)
+static inline void derivative_rails__on_track_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double rail_y, directional_rate rail_y_t, double y, directional_rate y_t, double z, directional_rate z_t)
 {
-    lanes across_t;
+    directional_rate across_t;
     double across;
     if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
-        EACH_LANE each(across_t) = each(y_t) - each(rail_y_t);
+        EACH_DIRECTION each(across_t) = each(y_t) - each(rail_y_t);
         across = y - rail_y;
-        EACH_LANE each(y_t) = each(rail_y_t) + (each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * across + AT(work, place + layout__PLACE_RAIL_COS) * each(across_t)) - (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * z + AT(work, place + layout__PLACE_RAIL_SIN) * each(z_t));
+        EACH_DIRECTION each(y_t) = each(rail_y_t) + (each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * across + AT(work, place + layout__PLACE_RAIL_COS) * each(across_t)) - (each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * z + AT(work, place + layout__PLACE_RAIL_SIN) * each(z_t));
         y = rail_y + AT(work, place + layout__PLACE_RAIL_COS) * across - AT(work, place + layout__PLACE_RAIL_SIN) * z;
-        EACH_LANE each(z_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * across + AT(work, place + layout__PLACE_RAIL_SIN) * each(across_t) + (each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * z + AT(work, place + layout__PLACE_RAIL_COS) * each(z_t));
+        EACH_DIRECTION each(z_t) = each(RATE_AT(work_t, place + layout__PLACE_RAIL_SIN)) * across + AT(work, place + layout__PLACE_RAIL_SIN) * each(across_t) + (each(RATE_AT(work_t, place + layout__PLACE_RAIL_COS)) * z + AT(work, place + layout__PLACE_RAIL_COS) * each(z_t));
         z = AT(work, place + layout__PLACE_RAIL_SIN) * across + AT(work, place + layout__PLACE_RAIL_COS) * z;
     }
     *out_0 = y + AT(work, place + layout__PLACE_RAIL_LATERAL);
-    EACH_LANE each(*out_1) = each(y_t) + each(RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL));
+    EACH_DIRECTION each(*out_1) = each(y_t) + each(RATE_AT(work_t, place + layout__PLACE_RAIL_LATERAL));
     *out_2 = z + AT(work, place + layout__PLACE_RAIL_VERTICAL);
-    EACH_LANE each(*out_3) = each(z_t) + each(RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL));
+    EACH_DIRECTION each(*out_3) = each(z_t) + each(RATE_AT(work_t, place + layout__PLACE_RAIL_VERTICAL));
 }
 
 
@@ -770,23 +770,23 @@ static inline void derivative_rails__on_track_t(double* out_0, lanes* out_1, dou
  */
 
 /* Derivative of ``table_cell``. */
-static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* out_1, lanes* place_t_out, double u, lanes u_t, double last, lanes last_t)
+static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* out_1, directional_rate* place_t_out, double u, directional_rate u_t, double last, directional_rate last_t)
 {
-    lanes place_t, v1_t;
+    directional_rate place_t, v1_t;
     double place, v1;
     int64_t cell;
-    place_t = all_lanes(0.0);
+    place_t = along_all(0.0);
     place = 0.0;
     if (u >= 0.0)
     {
         v1 = u;
-        EACH_LANE each(v1_t) = each(u_t);
+        EACH_DIRECTION each(v1_t) = each(u_t);
         if (last < v1)
         {
             v1 = last;
-            EACH_LANE each(v1_t) = each(last_t);
+            EACH_DIRECTION each(v1_t) = each(last_t);
         }
-        EACH_LANE each(place_t) = each(v1_t);
+        EACH_DIRECTION each(place_t) = each(v1_t);
         place = v1;
     }
     cell = (int64_t)place;
@@ -796,106 +796,106 @@ static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* ou
     }
     *cell_out = cell;
     *out_1 = place - (double)cell;
-    EACH_LANE each(*place_t_out) = each(place_t);
+    EACH_DIRECTION each(*place_t_out) = each(place_t);
 }
 
 /* Derivative of ``read_cubic``. */
-static inline void derivative_tables__read_cubic_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double at, lanes at_t)
+static inline void derivative_tables__read_cubic_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, double at, directional_rate at_t)
 {
     double v1, x, v2, v3;
     int64_t cell, cubic;
-    lanes x_t, rates;
+    directional_rate x_t, rates;
     v1 = at - AT(tables, table + layout__CUBIC_TABLE_START);
-    EACH_LANE each(rates) = each(at_t) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT);
-    derivative_tables__table_cell_t(&cell, &x, &x_t, v1 * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT), rates, AT(tables, table + layout__CUBIC_TABLE_COUNT), all_lanes(0.0));
+    EACH_DIRECTION each(rates) = each(at_t) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT);
+    derivative_tables__table_cell_t(&cell, &x, &x_t, v1 * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT), rates, AT(tables, table + layout__CUBIC_TABLE_COUNT), along_all(0.0));
     cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
     v2 = AT(tables, cubic + layout__CUBIC_BEND) + x * AT(tables, cubic + layout__CUBIC_THIRD);
     v3 = AT(tables, cubic + layout__CUBIC_SLOPE) + x * v2;
     *out_0 = AT(tables, cubic + layout__CUBIC_VALUE) + x * v3;
-    EACH_LANE each(*out_1) = each(x_t) * v3 + x * (each(x_t) * v2 + x * (each(x_t) * AT(tables, cubic + layout__CUBIC_THIRD)));
+    EACH_DIRECTION each(*out_1) = each(x_t) * v3 + x * (each(x_t) * v2 + x * (each(x_t) * AT(tables, cubic + layout__CUBIC_THIRD)));
 }
 
 /* Derivative of ``read_cubic_jet``. */
-static inline void derivative_tables__read_cubic_jet_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, int64_t table, double at, lanes at_t)
+static inline void derivative_tables__read_cubic_jet_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, int64_t table, double at, directional_rate at_t)
 {
     double v1, x, q2, q1, v2, v3;
     int64_t cell, cubic;
-    lanes x_t, q2_t, q1_t, rates;
+    directional_rate x_t, q2_t, q1_t, rates;
     v1 = at - AT(tables, table + layout__CUBIC_TABLE_START);
-    EACH_LANE each(rates) = each(at_t) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT);
-    derivative_tables__table_cell_t(&cell, &x, &x_t, v1 * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT), rates, AT(tables, table + layout__CUBIC_TABLE_COUNT), all_lanes(0.0));
+    EACH_DIRECTION each(rates) = each(at_t) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT);
+    derivative_tables__table_cell_t(&cell, &x, &x_t, v1 * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT), rates, AT(tables, table + layout__CUBIC_TABLE_COUNT), along_all(0.0));
     cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    EACH_LANE each(q2_t) = each(x_t) * AT(tables, cubic + layout__CUBIC_THIRD);
+    EACH_DIRECTION each(q2_t) = each(x_t) * AT(tables, cubic + layout__CUBIC_THIRD);
     q2 = AT(tables, cubic + layout__CUBIC_BEND) + x * AT(tables, cubic + layout__CUBIC_THIRD);
-    EACH_LANE each(q1_t) = each(x_t) * q2 + x * each(q2_t);
+    EACH_DIRECTION each(q1_t) = each(x_t) * q2 + x * each(q2_t);
     q1 = AT(tables, cubic + layout__CUBIC_SLOPE) + x * q2;
     v2 = q2 + x * AT(tables, cubic + layout__CUBIC_THIRD);
     v3 = q1 + x * v2;
     *out_0 = AT(tables, cubic + layout__CUBIC_VALUE) + x * q1;
-    EACH_LANE each(*out_1) = each(x_t) * q1 + x * each(q1_t);
+    EACH_DIRECTION each(*out_1) = each(x_t) * q1 + x * each(q1_t);
     *out_2 = v3 * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT);
-    EACH_LANE each(*out_3) = (each(q1_t) + (each(x_t) * v2 + x * (each(q2_t) + each(x_t) * AT(tables, cubic + layout__CUBIC_THIRD)))) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT);
+    EACH_DIRECTION each(*out_3) = (each(q1_t) + (each(x_t) * v2 + x * (each(q2_t) + each(x_t) * AT(tables, cubic + layout__CUBIC_THIRD)))) * AT(tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT);
 }
 
 /* Derivative of ``height_slope``. */
-static inline void derivative_tables__height_slope_t(double* out_0, lanes* out_1, double* slope_out, lanes* slope_t_out, array_double_1d tables, int64_t profile, double y, lanes y_t)
+static inline void derivative_tables__height_slope_t(double* out_0, directional_rate* out_1, double* slope_out, directional_rate* slope_t_out, array_double_1d tables, int64_t profile, double y, directional_rate y_t)
 {
     int64_t piece;
-    lanes u_t, p4_t, p3_t, p2_t, p1_t, slope_t;
+    directional_rate u_t, p4_t, p3_t, p2_t, p1_t, slope_t;
     double u, p4, p3, p2, p1, v1, v2, v3, slope;
     piece = tables__find_piece(tables, profile, y);
-    EACH_LANE each(u_t) = each(y_t);
+    EACH_DIRECTION each(u_t) = each(y_t);
     u = y - AT(tables, piece + layout__PIECE_START);
-    EACH_LANE each(p4_t) = each(u_t) * AT(tables, piece + layout__PIECE_C5);
+    EACH_DIRECTION each(p4_t) = each(u_t) * AT(tables, piece + layout__PIECE_C5);
     p4 = AT(tables, piece + layout__PIECE_C4) + u * AT(tables, piece + layout__PIECE_C5);
-    EACH_LANE each(p3_t) = each(u_t) * p4 + u * each(p4_t);
+    EACH_DIRECTION each(p3_t) = each(u_t) * p4 + u * each(p4_t);
     p3 = AT(tables, piece + layout__PIECE_C3) + u * p4;
-    EACH_LANE each(p2_t) = each(u_t) * p3 + u * each(p3_t);
+    EACH_DIRECTION each(p2_t) = each(u_t) * p3 + u * each(p3_t);
     p2 = AT(tables, piece + layout__PIECE_C2) + u * p3;
-    EACH_LANE each(p1_t) = each(u_t) * p2 + u * each(p2_t);
+    EACH_DIRECTION each(p1_t) = each(u_t) * p2 + u * each(p2_t);
     p1 = AT(tables, piece + layout__PIECE_C1) + u * p2;
     v1 = p4 + u * AT(tables, piece + layout__PIECE_C5);
     v2 = p3 + u * v1;
     v3 = p2 + u * v2;
-    EACH_LANE each(slope_t) = each(p1_t) + (each(u_t) * v3 + u * (each(p2_t) + (each(u_t) * v2 + u * (each(p3_t) + (each(u_t) * v1 + u * (each(p4_t) + each(u_t) * AT(tables, piece + layout__PIECE_C5)))))));
+    EACH_DIRECTION each(slope_t) = each(p1_t) + (each(u_t) * v3 + u * (each(p2_t) + (each(u_t) * v2 + u * (each(p3_t) + (each(u_t) * v1 + u * (each(p4_t) + each(u_t) * AT(tables, piece + layout__PIECE_C5)))))));
     slope = p1 + u * v3;
     *out_0 = AT(tables, piece + layout__PIECE_C0) + u * p1;
-    EACH_LANE each(*out_1) = each(u_t) * p1 + u * each(p1_t);
+    EACH_DIRECTION each(*out_1) = each(u_t) * p1 + u * each(p1_t);
     *slope_out = slope;
-    EACH_LANE each(*slope_t_out) = each(slope_t);
+    EACH_DIRECTION each(*slope_t_out) = each(slope_t);
 }
 
 /* Derivative of ``height_slope_bend``. */
-static inline void derivative_tables__height_slope_bend_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d tables, int64_t profile, double y, lanes y_t)
+static inline void derivative_tables__height_slope_bend_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, array_double_1d tables, int64_t profile, double y, directional_rate y_t)
 {
     int64_t piece;
-    lanes u_t, p4_t, p3_t, p2_t, p1_t, q4_t, q3_t, q2_t, half_bend_t;
+    directional_rate u_t, p4_t, p3_t, p2_t, p1_t, q4_t, q3_t, q2_t, half_bend_t;
     double u, p4, p3, p2, p1, q4, q3, q2, v1, v2, half_bend;
     piece = tables__find_piece(tables, profile, y);
-    EACH_LANE each(u_t) = each(y_t);
+    EACH_DIRECTION each(u_t) = each(y_t);
     u = y - AT(tables, piece + layout__PIECE_START);
-    EACH_LANE each(p4_t) = each(u_t) * AT(tables, piece + layout__PIECE_C5);
+    EACH_DIRECTION each(p4_t) = each(u_t) * AT(tables, piece + layout__PIECE_C5);
     p4 = AT(tables, piece + layout__PIECE_C4) + u * AT(tables, piece + layout__PIECE_C5);
-    EACH_LANE each(p3_t) = each(u_t) * p4 + u * each(p4_t);
+    EACH_DIRECTION each(p3_t) = each(u_t) * p4 + u * each(p4_t);
     p3 = AT(tables, piece + layout__PIECE_C3) + u * p4;
-    EACH_LANE each(p2_t) = each(u_t) * p3 + u * each(p3_t);
+    EACH_DIRECTION each(p2_t) = each(u_t) * p3 + u * each(p3_t);
     p2 = AT(tables, piece + layout__PIECE_C2) + u * p3;
-    EACH_LANE each(p1_t) = each(u_t) * p2 + u * each(p2_t);
+    EACH_DIRECTION each(p1_t) = each(u_t) * p2 + u * each(p2_t);
     p1 = AT(tables, piece + layout__PIECE_C1) + u * p2;
-    EACH_LANE each(q4_t) = each(p4_t) + each(u_t) * AT(tables, piece + layout__PIECE_C5);
+    EACH_DIRECTION each(q4_t) = each(p4_t) + each(u_t) * AT(tables, piece + layout__PIECE_C5);
     q4 = p4 + u * AT(tables, piece + layout__PIECE_C5);
-    EACH_LANE each(q3_t) = each(p3_t) + (each(u_t) * q4 + u * each(q4_t));
+    EACH_DIRECTION each(q3_t) = each(p3_t) + (each(u_t) * q4 + u * each(q4_t));
     q3 = p3 + u * q4;
-    EACH_LANE each(q2_t) = each(p2_t) + (each(u_t) * q3 + u * each(q3_t));
+    EACH_DIRECTION each(q2_t) = each(p2_t) + (each(u_t) * q3 + u * each(q3_t));
     q2 = p2 + u * q3;
     v1 = q4 + u * AT(tables, piece + layout__PIECE_C5);
     v2 = q3 + u * v1;
-    EACH_LANE each(half_bend_t) = each(q2_t) + (each(u_t) * v2 + u * (each(q3_t) + (each(u_t) * v1 + u * (each(q4_t) + each(u_t) * AT(tables, piece + layout__PIECE_C5)))));
+    EACH_DIRECTION each(half_bend_t) = each(q2_t) + (each(u_t) * v2 + u * (each(q3_t) + (each(u_t) * v1 + u * (each(q4_t) + each(u_t) * AT(tables, piece + layout__PIECE_C5)))));
     half_bend = q2 + u * v2;
     *out_0 = AT(tables, piece + layout__PIECE_C0) + u * p1;
-    EACH_LANE each(*out_1) = each(u_t) * p1 + u * each(p1_t);
+    EACH_DIRECTION each(*out_1) = each(u_t) * p1 + u * each(p1_t);
     *out_2 = p1 + u * q2;
-    EACH_LANE each(*out_3) = each(p1_t) + (each(u_t) * q2 + u * each(q2_t));
+    EACH_DIRECTION each(*out_3) = each(p1_t) + (each(u_t) * q2 + u * each(q2_t));
     *out_4 = 2.0 * half_bend;
-    EACH_LANE each(*out_5) = 2.0 * each(half_bend_t);
+    EACH_DIRECTION each(*out_5) = 2.0 * each(half_bend_t);
 }

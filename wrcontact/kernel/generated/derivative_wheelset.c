@@ -8,57 +8,57 @@
  */
 
 /* Derivative of ``motion_size``. */
-static inline void derivative_depth_rates__motion_size_t(double* v1_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs)
+static inline void derivative_depth_rates__motion_size_t(double* v1_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t inputs)
 {
-    lanes turning_t, left_rolling_t, right_rolling_t, square_t;
+    directional_rate turning_t, left_rolling_t, right_rolling_t, square_t;
     double turning, left_rolling, right_rolling, square, v1;
-    EACH_LANE each(turning_t) = AT(tables, layout__TABLES_ARM) * each(RATE_AT(work_t, inputs + layout__INPUTS_YAW_RATE));
+    EACH_DIRECTION each(turning_t) = AT(tables, layout__TABLES_ARM) * each(RATE_AT(work_t, inputs + layout__INPUTS_YAW_RATE));
     turning = AT(tables, layout__TABLES_ARM) * AT(work, inputs + layout__INPUTS_YAW_RATE);
-    EACH_LANE each(left_rolling_t) = AT(tables, layout__TABLES_HEIGHT) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    EACH_DIRECTION each(left_rolling_t) = AT(tables, layout__TABLES_HEIGHT) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
     left_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
-    EACH_LANE each(right_rolling_t) = AT(tables, layout__TABLES_HEIGHT) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    EACH_DIRECTION each(right_rolling_t) = AT(tables, layout__TABLES_HEIGHT) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
     right_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
-    EACH_LANE each(square_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)) + (each(turning_t) * turning + turning * each(turning_t));
+    EACH_DIRECTION each(square_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)) + (each(turning_t) * turning + turning * each(turning_t));
     square = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + turning * turning;
-    EACH_LANE each(square_t) = each(square_t) + (each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + (each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + (each(left_rolling_t) * left_rolling + left_rolling * each(left_rolling_t)));
+    EACH_DIRECTION each(square_t) = each(square_t) + (each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + (each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + (each(left_rolling_t) * left_rolling + left_rolling * each(left_rolling_t)));
     square = square + (AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + left_rolling * left_rolling);
-    EACH_LANE each(square_t) = each(square_t) + (each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + (each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + (each(right_rolling_t) * right_rolling + right_rolling * each(right_rolling_t)));
+    EACH_DIRECTION each(square_t) = each(square_t) + (each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + (each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + (each(right_rolling_t) * right_rolling + right_rolling * each(right_rolling_t)));
     square = square + (AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + right_rolling * right_rolling);
     v1 = sqrt(square);
     *v1_out = v1;
-    EACH_LANE each(*out_1) = derivative_rates__root_rate(v1, each(square_t));
+    EACH_DIRECTION each(*out_1) = derivative_rates__root_rate(v1, each(square_t));
 }
 
 /* Derivative of ``displace_inputs``. */
-static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_lanes_1d work_t, double time, lanes time_t)
+static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_directional_rate_1d work_t, double time, directional_rate time_t)
 {
     int64_t i_1;
     for (i_1 = 0; i_1 < layout__INPUTS_SIZE; i_1 += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + i_1)) = each(RATE_AT(work_t, layout__WORK_INPUTS + i_1));
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + i_1)) = each(RATE_AT(work_t, layout__WORK_INPUTS + i_1));
         AT(work, layout__WORK_DISPLACED + i_1) = AT(work, layout__WORK_INPUTS + i_1);
     }
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)));
     AT(work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)));
     AT(work, layout__WORK_DISPLACED + layout__INPUTS_YAW) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_YAW) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)));
     AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)));
     AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
     AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)));
     AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)));
     AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) = each(RATE_AT(work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) + (each(time_t) * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY) + time * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
     AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL) = AT(work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL) + time * AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
     return 0;
 }
 
 /* Derivative of ``keep_sides``. */
-static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t index, support, side, i_1, i_2;
     for (index = 0; index < 2; index += 1)
@@ -67,24 +67,24 @@ static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work,
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         for (i_1 = 0; i_1 < layout__CONTACT_POINT_SIZE; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_POINT + i_1)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_POINT + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_POINT + i_1)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_POINT + i_1));
             AT(work, support + layout__SUPPORT_POINT + i_1) = AT(work, side + layout__SIDE_SEARCH_POINT + i_1);
         }
         for (i_2 = 0; i_2 < layout__PATCH_TOTALS_SIZE; i_2 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_TOTALS + i_2)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + i_2));
+            EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_TOTALS + i_2)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + i_2));
             AT(work, support + layout__SUPPORT_TOTALS + i_2) = AT(work, side + layout__SIDE_SEARCH_TOTALS + i_2);
         }
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_PENETRATION)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION));
+        EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_PENETRATION)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION));
         AT(work, support + layout__SUPPORT_PENETRATION) = AT(work, side + layout__SIDE_SEARCH_PENETRATION);
-        RATE_AT(work_t, support + layout__SUPPORT_PATCH_COUNT) = all_lanes(0.0);
+        RATE_AT(work_t, support + layout__SUPPORT_PATCH_COUNT) = along_all(0.0);
         AT(work, support + layout__SUPPORT_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT));
     }
     return 0;
 }
 
 /* Derivative of ``restore_sides``. */
-static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t index, support, side, i_1, i_2;
     for (index = 0; index < 2; index += 1)
@@ -93,17 +93,17 @@ static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d wo
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         for (i_1 = 0; i_1 < layout__CONTACT_POINT_SIZE; i_1 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_POINT + i_1)) = each(RATE_AT(work_t, support + layout__SUPPORT_POINT + i_1));
+            EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_POINT + i_1)) = each(RATE_AT(work_t, support + layout__SUPPORT_POINT + i_1));
             AT(work, side + layout__SIDE_SEARCH_POINT + i_1) = AT(work, support + layout__SUPPORT_POINT + i_1);
         }
         for (i_2 = 0; i_2 < layout__PATCH_TOTALS_SIZE; i_2 += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + i_2)) = each(RATE_AT(work_t, support + layout__SUPPORT_TOTALS + i_2));
+            EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_TOTALS + i_2)) = each(RATE_AT(work_t, support + layout__SUPPORT_TOTALS + i_2));
             AT(work, side + layout__SIDE_SEARCH_TOTALS + i_2) = AT(work, support + layout__SUPPORT_TOTALS + i_2);
         }
-        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) = each(RATE_AT(work_t, support + layout__SUPPORT_PENETRATION));
+        EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) = each(RATE_AT(work_t, support + layout__SUPPORT_PENETRATION));
         AT(work, side + layout__SIDE_SEARCH_PENETRATION) = AT(work, support + layout__SUPPORT_PENETRATION);
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = all_lanes(0.0);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_PATCH_COUNT) = along_all(0.0);
         AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) = (double)((int64_t)AT(work, support + layout__SUPPORT_PATCH_COUNT));
     }
     return 0;
@@ -116,14 +116,14 @@ static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d wo
  */
 
 /* Derivative of ``distribute_power``. */
-static inline int64_t derivative_distributed_power__distribute_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
+static inline int64_t derivative_distributed_power__distribute_power_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t stations)
 {
     int64_t j, number, patch, worn, i, number_end;
     double v1, width, own, v2;
-    lanes v1_t, width_t, own_t;
+    directional_rate v1_t, width_t, own_t;
     for (j = 2 * stations; j < 3 * stations; j += 1)
     {
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = all_lanes(0.0);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = along_all(0.0);
         AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = 0.0;
     }
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -134,25 +134,25 @@ static inline int64_t derivative_distributed_power__distribute_power_t(array_dou
         derivative_distributed_power__share_among_strips_t(work, work_t, patch, worn);
         for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
         {
-            derivative_distributed_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)AT(work, patch + layout__PATCH_RANK)), all_lanes(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, AT(work, worn + layout__STRIP_OUTPUTS_POWER + i), RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i));
+            derivative_distributed_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)AT(work, patch + layout__PATCH_RANK)), along_all(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, AT(work, worn + layout__STRIP_OUTPUTS_POWER + i), RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i));
         }
     }
     derivative_distributed_power__cell_width_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations);
-    EACH_LANE each(width_t) = each(v1_t);
+    EACH_DIRECTION each(width_t) = each(v1_t);
     width = v1;
     for (j = 2 * stations; j < 3 * stations; j += 1)
     {
-        EACH_LANE each(own_t) = each(width_t);
+        EACH_DIRECTION each(own_t) = each(width_t);
         own = width;
         if (j == 2 * stations || j == 3 * stations - 1)
         {
-            EACH_LANE each(own_t) = 0.5 * each(width_t);
+            EACH_DIRECTION each(own_t) = 0.5 * each(width_t);
             own = 0.5 * width;
         }
         if (own > 0.0)
         {
             v2 = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) / own;
-            EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) - v2 * each(own_t)) / own;
+            EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) - v2 * each(own_t)) / own;
             AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = v2;
         }
     }
@@ -160,54 +160,54 @@ static inline int64_t derivative_distributed_power__distribute_power_t(array_dou
 }
 
 /* Derivative of ``share_among_strips``. */
-static inline int64_t derivative_distributed_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn)
+static inline int64_t derivative_distributed_power__share_among_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t worn)
 {
-    lanes power_t, total_t, v1_t, scale_t;
+    directional_rate power_t, total_t, v1_t, scale_t;
     double power, total, v1, scale, v2;
     int64_t i;
-    EACH_LANE each(power_t) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    EACH_DIRECTION each(power_t) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
     power = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER);
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
     if (power != 0.0)
     {
         for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
         {
             derivative_rolling_contact__strip_power_t(&v1, &v1_t, work, work_t, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
-            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(v1_t);
+            EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(v1_t);
             AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = v1;
-            EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            EACH_DIRECTION each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
             total = total + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
         if (!(total > 0.0))
         {
             for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
             {
-                EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+                EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
                 AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD);
-                EACH_LANE each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+                EACH_DIRECTION each(total_t) = each(total_t) + (each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH) + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
                 total = total + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
             }
         }
     }
-    scale_t = all_lanes(0.0);
+    scale_t = along_all(0.0);
     scale = 0.0;
     if (total > 0.0)
     {
         v2 = power / total;
-        EACH_LANE each(scale_t) = (each(power_t) - v2 * each(total_t)) / total;
+        EACH_DIRECTION each(scale_t) = (each(power_t) - v2 * each(total_t)) / total;
         scale = v2;
     }
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         if (scale == 0.0)
         {
-            RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i) = all_lanes(0.0);
+            RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i) = along_all(0.0);
             AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = 0.0;
         }
         else
         {
-            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * scale + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(scale_t);
+            EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) * scale + AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * each(scale_t);
             AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) = AT(work, worn + layout__STRIP_OUTPUTS_POWER + i) * scale;
         }
     }
@@ -215,23 +215,23 @@ static inline int64_t derivative_distributed_power__share_among_strips_t(array_d
 }
 
 /* Derivative of ``cell_width``. */
-static inline void derivative_distributed_power__cell_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations)
+static inline void derivative_distributed_power__cell_width_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations)
 {
     double v1, v2;
     v1 = AT(work, outline + layout__OUTLINE_NUMBERS + (stations - 1)) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
     v2 = (double)(stations - 1);
     *out_0 = v1 / v2;
-    EACH_LANE each(*out_1) = (each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations - 1))) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0))) / v2;
+    EACH_DIRECTION each(*out_1) = (each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (stations - 1))) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0))) / v2;
 }
 
 /* Derivative of ``add_power``. */
-static inline int64_t derivative_distributed_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t)
+static inline int64_t derivative_distributed_power__add_power_t(array_double_1d work, array_directional_rate_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, directional_rate owner_t, int64_t strip, double power, directional_rate power_t)
 {
     double v1, width, last, v2, v3, v4, v5, start, v6, v7, v8, v9, stop, v10, v11, v12, density, at, after, v13, v15, v14, share, v16, part, v17;
-    lanes v1_t, width_t, v4_t, v5_t, start_t, v8_t, v9_t, stop_t, density_t, at_t, after_t, v13_t, v14_t, share_t, part_t, rates;
+    directional_rate v1_t, width_t, v4_t, v5_t, start_t, v8_t, v9_t, stop_t, density_t, at_t, after_t, v13_t, v14_t, share_t, part_t, rates;
     int64_t cell;
     derivative_distributed_power__cell_width_t(&v1, &v1_t, work, work_t, outline, stations);
-    EACH_LANE each(width_t) = each(v1_t);
+    EACH_DIRECTION each(width_t) = each(v1_t);
     width = v1;
     last = (double)(stations - 1);
     if (width > 0.0 && AT(work, strip + layout__ROLLING_STRIP_WIDTH) > 0.0)
@@ -239,86 +239,86 @@ static inline int64_t derivative_distributed_power__add_power_t(array_double_1d 
         v2 = AT(work, strip + layout__ROLLING_STRIP_START) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
         v3 = v2 / width;
         v4 = v3;
-        EACH_LANE each(v4_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v3 * each(width_t)) / width;
+        EACH_DIRECTION each(v4_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_START)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v3 * each(width_t)) / width;
         if (0.0 > v4)
         {
             v4 = 0.0;
-            v4_t = all_lanes(0.0);
+            v4_t = along_all(0.0);
         }
         v5 = v4;
-        EACH_LANE each(v5_t) = each(v4_t);
+        EACH_DIRECTION each(v5_t) = each(v4_t);
         if (last < v5)
         {
             v5 = last;
-            v5_t = all_lanes(0.0);
+            v5_t = along_all(0.0);
         }
-        EACH_LANE each(start_t) = each(v5_t);
+        EACH_DIRECTION each(start_t) = each(v5_t);
         start = v5;
         v6 = AT(work, strip + layout__ROLLING_STRIP_STOP) - AT(work, outline + layout__OUTLINE_NUMBERS + 0);
         v7 = v6 / width;
         v8 = v7;
-        EACH_LANE each(v8_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v7 * each(width_t)) / width;
+        EACH_DIRECTION each(v8_t) = (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STOP)) - each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + 0)) - v7 * each(width_t)) / width;
         if (0.0 > v8)
         {
             v8 = 0.0;
-            v8_t = all_lanes(0.0);
+            v8_t = along_all(0.0);
         }
         v9 = v8;
-        EACH_LANE each(v9_t) = each(v8_t);
+        EACH_DIRECTION each(v9_t) = each(v8_t);
         if (last < v9)
         {
             v9 = last;
-            v9_t = all_lanes(0.0);
+            v9_t = along_all(0.0);
         }
-        EACH_LANE each(stop_t) = each(v9_t);
+        EACH_DIRECTION each(stop_t) = each(v9_t);
         stop = v9;
         if (stop > start)
         {
             v10 = power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
             v11 = stop - start;
             v12 = v10 / v11;
-            EACH_LANE each(density_t) = (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) - v12 * (each(stop_t) - each(start_t))) / v11;
+            EACH_DIRECTION each(density_t) = (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)) - v12 * (each(stop_t) - each(start_t))) / v11;
             density = v12;
-            EACH_LANE each(at_t) = each(start_t);
+            EACH_DIRECTION each(at_t) = each(start_t);
             at = start;
             while (at < stop)
             {
                 cell = int64_min((int64_t)at, stations - 2);
-                EACH_LANE each(after_t) = each(stop_t);
+                EACH_DIRECTION each(after_t) = each(stop_t);
                 after = stop;
                 if (cell < stations - 2)
                 {
                     v13 = (double)(cell + 1);
-                    v13_t = all_lanes(0.0);
+                    v13_t = along_all(0.0);
                     if (stop < v13)
                     {
                         v13 = stop;
-                        EACH_LANE each(v13_t) = each(stop_t);
+                        EACH_DIRECTION each(v13_t) = each(stop_t);
                     }
-                    EACH_LANE each(after_t) = each(v13_t);
+                    EACH_DIRECTION each(after_t) = each(v13_t);
                     after = v13;
                 }
                 v15 = at + after;
-                EACH_LANE each(rates) = 0.5 * (each(at_t) + each(after_t));
+                EACH_DIRECTION each(rates) = 0.5 * (each(at_t) + each(after_t));
                 derivative_distributed_power__own_share_t(&v14, &v14_t, work, work_t, wear, stations, cell, owner, owner_t, 0.5 * v15 - (double)cell, rates);
-                EACH_LANE each(share_t) = each(v14_t);
+                EACH_DIRECTION each(share_t) = each(v14_t);
                 share = v14;
                 v16 = after - at;
-                EACH_LANE each(part_t) = each(density_t) * v16 + density * (each(after_t) - each(at_t));
+                EACH_DIRECTION each(part_t) = each(density_t) * v16 + density * (each(after_t) - each(at_t));
                 part = density * v16;
                 v17 = 1.0 - share;
-                EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (-each(share_t) * part + v17 * each(part_t));
+                EACH_DIRECTION each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (-each(share_t) * part + v17 * each(part_t));
                 AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) + v17 * part;
-                EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) + (each(share_t) * part + share * each(part_t));
+                EACH_DIRECTION each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1))) + (each(share_t) * part + share * each(part_t));
                 AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell + 1)) + share * part;
-                EACH_LANE each(at_t) = each(after_t);
+                EACH_DIRECTION each(at_t) = each(after_t);
                 at = after;
             }
         }
         else
         {
             cell = int64_min((int64_t)(start + 0.5), stations - 1);
-            EACH_LANE each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+            EACH_DIRECTION each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell))) + (each(power_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + power * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
             AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (2 * stations + cell)) + power * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
@@ -326,28 +326,28 @@ static inline int64_t derivative_distributed_power__add_power_t(array_double_1d 
 }
 
 /* Derivative of ``own_share``. */
-static inline void derivative_distributed_power__own_share_t(double* found_out, lanes* found_t_out, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t)
+static inline void derivative_distributed_power__own_share_t(double* found_out, directional_rate* found_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, directional_rate owner_t, double share, directional_rate share_t)
 {
-    lanes first_t, second_t, found_t;
+    directional_rate first_t, second_t, found_t;
     double first, second, found;
-    EACH_LANE each(first_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell)));
+    EACH_DIRECTION each(first_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell)));
     first = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell));
-    EACH_LANE each(second_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1)));
+    EACH_DIRECTION each(second_t) = each(RATE_AT(work_t, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1)));
     second = AT(work, wear + layout__WEAR_RUNS_NUMBERS + (3 * stations + cell + 1));
-    EACH_LANE each(found_t) = each(share_t);
+    EACH_DIRECTION each(found_t) = each(share_t);
     found = share;
     if (first == owner && second != owner)
     {
-        found_t = all_lanes(0.0);
+        found_t = along_all(0.0);
         found = 0.0;
     }
     else if (second == owner && first != owner)
     {
-        found_t = all_lanes(0.0);
+        found_t = along_all(0.0);
         found = 1.0;
     }
     *found_out = found;
-    EACH_LANE each(*found_t_out) = each(found_t);
+    EACH_DIRECTION each(*found_t_out) = each(found_t);
 }
 
 
@@ -357,48 +357,48 @@ static inline void derivative_distributed_power__own_share_t(double* found_out, 
  */
 
 /* Derivative of ``wear_number_damage``. */
-static inline void derivative_fatigue__wear_number_damage_t(double* damage_out, lanes* damage_t_out, double wear_number, lanes wear_number_t)
+static inline void derivative_fatigue__wear_number_damage_t(double* damage_out, directional_rate* damage_t_out, double wear_number, directional_rate wear_number_t)
 {
-    lanes damage_t;
+    directional_rate damage_t;
     double damage;
-    damage_t = all_lanes(0.0);
+    damage_t = along_all(0.0);
     damage = 0.0;
     if (wear_number >= fatigue__LARGEST)
     {
-        EACH_LANE each(damage_t) = fatigue__FALL * each(wear_number_t);
+        EACH_DIRECTION each(damage_t) = fatigue__FALL * each(wear_number_t);
         damage = fatigue__FALL * wear_number + fatigue__FALL_CONSTANT;
         if (damage < 0.0)
         {
-            damage_t = all_lanes(0.0);
+            damage_t = along_all(0.0);
             damage = 0.0;
         }
     }
     else if (wear_number >= fatigue__FIRST_BREAK)
     {
-        EACH_LANE each(damage_t) = fatigue__RISE * each(wear_number_t);
+        EACH_DIRECTION each(damage_t) = fatigue__RISE * each(wear_number_t);
         damage = fatigue__RISE * wear_number + fatigue__RISE_CONSTANT;
     }
     *damage_out = damage;
-    EACH_LANE each(*damage_t_out) = each(damage_t);
+    EACH_DIRECTION each(*damage_t_out) = each(damage_t);
 }
 
 /* Derivative of ``shakedown_ratio``. */
-static inline void derivative_fatigue__shakedown_ratio_t(double* ratio_out, lanes* ratio_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, double yield_shear, lanes yield_shear_t)
+static inline void derivative_fatigue__shakedown_ratio_t(double* ratio_out, directional_rate* ratio_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double yield_shear, directional_rate yield_shear_t)
 {
-    lanes ratio_t;
+    directional_rate ratio_t;
     double ratio, v1, v2, v3;
-    ratio_t = all_lanes(0.0);
+    ratio_t = along_all(0.0);
     ratio = 0.0;
     if (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) > 0.0)
     {
         v1 = 1.5 * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
         v2 = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) * yield_shear;
         v3 = v1 / v2;
-        EACH_LANE each(ratio_t) = (1.5 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v3 * (each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) * each(yield_shear_t))) / v2;
+        EACH_DIRECTION each(ratio_t) = (1.5 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v3 * (each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA) * each(yield_shear_t))) / v2;
         ratio = v3;
     }
     *ratio_out = ratio;
-    EACH_LANE each(*ratio_t_out) = each(ratio_t);
+    EACH_DIRECTION each(*ratio_t_out) = each(ratio_t);
 }
 
 
@@ -408,7 +408,7 @@ static inline void derivative_fatigue__shakedown_ratio_t(double* ratio_out, lane
  */
 
 /* Derivative of ``sum_forces``. */
-static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     bool with_creep;
     int64_t i_1, index, side;
@@ -416,30 +416,30 @@ static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, ar
     with_creep = input_checks__has_creep_forces(tables, work);
     for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1) = along_all(0.0);
         AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1) = 0.0;
     }
     for (index = 0; index < 2; index += 1)
     {
         mirror = (double)(2 * index - 1);
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y)) = mirror * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+        EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y)) = mirror * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
         AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y) = mirror * AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT);
-        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
         AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) - AT(tables, layout__TABLES_HEIGHT);
         derivative_forces__sum_side_t(work, work_t, side, with_creep);
-        derivative_forces__add_forces_t(work, work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES, side + layout__SIDE_SEARCH_FORCES, mirror, all_lanes(0.0));
+        derivative_forces__add_forces_t(work, work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES, side + layout__SIDE_SEARCH_FORCES, mirror, along_all(0.0));
     }
     return 0;
 }
 
 /* Derivative of ``sum_side``. */
-static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side, bool with_creep)
+static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, bool with_creep)
 {
     int64_t i_1, number, patch, number_end;
     for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + i_1) = all_lanes(0.0);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + i_1) = along_all(0.0);
         AT(work, side + layout__SIDE_SEARCH_FORCES + i_1) = 0.0;
     }
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -451,207 +451,218 @@ static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_
         {
             derivative_forces__add_creep_force_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         }
-        derivative_forces__add_forces_t(work, work_t, side + layout__SIDE_SEARCH_FORCES, patch + layout__PATCH_FORCES, 1.0, all_lanes(0.0));
+        derivative_forces__add_forces_t(work, work_t, side + layout__SIDE_SEARCH_FORCES, patch + layout__PATCH_FORCES, 1.0, along_all(0.0));
     }
     return 0;
 }
 
 /* Derivative of ``press_patch``. */
-static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t forces, i_1, i_2, i_3, i_4;
     forces = patch + layout__PATCH_FORCES;
     for (i_1 = 0; i_1 < layout__FORCES_SIZE; i_1 += 1)
     {
-        RATE_AT(work_t, forces + i_1) = all_lanes(0.0);
+        RATE_AT(work_t, forces + i_1) = along_all(0.0);
         AT(work, forces + i_1) = 0.0;
     }
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_DAMPING_POWER)) = each(RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_DAMPING_POWER)) = each(RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER));
     AT(work, forces + layout__FORCES_DAMPING_POWER) = AT(work, patch + layout__PATCH_DAMPING_POWER);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 1)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 1)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y));
     AT(work, forces + layout__FORCES_NORMAL_FORCE + 1) = AT(work, patch + layout__PATCH_NORMAL_Y);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 2)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + 2)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z));
     AT(work, forces + layout__FORCES_NORMAL_FORCE + 2) = AT(work, patch + layout__PATCH_NORMAL_Z);
     for (i_2 = 0; i_2 < 3; i_2 += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i_2));
+        EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i_2));
         AT(work, forces + layout__FORCES_NORMAL_MOMENT + i_2) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + i_2);
     }
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) * AT(work, patch + layout__PATCH_NORMAL_Z) + AT(work, motion + layout__MOTION_CENTRE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) * AT(work, patch + layout__PATCH_NORMAL_Y) + AT(work, motion + layout__MOTION_CENTRE_Z) * each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y))));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) * AT(work, patch + layout__PATCH_NORMAL_Z) + AT(work, motion + layout__MOTION_CENTRE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) * AT(work, patch + layout__PATCH_NORMAL_Y) + AT(work, motion + layout__MOTION_CENTRE_Z) * each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y))));
     AT(work, forces + layout__FORCES_NORMAL_MOMENT + 0) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + 0) - (AT(work, motion + layout__MOTION_CENTRE_Y) * AT(work, patch + layout__PATCH_NORMAL_Z) - AT(work, motion + layout__MOTION_CENTRE_Z) * AT(work, patch + layout__PATCH_NORMAL_Y));
     for (i_3 = 0; i_3 < 3; i_3 += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FORCE + i_3)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + i_3));
+        EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_FORCE + i_3)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_FORCE + i_3));
         AT(work, forces + layout__FORCES_FORCE + i_3) = AT(work, forces + layout__FORCES_NORMAL_FORCE + i_3);
     }
     for (i_4 = 0; i_4 < 3; i_4 += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + i_4)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + i_4));
+        EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + i_4)) = each(RATE_AT(work_t, forces + layout__FORCES_NORMAL_MOMENT + i_4));
         AT(work, forces + layout__FORCES_MOMENT + i_4) = AT(work, forces + layout__FORCES_NORMAL_MOMENT + i_4);
     }
     return 0;
 }
 
 /* Derivative of ``add_creep_force``. */
-static inline int64_t derivative_forces__add_creep_force_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_forces__add_creep_force_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t forces, i, strip;
-    lanes rest_x_t, rest_y_t, turning_t, force_y_t, force_z_t, moment_x_t, moment_y_t, moment_z_t, missing_t, along_t, across_t, spinning_t, down_t, x_t, y_t, z_t, lever_x_t, lever_y_t, lever_z_t, v2_t, sine_t, cosine_t, v4_t, v5_t, v7_t;
-    double rest_x, rest_y, turning, force_y, force_z, moment_x, moment_y, moment_z, missing, along, across, spinning, down, x, y, z, lever_x, lever_y, lever_z, v1, v2, sine, cosine, v3, v4, v5, v6, v7, v8, v9;
+    directional_rate rest_x_t, rest_y_t, turning_t, force_y_t, force_z_t, moment_x_t, moment_y_t, moment_z_t, missing_t, along_t, across_t, spinning_t, down_t, x_t, y_t, z_t, lever_x_t, lever_y_t, lever_z_t, v2_t, sine_t, cosine_t, v4_t;
+    double rest_x, rest_y, turning, force_y, force_z, moment_x, moment_y, moment_z, missing, along, across, spinning, down, x, y, z, lever_x, lever_y, lever_z, v1, v2, sine, cosine, v3, v4;
     forces = patch + layout__PATCH_FORCES;
-    EACH_LANE each(rest_x_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
+    EACH_DIRECTION each(rest_x_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
     rest_x = AT(work, patch + layout__PATCH_CREEP_X);
-    EACH_LANE each(rest_y_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y));
+    EACH_DIRECTION each(rest_y_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y));
     rest_y = AT(work, patch + layout__PATCH_CREEP_Y);
-    EACH_LANE each(turning_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT));
+    EACH_DIRECTION each(turning_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT));
     turning = AT(work, patch + layout__PATCH_CREEP_MOMENT);
-    force_y_t = all_lanes(0.0);
+    force_y_t = along_all(0.0);
     force_y = 0.0;
-    force_z_t = all_lanes(0.0);
+    force_z_t = along_all(0.0);
     force_z = 0.0;
-    moment_x_t = all_lanes(0.0);
+    moment_x_t = along_all(0.0);
     moment_x = 0.0;
-    moment_y_t = all_lanes(0.0);
+    moment_y_t = along_all(0.0);
     moment_y = 0.0;
-    moment_z_t = all_lanes(0.0);
+    moment_z_t = along_all(0.0);
     moment_z = 0.0;
-    missing_t = all_lanes(0.0);
+    missing_t = along_all(0.0);
     missing = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(along_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_DIRECTION each(along_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
         along = AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_DIRECTION each(across_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
         across = AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-        EACH_LANE each(spinning_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_MOMENT) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_DIRECTION each(spinning_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + AT(work, strip + layout__ROLLING_STRIP_MOMENT) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
         spinning = AT(work, strip + layout__ROLLING_STRIP_MOMENT) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-        EACH_LANE each(rest_x_t) = each(rest_x_t) - each(along_t);
+        EACH_DIRECTION each(rest_x_t) = each(rest_x_t) - each(along_t);
         rest_x = rest_x - along;
-        EACH_LANE each(rest_y_t) = each(rest_y_t) - each(across_t);
+        EACH_DIRECTION each(rest_y_t) = each(rest_y_t) - each(across_t);
         rest_y = rest_y - across;
-        EACH_LANE each(turning_t) = each(turning_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) * along + AT(work, strip + layout__ROLLING_STRIP_Y) * each(along_t) - each(spinning_t));
+        EACH_DIRECTION each(turning_t) = each(turning_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y)) * along + AT(work, strip + layout__ROLLING_STRIP_Y) * each(along_t) - each(spinning_t));
         turning = turning + (AT(work, strip + layout__ROLLING_STRIP_Y) * along - spinning);
-        EACH_LANE each(spinning_t) = each(spinning_t) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t));
+        EACH_DIRECTION each(spinning_t) = each(spinning_t) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)) * across + AT(work, strip + layout__ROLLING_STRIP_X) * each(across_t));
         spinning = spinning - AT(work, strip + layout__ROLLING_STRIP_X) * across;
-        EACH_LANE each(down_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * across + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(across_t);
+        EACH_DIRECTION each(down_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * across + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(across_t);
         down = AT(work, strip + layout__ROLLING_STRIP_SIN) * across;
-        EACH_LANE each(across_t) = each(across_t) * AT(work, strip + layout__ROLLING_STRIP_COS) + across * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS));
+        EACH_DIRECTION each(across_t) = each(across_t) * AT(work, strip + layout__ROLLING_STRIP_COS) + across * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS));
         across = across * AT(work, strip + layout__ROLLING_STRIP_COS);
-        EACH_LANE each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) + each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
+        EACH_DIRECTION each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) + each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X));
         x = AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X);
-        EACH_LANE each(y_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+        EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
         y = AT(work, strip + layout__ROLLING_STRIP_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
-        EACH_LANE each(z_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+        EACH_DIRECTION each(z_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
         z = AT(work, strip + layout__ROLLING_STRIP_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
-        EACH_LANE each(lever_x_t) = each(y_t) * down + y * each(down_t) - (each(z_t) * across + z * each(across_t));
+        EACH_DIRECTION each(lever_x_t) = each(y_t) * down + y * each(down_t) - (each(z_t) * across + z * each(across_t));
         lever_x = y * down - z * across;
-        EACH_LANE each(lever_y_t) = each(z_t) * along + z * each(along_t) - (each(x_t) * down + x * each(down_t));
+        EACH_DIRECTION each(lever_y_t) = each(z_t) * along + z * each(along_t) - (each(x_t) * down + x * each(down_t));
         lever_y = z * along - x * down;
-        EACH_LANE each(lever_z_t) = each(x_t) * across + x * each(across_t) - (each(y_t) * along + y * each(along_t));
+        EACH_DIRECTION each(lever_z_t) = each(x_t) * across + x * each(across_t) - (each(y_t) * along + y * each(along_t));
         lever_z = x * across - y * along;
-        EACH_LANE each(force_y_t) = each(force_y_t) + each(across_t);
+        EACH_DIRECTION each(force_y_t) = each(force_y_t) + each(across_t);
         force_y = force_y + across;
-        EACH_LANE each(force_z_t) = each(force_z_t) + each(down_t);
+        EACH_DIRECTION each(force_z_t) = each(force_z_t) + each(down_t);
         force_z = force_z + down;
-        EACH_LANE each(moment_x_t) = each(moment_x_t) + each(lever_x_t);
+        EACH_DIRECTION each(moment_x_t) = each(moment_x_t) + each(lever_x_t);
         moment_x = moment_x + lever_x;
-        EACH_LANE each(moment_y_t) = each(moment_y_t) + (each(lever_y_t) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * spinning + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(spinning_t)));
+        EACH_DIRECTION each(moment_y_t) = each(moment_y_t) + (each(lever_y_t) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SIN)) * spinning + AT(work, strip + layout__ROLLING_STRIP_SIN) * each(spinning_t)));
         moment_y = moment_y + (lever_y - AT(work, strip + layout__ROLLING_STRIP_SIN) * spinning);
-        EACH_LANE each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * spinning + AT(work, strip + layout__ROLLING_STRIP_COS) * each(spinning_t)));
+        EACH_DIRECTION each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_COS)) * spinning + AT(work, strip + layout__ROLLING_STRIP_COS) * each(spinning_t)));
         moment_z = moment_z + (lever_z + AT(work, strip + layout__ROLLING_STRIP_COS) * spinning);
         v1 = AT(work, strip + layout__ROLLING_STRIP_RADIUS_SHARE) - 1.0;
         derivative_forces__about_axle_t(&v2, &v2_t, work, work_t, motion, lever_x, lever_x_t, lever_y, lever_y_t, lever_z, lever_z_t);
-        EACH_LANE each(missing_t) = each(missing_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) * v2 + v1 * each(v2_t));
+        EACH_DIRECTION each(missing_t) = each(missing_t) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) * v2 + v1 * each(v2_t));
         missing = missing + v1 * v2;
     }
-    EACH_LANE each(sine_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN));
+    EACH_DIRECTION each(sine_t) = -each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_SIN));
     sine = -AT(work, patch + layout__PATCH_ANGLE_SIN);
-    EACH_LANE each(cosine_t) = each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS));
+    EACH_DIRECTION each(cosine_t) = each(RATE_AT(work_t, patch + layout__PATCH_ANGLE_COS));
     cosine = AT(work, patch + layout__PATCH_ANGLE_COS);
-    EACH_LANE each(across_t) = each(cosine_t) * rest_y + cosine * each(rest_y_t);
+    EACH_DIRECTION each(across_t) = each(cosine_t) * rest_y + cosine * each(rest_y_t);
     across = cosine * rest_y;
-    EACH_LANE each(down_t) = each(sine_t) * rest_y + sine * each(rest_y_t);
+    EACH_DIRECTION each(down_t) = each(sine_t) * rest_y + sine * each(rest_y_t);
     down = sine * rest_y;
-    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_DIRECTION each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y));
     y = AT(work, patch + layout__PATCH_Y_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Y);
-    EACH_LANE each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_DIRECTION each(z_t) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK)) - each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z));
     z = AT(work, patch + layout__PATCH_Z_TRACK) - AT(work, motion + layout__MOTION_CENTRE_Z);
-    EACH_LANE each(lever_x_t) = each(y_t) * down + y * each(down_t) - (each(z_t) * across + z * each(across_t));
+    EACH_DIRECTION each(lever_x_t) = each(y_t) * down + y * each(down_t) - (each(z_t) * across + z * each(across_t));
     lever_x = y * down - z * across;
-    EACH_LANE each(lever_y_t) = each(z_t) * rest_x + z * each(rest_x_t) - (each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) * down + AT(work, patch + layout__PATCH_X_TRACK) * each(down_t));
+    EACH_DIRECTION each(lever_y_t) = each(z_t) * rest_x + z * each(rest_x_t) - (each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) * down + AT(work, patch + layout__PATCH_X_TRACK) * each(down_t));
     lever_y = z * rest_x - AT(work, patch + layout__PATCH_X_TRACK) * down;
-    EACH_LANE each(lever_z_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) * across + AT(work, patch + layout__PATCH_X_TRACK) * each(across_t) - (each(y_t) * rest_x + y * each(rest_x_t));
+    EACH_DIRECTION each(lever_z_t) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK)) * across + AT(work, patch + layout__PATCH_X_TRACK) * each(across_t) - (each(y_t) * rest_x + y * each(rest_x_t));
     lever_z = AT(work, patch + layout__PATCH_X_TRACK) * across - y * rest_x;
     v3 = AT(work, patch + layout__PATCH_RADIUS_SHARE) - 1.0;
     derivative_forces__about_axle_t(&v4, &v4_t, work, work_t, motion, lever_x, lever_x_t, lever_y, lever_y_t, lever_z, lever_z_t);
-    EACH_LANE each(missing_t) = each(missing_t) + (each(RATE_AT(work_t, patch + layout__PATCH_RADIUS_SHARE)) * v4 + v3 * each(v4_t));
+    EACH_DIRECTION each(missing_t) = each(missing_t) + (each(RATE_AT(work_t, patch + layout__PATCH_RADIUS_SHARE)) * v4 + v3 * each(v4_t));
     missing = missing + v3 * v4;
-    EACH_LANE each(moment_x_t) = each(moment_x_t) + each(lever_x_t);
+    EACH_DIRECTION each(moment_x_t) = each(moment_x_t) + each(lever_x_t);
     moment_x = moment_x + lever_x;
-    EACH_LANE each(moment_y_t) = each(moment_y_t) + (each(lever_y_t) - (each(sine_t) * turning + sine * each(turning_t)));
+    EACH_DIRECTION each(moment_y_t) = each(moment_y_t) + (each(lever_y_t) - (each(sine_t) * turning + sine * each(turning_t)));
     moment_y = moment_y + (lever_y - sine * turning);
-    EACH_LANE each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each(cosine_t) * turning + cosine * each(turning_t)));
+    EACH_DIRECTION each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each(cosine_t) * turning + cosine * each(turning_t)));
     moment_z = moment_z + (lever_z + cosine * turning);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 0)) + each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 0)) + each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
     AT(work, forces + layout__FORCES_FORCE + 0) = AT(work, forces + layout__FORCES_FORCE + 0) + AT(work, patch + layout__PATCH_CREEP_X);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) + (each(force_y_t) + each(across_t));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) + (each(force_y_t) + each(across_t));
     AT(work, forces + layout__FORCES_FORCE + 1) = AT(work, forces + layout__FORCES_FORCE + 1) + (force_y + across);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) + (each(force_z_t) + each(down_t));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) = each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) + (each(force_z_t) + each(down_t));
     AT(work, forces + layout__FORCES_FORCE + 2) = AT(work, forces + layout__FORCES_FORCE + 2) + (force_z + down);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 0)) + (each(moment_x_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_X) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X))));
+    derivative_forces__turn_creep_force_t(work, work_t, motion, patch, moment_x, moment_x_t, moment_y, moment_y_t, moment_z, moment_z_t, missing, missing_t);
+    return 0;
+}
+
+/* Derivative of ``turn_creep_force``. */
+static inline int64_t derivative_forces__turn_creep_force_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch, double moment_x, directional_rate moment_x_t, double moment_y, directional_rate moment_y_t, double moment_z, directional_rate moment_z_t, double missing, directional_rate missing_t)
+{
+    int64_t forces;
+    double v1, v2, v3, v4, v5;
+    directional_rate v1_t, v3_t;
+    forces = patch + layout__PATCH_FORCES;
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 0)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 0)) + (each(moment_x_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_X) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X))));
     AT(work, forces + layout__FORCES_MOMENT + 0) = AT(work, forces + layout__FORCES_MOMENT + 0) + (moment_x + missing * AT(work, motion + layout__MOTION_AXLE_X));
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 1)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 1)) + (each(moment_y_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_Y) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y))));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 1)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 1)) + (each(moment_y_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_Y) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y))));
     AT(work, forces + layout__FORCES_MOMENT + 1) = AT(work, forces + layout__FORCES_MOMENT + 1) + (moment_y + missing * AT(work, motion + layout__MOTION_AXLE_Y));
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 2)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 2)) + (each(moment_z_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_Z) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z))));
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 2)) = each(RATE_AT(work_t, forces + layout__FORCES_MOMENT + 2)) + (each(moment_z_t) + (each(missing_t) * AT(work, motion + layout__MOTION_AXLE_Z) + missing * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z))));
     AT(work, forces + layout__FORCES_MOMENT + 2) = AT(work, forces + layout__FORCES_MOMENT + 2) + (moment_z + missing * AT(work, motion + layout__MOTION_AXLE_Z));
-    derivative_forces__about_axle_t(&v5, &v5_t, work, work_t, motion, moment_x, moment_x_t, moment_y, moment_y_t, moment_z, moment_z_t);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_DRIVING_TORQUE)) = -(each(v5_t) + each(missing_t));
-    AT(work, forces + layout__FORCES_DRIVING_TORQUE) = -(v5 + missing);
-    v6 = -AT(work, patch + layout__PATCH_SPEED);
-    derivative_friction__creep_gain_t(&v7, &v7_t, work, work_t, patch);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_FRICTION_POWER)) = -each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * v7 + v6 * each(v7_t);
-    AT(work, forces + layout__FORCES_FRICTION_POWER) = v6 * v7;
-    v8 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEPAGE_X);
-    v9 = AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    EACH_LANE each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER)) = derivative_rates__size_rate(v8, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X))) + derivative_rates__size_rate(v9, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
-    AT(work, forces + layout__FORCES_WEAR_NUMBER) = fabs(v8) + fabs(v9);
+    derivative_forces__about_axle_t(&v1, &v1_t, work, work_t, motion, moment_x, moment_x_t, moment_y, moment_y_t, moment_z, moment_z_t);
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_DRIVING_TORQUE)) = -(each(v1_t) + each(missing_t));
+    AT(work, forces + layout__FORCES_DRIVING_TORQUE) = -(v1 + missing);
+    v2 = -AT(work, patch + layout__PATCH_SPEED);
+    derivative_friction__creep_gain_t(&v3, &v3_t, work, work_t, patch);
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_FRICTION_POWER)) = -each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * v3 + v2 * each(v3_t);
+    AT(work, forces + layout__FORCES_FRICTION_POWER) = v2 * v3;
+    v4 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    v5 = AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    EACH_DIRECTION each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER)) = derivative_rates__size_rate(v4, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X))) + derivative_rates__size_rate(v5, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
+    AT(work, forces + layout__FORCES_WEAR_NUMBER) = fabs(v4) + fabs(v5);
     return 0;
 }
 
 /* Derivative of ``about_axle``. */
-static inline void derivative_forces__about_axle_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double moment_x, lanes moment_x_t, double moment_y, lanes moment_y_t, double moment_z, lanes moment_z_t)
+static inline void derivative_forces__about_axle_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, double moment_x, directional_rate moment_x_t, double moment_y, directional_rate moment_y_t, double moment_z, directional_rate moment_z_t)
 {
     *out_0 = moment_x * AT(work, motion + layout__MOTION_AXLE_X) + moment_y * AT(work, motion + layout__MOTION_AXLE_Y) + moment_z * AT(work, motion + layout__MOTION_AXLE_Z);
-    EACH_LANE each(*out_1) = each(moment_x_t) * AT(work, motion + layout__MOTION_AXLE_X) + moment_x * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) + (each(moment_y_t) * AT(work, motion + layout__MOTION_AXLE_Y) + moment_y * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y))) + (each(moment_z_t) * AT(work, motion + layout__MOTION_AXLE_Z) + moment_z * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)));
+    EACH_DIRECTION each(*out_1) = each(moment_x_t) * AT(work, motion + layout__MOTION_AXLE_X) + moment_x * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_X)) + (each(moment_y_t) * AT(work, motion + layout__MOTION_AXLE_Y) + moment_y * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y))) + (each(moment_z_t) * AT(work, motion + layout__MOTION_AXLE_Z) + moment_z * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)));
 }
 
 /* Derivative of ``add_forces``. */
-static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double mirror, lanes mirror_t)
+static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_directional_rate_1d work_t, int64_t total, int64_t part, double mirror, directional_rate mirror_t)
 {
-    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_FORCE, part + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
-    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_MOMENT, part + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
-    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_FORCE, part + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
-    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_MOMENT, part + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
-    EACH_LANE each(RATE_AT(work_t, total + layout__FORCES_DRIVING_TORQUE)) = each(RATE_AT(work_t, total + layout__FORCES_DRIVING_TORQUE)) + each(RATE_AT(work_t, part + layout__FORCES_DRIVING_TORQUE));
+    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_FORCE, part + layout__FORCES_FORCE, 1.0, along_all(0.0), mirror, mirror_t);
+    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_MOMENT, part + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, along_all(0.0));
+    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_FORCE, part + layout__FORCES_NORMAL_FORCE, 1.0, along_all(0.0), mirror, mirror_t);
+    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_MOMENT, part + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, along_all(0.0));
+    EACH_DIRECTION each(RATE_AT(work_t, total + layout__FORCES_DRIVING_TORQUE)) = each(RATE_AT(work_t, total + layout__FORCES_DRIVING_TORQUE)) + each(RATE_AT(work_t, part + layout__FORCES_DRIVING_TORQUE));
     AT(work, total + layout__FORCES_DRIVING_TORQUE) = AT(work, total + layout__FORCES_DRIVING_TORQUE) + AT(work, part + layout__FORCES_DRIVING_TORQUE);
-    EACH_LANE each(RATE_AT(work_t, total + layout__FORCES_FRICTION_POWER)) = each(RATE_AT(work_t, total + layout__FORCES_FRICTION_POWER)) + each(RATE_AT(work_t, part + layout__FORCES_FRICTION_POWER));
+    EACH_DIRECTION each(RATE_AT(work_t, total + layout__FORCES_FRICTION_POWER)) = each(RATE_AT(work_t, total + layout__FORCES_FRICTION_POWER)) + each(RATE_AT(work_t, part + layout__FORCES_FRICTION_POWER));
     AT(work, total + layout__FORCES_FRICTION_POWER) = AT(work, total + layout__FORCES_FRICTION_POWER) + AT(work, part + layout__FORCES_FRICTION_POWER);
-    EACH_LANE each(RATE_AT(work_t, total + layout__FORCES_DAMPING_POWER)) = each(RATE_AT(work_t, total + layout__FORCES_DAMPING_POWER)) + each(RATE_AT(work_t, part + layout__FORCES_DAMPING_POWER));
+    EACH_DIRECTION each(RATE_AT(work_t, total + layout__FORCES_DAMPING_POWER)) = each(RATE_AT(work_t, total + layout__FORCES_DAMPING_POWER)) + each(RATE_AT(work_t, part + layout__FORCES_DAMPING_POWER));
     AT(work, total + layout__FORCES_DAMPING_POWER) = AT(work, total + layout__FORCES_DAMPING_POWER) + AT(work, part + layout__FORCES_DAMPING_POWER);
-    EACH_LANE each(RATE_AT(work_t, total + layout__FORCES_WEAR_NUMBER)) = each(RATE_AT(work_t, total + layout__FORCES_WEAR_NUMBER)) + each(RATE_AT(work_t, part + layout__FORCES_WEAR_NUMBER));
+    EACH_DIRECTION each(RATE_AT(work_t, total + layout__FORCES_WEAR_NUMBER)) = each(RATE_AT(work_t, total + layout__FORCES_WEAR_NUMBER)) + each(RATE_AT(work_t, part + layout__FORCES_WEAR_NUMBER));
     AT(work, total + layout__FORCES_WEAR_NUMBER) = AT(work, total + layout__FORCES_WEAR_NUMBER) + AT(work, part + layout__FORCES_WEAR_NUMBER);
     return 0;
 }
 
 /* Derivative of ``add_vector``. */
-static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double plane, lanes plane_t, double across, lanes across_t)
+static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_directional_rate_1d work_t, int64_t total, int64_t part, double plane, directional_rate plane_t, double across, directional_rate across_t)
 {
-    EACH_LANE each(RATE_AT(work_t, total + 0)) = each(RATE_AT(work_t, total + 0)) + (each(plane_t) * AT(work, part + 0) + plane * each(RATE_AT(work_t, part + 0)));
+    EACH_DIRECTION each(RATE_AT(work_t, total + 0)) = each(RATE_AT(work_t, total + 0)) + (each(plane_t) * AT(work, part + 0) + plane * each(RATE_AT(work_t, part + 0)));
     AT(work, total + 0) = AT(work, total + 0) + plane * AT(work, part + 0);
-    EACH_LANE each(RATE_AT(work_t, total + 1)) = each(RATE_AT(work_t, total + 1)) + (each(across_t) * AT(work, part + 1) + across * each(RATE_AT(work_t, part + 1)));
+    EACH_DIRECTION each(RATE_AT(work_t, total + 1)) = each(RATE_AT(work_t, total + 1)) + (each(across_t) * AT(work, part + 1) + across * each(RATE_AT(work_t, part + 1)));
     AT(work, total + 1) = AT(work, total + 1) + across * AT(work, part + 1);
-    EACH_LANE each(RATE_AT(work_t, total + 2)) = each(RATE_AT(work_t, total + 2)) + (each(plane_t) * AT(work, part + 2) + plane * each(RATE_AT(work_t, part + 2)));
+    EACH_DIRECTION each(RATE_AT(work_t, total + 2)) = each(RATE_AT(work_t, total + 2)) + (each(plane_t) * AT(work, part + 2) + plane * each(RATE_AT(work_t, part + 2)));
     AT(work, total + 2) = AT(work, total + 2) + plane * AT(work, part + 2);
     return 0;
 }
@@ -663,7 +674,7 @@ static inline int64_t derivative_forces__add_vector_t(array_double_1d work, arra
  */
 
 /* Derivative of ``nominal_rate``. */
-static inline void derivative_free_rolling__nominal_rate_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline void derivative_free_rolling__nominal_rate_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     double radius;
     radius = AT(tables, layout__TABLES_HEIGHT);
@@ -672,7 +683,7 @@ static inline void derivative_free_rolling__nominal_rate_t(double* out_0, lanes*
         radius = AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_RADIUS);
     }
     *out_0 = AT(work, layout__WORK_INPUTS + layout__INPUTS_SPEED) / radius;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / radius;
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / radius;
 }
 
 
@@ -682,52 +693,52 @@ static inline void derivative_free_rolling__nominal_rate_t(double* out_0, lanes*
  */
 
 /* Derivative of ``side_force``. */
-static inline void derivative_input_checks__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline void derivative_input_checks__side_force_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     double v1;
-    lanes v1_t;
+    directional_rate v1_t;
     derivative_input_checks__wanted_force_t(&v1, &v1_t, work, work_t, layout__WORK_INPUTS, index);
     *out_0 = v1 * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD);
-    EACH_LANE each(*out_1) = each(v1_t) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD) + v1 * each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
+    EACH_DIRECTION each(*out_1) = each(v1_t) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD) + v1 * each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
 }
 
 /* Derivative of ``wanted_force``. */
-static inline void derivative_input_checks__wanted_force_t(double* force_out, lanes* force_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, int64_t index)
+static inline void derivative_input_checks__wanted_force_t(double* force_out, directional_rate* force_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t inputs, int64_t index)
 {
     double v1, v2, force;
-    lanes force_t;
+    directional_rate force_t;
     v1 = (double)(2 * index - 1);
     v2 = 1.0 + v1 * AT(work, inputs + layout__INPUTS_LOAD_TRANSFER);
-    EACH_LANE each(force_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_NORMAL_FORCE)) * v2 + AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * (v1 * each(RATE_AT(work_t, inputs + layout__INPUTS_LOAD_TRANSFER)));
+    EACH_DIRECTION each(force_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_NORMAL_FORCE)) * v2 + AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * (v1 * each(RATE_AT(work_t, inputs + layout__INPUTS_LOAD_TRANSFER)));
     force = AT(work, inputs + layout__INPUTS_NORMAL_FORCE) * v2;
     if (force < input_checks__NO_FORCE)
     {
-        force_t = all_lanes(0.0);
+        force_t = along_all(0.0);
         force = 0.0;
     }
     *force_out = force;
-    EACH_LANE each(*force_t_out) = each(force_t);
+    EACH_DIRECTION each(*force_t_out) = each(force_t);
 }
 
 /* Derivative of ``outer_torque``. */
-static inline void derivative_input_checks__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index)
+static inline void derivative_input_checks__outer_torque_t(double* torque_out, directional_rate* torque_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t inputs, int64_t index)
 {
-    lanes torque_t;
+    directional_rate torque_t;
     double torque;
-    EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_AXLE_TORQUE));
+    EACH_DIRECTION each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_AXLE_TORQUE));
     torque = AT(work, inputs + layout__INPUTS_AXLE_TORQUE);
     if (motion__are_independent(tables))
     {
-        EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_AXLE_TORQUE));
+        EACH_DIRECTION each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_AXLE_TORQUE));
         torque = AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE);
         if (index == 1)
         {
-            EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE));
+            EACH_DIRECTION each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE));
             torque = AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE);
         }
     }
     *torque_out = torque;
-    EACH_LANE each(*torque_t_out) = each(torque_t);
+    EACH_DIRECTION each(*torque_t_out) = each(torque_t);
 }
 
 
@@ -737,12 +748,12 @@ static inline void derivative_input_checks__outer_torque_t(double* torque_out, l
  */
 
 /* Derivative of ``load_at_height``. */
-static inline int64_t derivative_prescribed_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
+static inline int64_t derivative_prescribed_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double height, directional_rate height_t)
 {
-    lanes approach_t;
+    directional_rate approach_t;
     double approach;
     int64_t n1, n2, status, count;
-    EACH_LANE each(approach_t) = each(height_t) - each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
+    EACH_DIRECTION each(approach_t) = each(height_t) - each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
     approach = height - AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST);
     if (!(approach > prescribed_height__GRAZING))
     {
@@ -761,7 +772,7 @@ static inline int64_t derivative_prescribed_height__load_at_height_t(array_doubl
     }
     if (status == layout__VALID)
     {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, all_lanes(0.0), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, along_all(0.0), AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     }
     if (status == layout__VALID && prescribed_height__is_damped(tables))
     {
@@ -771,28 +782,22 @@ static inline int64_t derivative_prescribed_height__load_at_height_t(array_doubl
 }
 
 /* Derivative of ``damp_patches``. */
-static inline int64_t derivative_prescribed_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+static inline int64_t derivative_prescribed_height__damp_patches_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side)
 {
     int64_t number, patch, number_end;
-    double v1, v2, factor, v3, v4;
-    lanes v1_t, v2_t, factor_t, v4_t;
+    double v2, v1, factor, v3, v4;
+    directional_rate v2_t, v1_t, factor_t, v4_t;
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        derivative_creepage__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        v2 = 1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * v1;
-        EACH_LANE each(v2_t) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * each(v1_t);
-        if (0.0 > v2)
-        {
-            v2 = 0.0;
-            v2_t = all_lanes(0.0);
-        }
-        EACH_LANE each(factor_t) = each(v2_t);
-        factor = v2;
+        derivative_creepage__approach_rate_t(&v2, &v2_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+        derivative_prescribed_height__damping_factor_t(&v1, &v1_t, tables, v2, v2_t);
+        EACH_DIRECTION each(factor_t) = each(v1_t);
+        factor = v1;
         v3 = factor - 1.0;
         derivative_prescribed_height__pressing_power_t(&v4, &v4_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER)) = each(factor_t) * v4 + v3 * each(v4_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_DAMPING_POWER)) = each(factor_t) * v4 + v3 * each(v4_t);
         AT(work, patch + layout__PATCH_DAMPING_POWER) = v3 * v4;
         derivative_prescribed_height__damp_patch_t(work, work_t, patch, factor, factor_t);
     }
@@ -800,48 +805,66 @@ static inline int64_t derivative_prescribed_height__damp_patches_t(array_double_
     return 0;
 }
 
+/* Derivative of ``damping_factor``. */
+static inline void derivative_prescribed_height__damping_factor_t(double* v1_out, directional_rate* v1_t_out, array_double_1d tables, double approach, directional_rate approach_t)
+{
+    double v1;
+    directional_rate v1_t;
+    v1 = 1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * approach;
+    EACH_DIRECTION each(v1_t) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * each(approach_t);
+    if (0.0 > v1)
+    {
+        v1 = 0.0;
+        v1_t = along_all(0.0);
+    }
+    *v1_out = v1;
+    EACH_DIRECTION each(*v1_t_out) = each(v1_t);
+}
+
 /* Derivative of ``pressing_power``. */
-static inline void derivative_prescribed_height__pressing_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline void derivative_prescribed_height__pressing_power_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t rail;
-    lanes force_y_t, force_z_t, moment_x_t, rail_moment_t;
+    directional_rate force_y_t, force_z_t, moment_x_t, rail_moment_t;
     double force_y, force_z, moment_x, rail_moment, v1, v2;
     rail = motion + layout__MOTION_RAIL;
-    EACH_LANE each(force_y_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y));
+    EACH_DIRECTION each(force_y_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y));
     force_y = AT(work, patch + layout__PATCH_NORMAL_Y);
-    EACH_LANE each(force_z_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z));
+    EACH_DIRECTION each(force_z_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z));
     force_z = AT(work, patch + layout__PATCH_NORMAL_Z);
-    EACH_LANE each(moment_x_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) * force_z + AT(work, motion + layout__MOTION_CENTRE_Y) * each(force_z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) * force_y + AT(work, motion + layout__MOTION_CENTRE_Z) * each(force_y_t)));
+    EACH_DIRECTION each(moment_x_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Y)) * force_z + AT(work, motion + layout__MOTION_CENTRE_Y) * each(force_z_t) - (each(RATE_AT(work_t, motion + layout__MOTION_CENTRE_Z)) * force_y + AT(work, motion + layout__MOTION_CENTRE_Z) * each(force_y_t)));
     moment_x = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, motion + layout__MOTION_CENTRE_Y) * force_z - AT(work, motion + layout__MOTION_CENTRE_Z) * force_y);
-    EACH_LANE each(rail_moment_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) * force_z + AT(work, rail + layout__RAIL_MOTION_Y) * each(force_z_t) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) * force_y + AT(work, rail + layout__RAIL_MOTION_Z) * each(force_y_t)));
+    EACH_DIRECTION each(rail_moment_t) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 0)) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Y)) * force_z + AT(work, rail + layout__RAIL_MOTION_Y) * each(force_z_t) - (each(RATE_AT(work_t, rail + layout__RAIL_MOTION_Z)) * force_y + AT(work, rail + layout__RAIL_MOTION_Z) * each(force_y_t)));
     rail_moment = AT(work, patch + layout__PATCH_NORMAL_MOMENT + 0) - (AT(work, rail + layout__RAIL_MOTION_Y) * force_z - AT(work, rail + layout__RAIL_MOTION_Z) * force_y);
     v1 = AT(work, motion + layout__MOTION_LATERAL) - AT(work, rail + layout__RAIL_MOTION_LATERAL);
     v2 = AT(work, motion + layout__MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_VERTICAL);
     *out_0 = rail_moment * AT(work, rail + layout__RAIL_MOTION_ROLL) - force_y * v1 - force_z * v2 - moment_x * AT(work, motion + layout__MOTION_TURN_X) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * AT(work, motion + layout__MOTION_TURN_Y) - AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * AT(work, motion + layout__MOTION_TURN_Z);
-    EACH_LANE each(*out_1) = each(rail_moment_t) * AT(work, rail + layout__RAIL_MOTION_ROLL) + rail_moment * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) - (each(force_y_t) * v1 + force_y * (each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)))) - (each(force_z_t) * v2 + force_z * (each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)))) - (each(moment_x_t) * AT(work, motion + layout__MOTION_TURN_X) + moment_x * each(RATE_AT(work_t, motion + layout__MOTION_TURN_X))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) * AT(work, motion + layout__MOTION_TURN_Y) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) * AT(work, motion + layout__MOTION_TURN_Z) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)));
+    EACH_DIRECTION each(*out_1) = each(rail_moment_t) * AT(work, rail + layout__RAIL_MOTION_ROLL) + rail_moment * each(RATE_AT(work_t, rail + layout__RAIL_MOTION_ROLL)) - (each(force_y_t) * v1 + force_y * (each(RATE_AT(work_t, motion + layout__MOTION_LATERAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_LATERAL)))) - (each(force_z_t) * v2 + force_z * (each(RATE_AT(work_t, motion + layout__MOTION_VERTICAL)) - each(RATE_AT(work_t, rail + layout__RAIL_MOTION_VERTICAL)))) - (each(moment_x_t) * AT(work, motion + layout__MOTION_TURN_X) + moment_x * each(RATE_AT(work_t, motion + layout__MOTION_TURN_X))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 1)) * AT(work, motion + layout__MOTION_TURN_Y) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 1) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y))) - (each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + 2)) * AT(work, motion + layout__MOTION_TURN_Z) + AT(work, patch + layout__PATCH_NORMAL_MOMENT + 2) * each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)));
 }
 
 /* Derivative of ``damp_patch``. */
-static inline int64_t derivative_prescribed_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
+static inline int64_t derivative_prescribed_height__damp_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double factor, directional_rate factor_t)
 {
     int64_t i, strip;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * each(factor_t);
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * each(factor_t);
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) = AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) * factor + AT(work, patch + layout__PATCH_NORMAL_Y) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_X)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_X)) * factor + AT(work, patch + layout__PATCH_NORMAL_X) * each(factor_t);
+    AT(work, patch + layout__PATCH_NORMAL_X) = AT(work, patch + layout__PATCH_NORMAL_X) * factor;
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Y)) * factor + AT(work, patch + layout__PATCH_NORMAL_Y) * each(factor_t);
     AT(work, patch + layout__PATCH_NORMAL_Y) = AT(work, patch + layout__PATCH_NORMAL_Y) * factor;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) * factor + AT(work, patch + layout__PATCH_NORMAL_Z) * each(factor_t);
+    EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_Z)) * factor + AT(work, patch + layout__PATCH_NORMAL_Z) * each(factor_t);
     AT(work, patch + layout__PATCH_NORMAL_Z) = AT(work, patch + layout__PATCH_NORMAL_Z) * factor;
     for (i = 0; i < 3; i += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor + AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) = each(RATE_AT(work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor + AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * each(factor_t);
         AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) = AT(work, patch + layout__PATCH_NORMAL_MOMENT + i) * factor;
     }
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * each(factor_t);
+        EACH_DIRECTION each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor + AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * each(factor_t);
         AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) * factor;
     }
     return 0;
@@ -854,18 +877,18 @@ static inline int64_t derivative_prescribed_height__damp_patch_t(array_double_1d
  */
 
 /* Derivative of ``report``. */
-static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t index, i;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT);
-    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_FORCE, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
-    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_MOMENT, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
-    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
-    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
+    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_FORCE, 1.0, along_all(0.0), 1.0, along_all(0.0));
+    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_MOMENT, 1.0, along_all(0.0), 1.0, along_all(0.0));
+    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, along_all(0.0), 1.0, along_all(0.0));
+    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, along_all(0.0), 1.0, along_all(0.0));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE);
     for (index = 0; index < 2; index += 1)
     {
@@ -875,83 +898,83 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
     {
         for (i = 0; i < 3; i += 1)
         {
-            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i) = all_lanes(0.0);
+            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i) = along_all(0.0);
             AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i) = AT(tables, layout__TABLES_ABSENT);
-            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i) = all_lanes(0.0);
+            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i) = along_all(0.0);
             AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
-            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i) = all_lanes(0.0);
+            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i) = along_all(0.0);
             AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i) = AT(tables, layout__TABLES_ABSENT);
-            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = all_lanes(0.0);
+            RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = along_all(0.0);
             AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
         }
-        RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = along_all(0.0);
         AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(tables, layout__TABLES_ABSENT);
     }
     return 0;
 }
 
 /* Derivative of ``found_rate``. */
-static inline void derivative_report__found_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline void derivative_report__found_rate_t(double* rate_out, directional_rate* rate_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
-    lanes rate_t;
+    directional_rate rate_t;
     double rate;
-    rate_t = all_lanes(0.0);
+    rate_t = along_all(0.0);
     rate = 0.0;
     if (input_checks__is_rolling(work, tables, layout__WORK_INPUTS) || input_checks__has_creep_forces(tables, work))
     {
-        EACH_LANE each(rate_t) = each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE));
+        EACH_DIRECTION each(rate_t) = each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE));
         rate = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE);
     }
     *rate_out = rate;
-    EACH_LANE each(*rate_t_out) = each(rate_t);
+    EACH_DIRECTION each(*rate_t_out) = each(rate_t);
 }
 
 /* Derivative of ``report_side``. */
-static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     int64_t side, out, first, i, outline, i_end;
     double mirror, v1;
     bool rolling;
-    lanes v1_t;
+    directional_rate v1_t;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     mirror = (double)(2 * index - 1);
     first = report__first_omitted(tables, index);
     if (first > 0)
     {
-        derivative_report__report_point_t(work, work_t, side + layout__SIDE_SEARCH_POINT, out, mirror, all_lanes(0.0));
+        derivative_report__report_point_t(work, work_t, side + layout__SIDE_SEARCH_POINT, out, mirror, along_all(0.0));
     }
     if (first > layout__SIDE_PENETRATION)
     {
         rolling = input_checks__is_rolling(work, tables, layout__WORK_INPUTS);
-        derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
+        derivative_report__report_load_t(work, work_t, side, out, mirror, along_all(0.0), rolling);
         derivative_report__found_rate_t(&v1, &v1_t, tables, work, work_t, index);
-        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND)) = each(v1_t);
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND)) = each(v1_t);
         AT(work, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND) = v1;
-        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_MODEL_ERROR)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR));
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_MODEL_ERROR)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR));
         AT(work, out + layout__SIDE_OUTPUTS_MODEL_ERROR) = AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR);
-        derivative_report__report_deflection_t(work, work_t, tables, side, out, mirror, all_lanes(0.0));
-        derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
+        derivative_report__report_deflection_t(work, work_t, tables, side, out, mirror, along_all(0.0));
+        derivative_report__report_patches_t(work, work_t, side, out, mirror, along_all(0.0), rolling);
         if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
         {
-            derivative_report__report_fatigue_t(work, work_t, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), all_lanes(0.0), rolling);
+            derivative_report__report_fatigue_t(work, work_t, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), along_all(0.0), rolling);
         }
     }
     for (i = first; i < layout__SIDE_SIZE; i += 1)
     {
-        RATE_AT(work_t, out + i) = all_lanes(0.0);
+        RATE_AT(work_t, out + i) = along_all(0.0);
         AT(work, out + i) = AT(tables, layout__TABLES_ABSENT);
     }
     if (first <= layout__SIDE_PENETRATION)
     {
-        RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = all_lanes(0.0);
+        RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = along_all(0.0);
         AT(work, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = AT(tables, layout__TABLES_ABSENT);
     }
     if ((int64_t)AT(tables, layout__TABLES_STATIONS) != layout__STATION_COUNT)
     {
         for (i = layout__SIDE_STATION; i < first; i += 1)
         {
-            RATE_AT(work_t, out + i) = all_lanes(0.0);
+            RATE_AT(work_t, out + i) = along_all(0.0);
             AT(work, out + i) = 0.0;
         }
     }
@@ -965,7 +988,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
         i_end = layout__RUN_COUNT * (int64_t)AT(tables, layout__TABLES_STATIONS);
         for (i = 0; i < i_end; i += 1)
         {
-            RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i) = all_lanes(0.0);
+            RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i) = along_all(0.0);
             AT(work, outline + layout__OUTLINE_NUMBERS + i) = AT(tables, layout__TABLES_ABSENT);
         }
     }
@@ -977,112 +1000,112 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
 }
 
 /* Derivative of ``report_point``. */
-static inline int64_t derivative_report__report_point_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_point_t(array_double_1d work, array_directional_rate_1d work_t, int64_t point, int64_t out, double mirror, directional_rate mirror_t)
 {
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_X_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_WHEEL));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_X_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_WHEEL));
     AT(work, out + layout__SIDE_OUTPUTS_X_WHEEL) = AT(work, point + layout__CONTACT_POINT_X_WHEEL);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_WHEEL));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_WHEEL));
     AT(work, out + layout__SIDE_OUTPUTS_Y_WHEEL) = AT(work, point + layout__CONTACT_POINT_Y_WHEEL);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_WHEEL));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_WHEEL));
     AT(work, out + layout__SIDE_OUTPUTS_Z_WHEEL) = AT(work, point + layout__CONTACT_POINT_Z_WHEEL);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_RAIL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_RAIL));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_RAIL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_RAIL));
     AT(work, out + layout__SIDE_OUTPUTS_Y_RAIL) = AT(work, point + layout__CONTACT_POINT_Y_RAIL);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_RAIL));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_RAIL));
     AT(work, out + layout__SIDE_OUTPUTS_Z_RAIL) = AT(work, point + layout__CONTACT_POINT_Z_RAIL);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK));
     AT(work, out + layout__SIDE_OUTPUTS_X_TRACK) = AT(work, point + layout__CONTACT_POINT_X_TRACK);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = each(mirror_t) * AT(work, point + layout__CONTACT_POINT_Y_TRACK) + mirror * each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = each(mirror_t) * AT(work, point + layout__CONTACT_POINT_Y_TRACK) + mirror * each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK));
     AT(work, out + layout__SIDE_OUTPUTS_Y_TRACK) = mirror * AT(work, point + layout__CONTACT_POINT_Y_TRACK);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK));
     AT(work, out + layout__SIDE_OUTPUTS_Z_TRACK) = AT(work, point + layout__CONTACT_POINT_Z_TRACK);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE));
     AT(work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE) = AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS));
     AT(work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS) = AT(work, point + layout__CONTACT_POINT_ROLLING_RADIUS);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_X));
     AT(work, out + layout__SIDE_OUTPUTS_CURVATURE_X) = AT(work, point + layout__CONTACT_POINT_CURVATURE_X);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
     AT(work, out + layout__SIDE_OUTPUTS_CURVATURE_Y) = AT(work, point + layout__CONTACT_POINT_CURVATURE_Y);
     return 0;
 }
 
 /* Derivative of ``report_load``. */
-static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling)
+static inline int64_t derivative_report__report_load_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t out, double mirror, directional_rate mirror_t, bool rolling)
 {
     int64_t totals, forces;
     double v1;
     totals = side + layout__SIDE_SEARCH_TOTALS;
-    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = along_all(0.0);
     AT(work, out + layout__SIDE_OUTPUTS_PATCH_COUNT) = (double)((int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT));
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION));
     AT(work, out + layout__SIDE_OUTPUTS_PENETRATION) = AT(work, side + layout__SIDE_SEARCH_PENETRATION);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD));
     AT(work, out + layout__SIDE_OUTPUTS_NORMAL_FORCE) = AT(work, totals + layout__PATCH_TOTALS_LOAD);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_AREA)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_AREA)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA));
     AT(work, out + layout__SIDE_OUTPUTS_AREA) = AT(work, totals + layout__PATCH_TOTALS_AREA);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
     AT(work, out + layout__SIDE_OUTPUTS_MAX_PRESSURE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
     AT(work, out + layout__SIDE_OUTPUTS_PATCH_LENGTH) = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH));
     AT(work, out + layout__SIDE_OUTPUTS_PATCH_WIDTH) = AT(work, totals + layout__PATCH_TOTALS_WIDTH);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_CENTROID));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_CENTROID));
     AT(work, out + layout__SIDE_OUTPUTS_PATCH_CENTROID) = AT(work, totals + layout__PATCH_TOTALS_CENTROID);
     forces = side + layout__SIDE_SEARCH_FORCES;
-    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_FORCE, forces + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
-    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_MOMENT, forces + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
-    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_PART, forces + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
-    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_FRICTION_POWER));
+    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_FORCE, forces + layout__FORCES_FORCE, 1.0, along_all(0.0), mirror, mirror_t);
+    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_MOMENT, forces + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, along_all(0.0));
+    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_PART, forces + layout__FORCES_NORMAL_FORCE, 1.0, along_all(0.0), mirror, mirror_t);
+    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, along_all(0.0));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_FRICTION_POWER));
     AT(work, out + layout__SIDE_OUTPUTS_FRICTION_POWER) = AT(work, forces + layout__FORCES_FRICTION_POWER);
-    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = along_all(0.0);
     AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = 0.0;
     if (rolling)
     {
-        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER));
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER));
         AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
     }
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, forces + layout__FORCES_DRIVING_TORQUE));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, forces + layout__FORCES_DRIVING_TORQUE));
     AT(work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE) = AT(work, forces + layout__FORCES_DRIVING_TORQUE);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_DAMPING_POWER));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_DAMPING_POWER));
     AT(work, out + layout__SIDE_OUTPUTS_DAMPING_POWER) = AT(work, forces + layout__FORCES_DAMPING_POWER);
-    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = along_all(0.0);
     AT(work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = 0.0;
     if (AT(work, forces + layout__FORCES_FORCE + 2) < 0.0)
     {
         v1 = AT(work, forces + layout__FORCES_FORCE + 1) / AT(work, forces + layout__FORCES_FORCE + 2);
-        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = (each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) - v1 * each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2))) / AT(work, forces + layout__FORCES_FORCE + 2);
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = (each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 1)) - v1 * each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2))) / AT(work, forces + layout__FORCES_FORCE + 2);
         AT(work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``report_deflection``. */
-static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, directional_rate mirror_t)
 {
-    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = along_all(0.0);
     AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = 0.0;
-    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = along_all(0.0);
     AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = 0.0;
     if (rails__on_springs(tables))
     {
-        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = each(mirror_t) * AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL) + mirror * each(RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = each(mirror_t) * AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL) + mirror * each(RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
         AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL) = mirror * AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL) + 0.0;
-        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL));
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL));
         AT(work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL) = AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL) + 0.0;
     }
     return 0;
 }
 
 /* Derivative of ``report_patches``. */
-static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling)
+static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t out, double mirror, directional_rate mirror_t, bool rolling)
 {
     int64_t rank, i_1, number, i_2, number_end;
     for (rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT); rank < layout__PATCH_LIMIT; rank += 1)
     {
         for (i_1 = 0; i_1 < layout__PATCH_OUTPUTS_SIZE; i_1 += 1)
         {
-            RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1) = all_lanes(0.0);
+            RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1) = along_all(0.0);
             AT(work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1) = 0.0;
         }
     }
@@ -1094,7 +1117,7 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
         {
             for (i_2 = 0; i_2 < layout__PATCH_OUTPUTS_SIZE; i_2 += 1)
             {
-                RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2) = all_lanes(0.0);
+                RATE_AT(work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2) = along_all(0.0);
                 AT(work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2) = 0.0;
             }
         }
@@ -1107,83 +1130,83 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
 }
 
 /* Derivative of ``report_patch``. */
-static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t, bool rolling)
+static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t out, double mirror, directional_rate mirror_t, bool rolling)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_NORMAL_FORCE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_NORMAL_FORCE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD));
     AT(work, out + layout__PATCH_OUTPUTS_NORMAL_FORCE) = AT(work, totals + layout__PATCH_TOTALS_LOAD);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_AREA)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_AREA)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA));
     AT(work, out + layout__PATCH_OUTPUTS_AREA) = AT(work, totals + layout__PATCH_TOTALS_AREA);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_MAX_PRESSURE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
     AT(work, out + layout__PATCH_OUTPUTS_MAX_PRESSURE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_LENGTH)) = 2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_LENGTH)) = 2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
     AT(work, out + layout__PATCH_OUTPUTS_LENGTH) = 2.0 * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_WIDTH)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_WIDTH)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH));
     AT(work, out + layout__PATCH_OUTPUTS_WIDTH) = AT(work, totals + layout__PATCH_TOTALS_WIDTH);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CENTROID)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_CENTROID));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CENTROID)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_CENTROID));
     AT(work, out + layout__PATCH_OUTPUTS_CENTROID) = AT(work, totals + layout__PATCH_TOTALS_CENTROID);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE)) = each(RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE)) = each(RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE));
     AT(work, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE) = AT(work, patch + layout__PATCH_CONTACT_ANGLE);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_PENETRATION)) = each(RATE_AT(work_t, patch + layout__PATCH_PENETRATION));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_PENETRATION)) = each(RATE_AT(work_t, patch + layout__PATCH_PENETRATION));
     AT(work, out + layout__PATCH_OUTPUTS_PENETRATION) = AT(work, patch + layout__PATCH_PENETRATION);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS)) = each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS)) = each(RATE_AT(work_t, patch + layout__PATCH_ROLLING_RADIUS));
     AT(work, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS) = AT(work, patch + layout__PATCH_ROLLING_RADIUS);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_X_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_X_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_X_TRACK));
     AT(work, out + layout__PATCH_OUTPUTS_X_TRACK) = AT(work, patch + layout__PATCH_X_TRACK);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_Y_TRACK)) = each(mirror_t) * AT(work, patch + layout__PATCH_Y_TRACK) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_Y_TRACK)) = each(mirror_t) * AT(work, patch + layout__PATCH_Y_TRACK) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_Y_TRACK));
     AT(work, out + layout__PATCH_OUTPUTS_Y_TRACK) = mirror * AT(work, patch + layout__PATCH_Y_TRACK);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_Z_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_Z_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK));
     AT(work, out + layout__PATCH_OUTPUTS_Z_TRACK) = AT(work, patch + layout__PATCH_Z_TRACK);
-    derivative_report__write_vector_t(work, work_t, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
-    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = all_lanes(0.0);
+    derivative_report__write_vector_t(work, work_t, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, along_all(0.0), mirror, mirror_t);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = along_all(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = 0.0;
-    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = along_all(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0;
-    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN) = along_all(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0;
     if (rolling)
     {
-        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
         AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
-        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
         AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_SPIN) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
+        EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_SPIN) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
         AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
     }
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X) = AT(work, patch + layout__PATCH_CREEP_X);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y));
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y) = AT(work, patch + layout__PATCH_CREEP_Y);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_MOMENT)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEP_MOMENT) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_MOMENT)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEP_MOMENT) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)));
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_MOMENT) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEP_MOMENT);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_STICK_SHARE)) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_STICK_SHARE)) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE));
     AT(work, out + layout__PATCH_OUTPUTS_STICK_SHARE) = AT(work, patch + layout__PATCH_STICK_SHARE);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_MAX_SHEAR)) = each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_MAX_SHEAR)) = each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR));
     AT(work, out + layout__PATCH_OUTPUTS_MAX_SHEAR) = AT(work, patch + layout__PATCH_MAX_SHEAR);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_FRICTION_POWER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_FRICTION_POWER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
     AT(work, out + layout__PATCH_OUTPUTS_FRICTION_POWER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SATURATION)) = each(RATE_AT(work_t, patch + layout__PATCH_SATURATION));
+    EACH_DIRECTION each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SATURATION)) = each(RATE_AT(work_t, patch + layout__PATCH_SATURATION));
     AT(work, out + layout__PATCH_OUTPUTS_SATURATION) = AT(work, patch + layout__PATCH_SATURATION);
-    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_WEAR_NUMBER) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_WEAR_NUMBER) = along_all(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER) = 0.0;
-    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = along_all(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = 0.0;
-    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = along_all(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = 0.0;
-    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = along_all(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = 0.0;
-    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SLOPE) = all_lanes(0.0);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SLOPE) = along_all(0.0);
     AT(work, out + layout__PATCH_OUTPUTS_SLOPE) = 0.0;
     return 0;
 }
 
 /* Derivative of ``report_fatigue``. */
-static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t, bool rolling)
+static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t out, double yield_shear, directional_rate yield_shear_t, bool rolling)
 {
     int64_t number, patch, found, number_end;
     double v1, v2, ratio, v3, v4, force, v5, v6;
-    lanes v1_t, v2_t, ratio_t, force_t;
+    directional_rate v1_t, v2_t, ratio_t, force_t;
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     for (number = 0; number < number_end; number += 1)
     {
@@ -1193,26 +1216,26 @@ static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, 
             found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1);
             if (rolling)
             {
-                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+                EACH_DIRECTION each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
                 AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
                 derivative_fatigue__wear_number_damage_t(&v1, &v1_t, AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER), RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = each(v1_t);
+                EACH_DIRECTION each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = each(v1_t);
                 AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = v1;
             }
             derivative_fatigue__shakedown_ratio_t(&v2, &v2_t, work, work_t, patch, yield_shear, yield_shear_t);
-            EACH_LANE each(ratio_t) = each(v2_t);
+            EACH_DIRECTION each(ratio_t) = each(v2_t);
             ratio = v2;
-            EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = each(ratio_t);
+            EACH_DIRECTION each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = each(ratio_t);
             AT(work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = ratio;
             if (ratio > 0.0)
             {
                 v3 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y);
                 v4 = sqrt(v3);
-                EACH_LANE each(force_t) = derivative_rates__root_rate(v4, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
+                EACH_DIRECTION each(force_t) = derivative_rates__root_rate(v4, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y))));
                 force = v4;
                 v5 = force / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
                 v6 = 1.0 / ratio;
-                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = (each(force_t) - v5 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) - -v6 * each(ratio_t) / ratio;
+                EACH_DIRECTION each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = (each(force_t) - v5 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) - -v6 * each(ratio_t) / ratio;
                 AT(work, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX) = v5 - v6;
             }
         }
@@ -1221,19 +1244,19 @@ static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, 
 }
 
 /* Derivative of ``write_vector``. */
-static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t out, int64_t vector, double plane, lanes plane_t, double across, lanes across_t)
+static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_directional_rate_1d work_t, int64_t out, int64_t vector, double plane, directional_rate plane_t, double across, directional_rate across_t)
 {
-    EACH_LANE each(RATE_AT(work_t, out + 0)) = each(plane_t) * AT(work, vector + 0) + plane * each(RATE_AT(work_t, vector + 0));
+    EACH_DIRECTION each(RATE_AT(work_t, out + 0)) = each(plane_t) * AT(work, vector + 0) + plane * each(RATE_AT(work_t, vector + 0));
     AT(work, out + 0) = plane * AT(work, vector + 0) + 0.0;
-    EACH_LANE each(RATE_AT(work_t, out + 1)) = each(across_t) * AT(work, vector + 1) + across * each(RATE_AT(work_t, vector + 1));
+    EACH_DIRECTION each(RATE_AT(work_t, out + 1)) = each(across_t) * AT(work, vector + 1) + across * each(RATE_AT(work_t, vector + 1));
     AT(work, out + 1) = across * AT(work, vector + 1) + 0.0;
-    EACH_LANE each(RATE_AT(work_t, out + 2)) = each(plane_t) * AT(work, vector + 2) + plane * each(RATE_AT(work_t, vector + 2));
+    EACH_DIRECTION each(RATE_AT(work_t, out + 2)) = each(plane_t) * AT(work, vector + 2) + plane * each(RATE_AT(work_t, vector + 2));
     AT(work, out + 2) = plane * AT(work, vector + 2) + 0.0;
     return 0;
 }
 
 /* Derivative of ``report_outline``. */
-static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool with_creep)
+static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t outline, int64_t stations, bool with_creep)
 {
     int64_t known, i;
     known = 0;
@@ -1247,19 +1270,19 @@ static inline int64_t derivative_report__report_outline_t(array_double_1d work, 
     }
     for (i = 0; i < known; i += 1)
     {
-        EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i));
+        EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i));
         AT(work, outline + layout__OUTLINE_NUMBERS + i) = AT(work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i);
     }
     for (i = known; i < layout__RUN_COUNT * stations; i += 1)
     {
-        RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i) = all_lanes(0.0);
+        RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + i) = along_all(0.0);
         AT(work, outline + layout__OUTLINE_NUMBERS + i) = 0.0;
     }
     return 0;
 }
 
 /* Derivative of ``report_wear``. */
-static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested)
+static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, bool requested)
 {
     int64_t side, runs, first, found, strips, i, rank, i_1, number, patch, i_2, k1, number_end;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
@@ -1267,32 +1290,32 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
     first = layout__WORK_OUTPUTS + outline__wear_place(tables);
     found = first + runs * index;
     strips = first + 2 * runs + layout__WEAR_STRIPS * index;
-    RATE_AT(work_t, first + 2 * runs + 2 * layout__WEAR_STRIPS) = all_lanes(0.0);
+    RATE_AT(work_t, first + 2 * runs + 2 * layout__WEAR_STRIPS) = along_all(0.0);
     AT(work, first + 2 * runs + 2 * layout__WEAR_STRIPS) = 0.0;
     if (!requested)
     {
         for (i = 0; i < runs; i += 1)
         {
-            RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i) = all_lanes(0.0);
+            RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i) = along_all(0.0);
             AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = AT(tables, layout__TABLES_ABSENT);
         }
         for (i = 0; i < layout__WEAR_STRIPS; i += 1)
         {
-            RATE_AT(work_t, strips + i) = all_lanes(0.0);
+            RATE_AT(work_t, strips + i) = along_all(0.0);
             AT(work, strips + i) = AT(tables, layout__TABLES_ABSENT);
         }
         return 0;
     }
     for (i = 0; i < runs; i += 1)
     {
-        RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i) = all_lanes(0.0);
+        RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i) = along_all(0.0);
         AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = 0.0;
     }
     for (rank = 0; rank < layout__PATCH_LIMIT; rank += 1)
     {
         for (i_1 = 0; i_1 < layout__STRIP_OUTPUTS_SIZE; i_1 += 1)
         {
-            RATE_AT(work_t, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1) = all_lanes(0.0);
+            RATE_AT(work_t, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1) = along_all(0.0);
             AT(work, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1) = 0.0;
         }
     }
@@ -1301,7 +1324,7 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
         derivative_distributed_power__distribute_power_t(work, work_t, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
         for (i = 0; i < runs; i += 1)
         {
-            EACH_LANE each(RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i));
+            EACH_DIRECTION each(RATE_AT(work_t, found + layout__WEAR_RUNS_NUMBERS + i)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i));
             AT(work, found + layout__WEAR_RUNS_NUMBERS + i) = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i);
         }
         number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -1314,7 +1337,7 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
                 for (i_2 = 0; i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += 1)
                 {
                     k1 = strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1) + i_2;
-                    EACH_LANE each(RATE_AT(work_t, k1)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
+                    EACH_DIRECTION each(RATE_AT(work_t, k1)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
                     AT(work, k1) = AT(work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2);
                 }
             }
@@ -1324,26 +1347,26 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
 }
 
 /* Derivative of ``complete_strips``. */
-static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool with_creep)
+static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t worn, bool with_creep)
 {
     int64_t i, strip;
     double v1;
-    lanes v1_t;
+    directional_rate v1_t;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
         AT(work, worn + layout__STRIP_OUTPUTS_WIDTH + i) = AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-        EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD));
+        EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LINE_LOAD));
         AT(work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i) = AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD);
-        EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
         AT(work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i) = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
-        RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_SLIP + i) = all_lanes(0.0);
+        RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_SLIP + i) = along_all(0.0);
         AT(work, worn + layout__STRIP_OUTPUTS_SLIP + i) = 0.0;
         if (with_creep)
         {
             derivative_rolling_contact__strip_slip_t(&v1, &v1_t, work, work_t, patch, strip);
-            EACH_LANE each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_SLIP + i)) = each(v1_t);
+            EACH_DIRECTION each(RATE_AT(work_t, worn + layout__STRIP_OUTPUTS_SLIP + i)) = each(v1_t);
             AT(work, worn + layout__STRIP_OUTPUTS_SLIP + i) = v1;
         }
     }
@@ -1357,65 +1380,65 @@ static inline int64_t derivative_report__complete_strips_t(array_double_1d work,
  */
 
 /* Derivative of ``permitted_approach``. */
-static inline void derivative_residuals__permitted_approach_t(double* approach_out, lanes* approach_t_out, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t)
+static inline void derivative_residuals__permitted_approach_t(double* approach_out, directional_rate* approach_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t support, int64_t side, double height, directional_rate height_t)
 {
     double v1, v2, v3, approach;
-    lanes v2_t, v3_t, approach_t;
+    directional_rate v2_t, v3_t, approach_t;
     v1 = residuals__SHALLOWEST * AT(work, support + layout__SUPPORT_APPROACH);
     v2 = height - AT(work, side + layout__SIDE_SEARCH_BEST);
-    EACH_LANE each(v2_t) = each(height_t) - each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
+    EACH_DIRECTION each(v2_t) = each(height_t) - each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
     if (v1 > v2)
     {
         v2 = v1;
-        EACH_LANE each(v2_t) = residuals__SHALLOWEST * each(RATE_AT(work_t, support + layout__SUPPORT_APPROACH));
+        EACH_DIRECTION each(v2_t) = residuals__SHALLOWEST * each(RATE_AT(work_t, support + layout__SUPPORT_APPROACH));
     }
     v3 = v2;
-    EACH_LANE each(v3_t) = each(v2_t);
+    EACH_DIRECTION each(v3_t) = each(v2_t);
     if (residuals__DEEPEST < v3)
     {
         v3 = residuals__DEEPEST;
-        v3_t = all_lanes(0.0);
+        v3_t = along_all(0.0);
     }
-    EACH_LANE each(approach_t) = each(v3_t);
+    EACH_DIRECTION each(approach_t) = each(v3_t);
     approach = v3;
     *approach_out = approach;
-    EACH_LANE each(*approach_t_out) = each(approach_t);
+    EACH_DIRECTION each(*approach_t_out) = each(approach_t);
 }
 
 /* Derivative of ``balance_side``. */
-static inline int64_t derivative_residuals__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t)
+static inline int64_t derivative_residuals__balance_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double force, directional_rate force_t, double height, directional_rate height_t)
 {
     int64_t support, side, n2, n4, status, count;
     double v1, v3, approach, v5, v6, carried, v7;
-    lanes v1_t, v3_t, approach_t, carried_t, v7_t;
+    directional_rate v1_t, v3_t, approach_t, carried_t, v7_t;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     if (!(force > 0.0))
     {
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
+        EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
         AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST);
         derivative_side__side_lever_t(&v1, &v1_t, tables, work, work_t, index, 0);
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v1_t);
+        EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v1_t);
         AT(work, support + layout__SUPPORT_LEVER) = v1;
         n2 = derivative_side__touch_side_t(tables, work, work_t, index);
         return n2;
     }
     derivative_residuals__permitted_approach_t(&v3, &v3_t, work, work_t, support, side, height, height_t);
-    EACH_LANE each(approach_t) = each(v3_t);
+    EACH_DIRECTION each(approach_t) = each(v3_t);
     approach = v3;
     n4 = derivative_side__lower_wheel_t(tables, work, work_t, index, approach, approach_t);
     status = n4;
     if (status == layout__VALID)
     {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, AT(tables, layout__TABLES_ABSENT), all_lanes(0.0));
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, AT(tables, layout__TABLES_ABSENT), along_all(0.0));
         v5 = AT(work, side + layout__SIDE_SEARCH_PENETRATION) - AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
         v6 = v5 / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-        EACH_LANE each(carried_t) = each(approach_t) + (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - v6 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
+        EACH_DIRECTION each(carried_t) = each(approach_t) + (each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) - each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - v6 * each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
         carried = approach + v6;
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(carried_t);
+        EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_HEIGHT)) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(carried_t);
         AT(work, support + layout__SUPPORT_HEIGHT) = AT(work, side + layout__SIDE_SEARCH_BEST) + carried;
         derivative_side__side_lever_t(&v7, &v7_t, tables, work, work_t, index, count);
-        EACH_LANE each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v7_t);
+        EACH_DIRECTION each(RATE_AT(work_t, support + layout__SUPPORT_LEVER)) = each(v7_t);
         AT(work, support + layout__SUPPORT_LEVER) = v7;
     }
     return status;
@@ -1428,15 +1451,15 @@ static inline int64_t derivative_residuals__balance_side_t(array_double_1d table
  */
 
 /* Derivative of ``solve_rigid``. */
-static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
+static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double roll, directional_rate roll_t)
 {
-    int64_t status, index, n1, outcome;
+    int64_t status, index, n1, side_status;
     double v2;
-    lanes v2_t;
+    directional_rate v2_t;
     status = layout__VALID;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST));
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST));
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST);
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES);
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
@@ -1446,8 +1469,8 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
         {
             derivative_input_checks__side_force_t(&v2, &v2_t, work, work_t, index);
             n1 = derivative_side__solve_side_t(tables, work, work_t, index, v2, v2_t);
-            outcome = n1;
-            status = input_checks__counted_outcome(tables, index, status, outcome);
+            side_status = n1;
+            status = input_checks__counted_outcome(tables, index, status, side_status);
         }
     }
     return status;
@@ -1460,11 +1483,11 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
  */
 
 /* Derivative of ``set_reference``. */
-static inline int64_t derivative_rolled_rails__set_reference_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t)
+static inline int64_t derivative_rolled_rails__set_reference_t(array_double_1d work, array_directional_rate_1d work_t, double height, directional_rate height_t)
 {
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
     AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = each(height_t);
     AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE) = height;
     return 0;
 }
@@ -1476,7 +1499,7 @@ static inline int64_t derivative_rolled_rails__set_reference_t(array_double_1d w
  */
 
 /* Derivative of ``open_given_motion``. */
-static inline int64_t derivative_rolling_contact__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_rolling_contact__open_given_motion_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t right, index;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
@@ -1497,7 +1520,7 @@ static inline int64_t derivative_rolling_contact__open_given_motion_t(array_doub
     {
         if (input_checks__is_free(work, tables, layout__WORK_INPUTS, index))
         {
-            EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index));
+            EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index));
             AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index);
         }
     }
@@ -1506,7 +1529,7 @@ static inline int64_t derivative_rolling_contact__open_given_motion_t(array_doub
 }
 
 /* Derivative of ``move_wheelset``. */
-static inline int64_t derivative_rolling_contact__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_rolling_contact__move_wheelset_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     if (input_checks__is_moving(work, tables, layout__WORK_INPUTS))
     {
@@ -1522,7 +1545,7 @@ static inline int64_t derivative_rolling_contact__move_wheelset_t(array_double_1
 }
 
 /* Derivative of ``move_patches``. */
-static inline int64_t derivative_rolling_contact__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_rolling_contact__move_patches_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     int64_t index;
     if (!input_checks__is_moving(work, tables, layout__WORK_INPUTS))
@@ -1537,7 +1560,7 @@ static inline int64_t derivative_rolling_contact__move_patches_t(array_double_1d
 }
 
 /* Derivative of ``move_side``. */
-static inline int64_t derivative_rolling_contact__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+static inline int64_t derivative_rolling_contact__move_side_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side)
 {
     int64_t number, patch, number_end;
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -1554,7 +1577,7 @@ static inline int64_t derivative_rolling_contact__move_side_t(array_double_1d wo
 }
 
 /* Derivative of ``constrain_side``. */
-static inline int64_t derivative_rolling_contact__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_rolling_contact__constrain_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     int64_t side;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
@@ -1575,12 +1598,12 @@ static inline int64_t derivative_rolling_contact__constrain_side_t(array_double_
 }
 
 /* Derivative of ``write_wear``. */
-static inline int64_t derivative_rolling_contact__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
+static inline int64_t derivative_rolling_contact__write_wear_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t stations)
 {
     int64_t i, number, number_end;
     for (i = 3 * stations; i < 5 * stations; i += 1)
     {
-        RATE_AT(work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i) = all_lanes(0.0);
+        RATE_AT(work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i) = along_all(0.0);
         AT(work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i) = 0.0;
     }
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
@@ -1592,35 +1615,35 @@ static inline int64_t derivative_rolling_contact__write_wear_t(array_double_1d w
 }
 
 /* Derivative of ``write_patch_wear``. */
-static inline int64_t derivative_rolling_contact__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch)
+static inline int64_t derivative_rolling_contact__write_patch_wear_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t patch)
 {
     int64_t first, last, index, j, strip;
-    lanes start_t, stop_t, low_station_t, high_station_t, low_shear_t, low_slip_t, v1_t, high_shear_t, v2_t, high_slip_t, station_t, v3_t, v4_t, shear_t, slip_t, share_t;
+    directional_rate start_t, stop_t, low_station_t, high_station_t, low_shear_t, low_slip_t, v1_t, high_shear_t, v2_t, high_slip_t, station_t, v3_t, v4_t, shear_t, slip_t, share_t;
     double start, stop, low_station, high_station, low_shear, low_slip, v1, high_shear, v2, high_slip, station, v3, v4, shear, slip, v5, v6, v7, share, v8, v9;
     first = patch + layout__PATCH_STRIPS;
     last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - 1);
-    EACH_LANE each(start_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION)) - 0.5 * each(RATE_AT(work_t, first + layout__ROLLING_STRIP_WIDTH));
+    EACH_DIRECTION each(start_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION)) - 0.5 * each(RATE_AT(work_t, first + layout__ROLLING_STRIP_WIDTH));
     start = AT(work, first + layout__ROLLING_STRIP_STATION) - 0.5 * AT(work, first + layout__ROLLING_STRIP_WIDTH);
-    EACH_LANE each(stop_t) = each(RATE_AT(work_t, last + layout__ROLLING_STRIP_STATION)) + 0.5 * each(RATE_AT(work_t, last + layout__ROLLING_STRIP_WIDTH));
+    EACH_DIRECTION each(stop_t) = each(RATE_AT(work_t, last + layout__ROLLING_STRIP_STATION)) + 0.5 * each(RATE_AT(work_t, last + layout__ROLLING_STRIP_WIDTH));
     stop = AT(work, last + layout__ROLLING_STRIP_STATION) + 0.5 * AT(work, last + layout__ROLLING_STRIP_WIDTH);
     index = 0;
-    EACH_LANE each(low_station_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION));
+    EACH_DIRECTION each(low_station_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION));
     low_station = AT(work, first + layout__ROLLING_STRIP_STATION);
-    EACH_LANE each(high_station_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION));
+    EACH_DIRECTION each(high_station_t) = each(RATE_AT(work_t, first + layout__ROLLING_STRIP_STATION));
     high_station = AT(work, first + layout__ROLLING_STRIP_STATION);
-    low_shear_t = all_lanes(0.0);
+    low_shear_t = along_all(0.0);
     low_shear = 0.0;
-    low_slip_t = all_lanes(0.0);
+    low_slip_t = along_all(0.0);
     low_slip = 0.0;
     derivative_rolling_contact__strip_shear_t(&v1, &v1_t, work, work_t, first);
-    EACH_LANE each(high_shear_t) = each(v1_t);
+    EACH_DIRECTION each(high_shear_t) = each(v1_t);
     high_shear = v1;
     derivative_rolling_contact__strip_slip_t(&v2, &v2_t, work, work_t, patch, first);
-    EACH_LANE each(high_slip_t) = each(v2_t);
+    EACH_DIRECTION each(high_slip_t) = each(v2_t);
     high_slip = v2;
     for (j = 1; j < stations - 1; j += 1)
     {
-        EACH_LANE each(station_t) = each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j));
+        EACH_DIRECTION each(station_t) = each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + j));
         station = AT(work, outline + layout__OUTLINE_NUMBERS + j);
         if (station > start && station < stop)
         {
@@ -1628,42 +1651,42 @@ static inline int64_t derivative_rolling_contact__write_patch_wear_t(array_doubl
             {
                 index = index + 1;
                 strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-                EACH_LANE each(low_station_t) = each(high_station_t);
+                EACH_DIRECTION each(low_station_t) = each(high_station_t);
                 low_station = high_station;
-                EACH_LANE each(low_shear_t) = each(high_shear_t);
+                EACH_DIRECTION each(low_shear_t) = each(high_shear_t);
                 low_shear = high_shear;
-                EACH_LANE each(low_slip_t) = each(high_slip_t);
+                EACH_DIRECTION each(low_slip_t) = each(high_slip_t);
                 low_slip = high_slip;
-                EACH_LANE each(high_station_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
+                EACH_DIRECTION each(high_station_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
                 high_station = AT(work, strip + layout__ROLLING_STRIP_STATION);
                 derivative_rolling_contact__strip_shear_t(&v3, &v3_t, work, work_t, strip);
-                EACH_LANE each(high_shear_t) = each(v3_t);
+                EACH_DIRECTION each(high_shear_t) = each(v3_t);
                 high_shear = v3;
                 derivative_rolling_contact__strip_slip_t(&v4, &v4_t, work, work_t, patch, strip);
-                EACH_LANE each(high_slip_t) = each(v4_t);
+                EACH_DIRECTION each(high_slip_t) = each(v4_t);
                 high_slip = v4;
             }
-            EACH_LANE each(shear_t) = each(high_shear_t);
+            EACH_DIRECTION each(shear_t) = each(high_shear_t);
             shear = high_shear;
-            EACH_LANE each(slip_t) = each(high_slip_t);
+            EACH_DIRECTION each(slip_t) = each(high_slip_t);
             slip = high_slip;
             if (index > 0 && station < high_station)
             {
                 v5 = high_station - station;
                 v6 = high_station - low_station;
                 v7 = v5 / v6;
-                EACH_LANE each(share_t) = (each(high_station_t) - each(station_t) - v7 * (each(high_station_t) - each(low_station_t))) / v6;
+                EACH_DIRECTION each(share_t) = (each(high_station_t) - each(station_t) - v7 * (each(high_station_t) - each(low_station_t))) / v6;
                 share = v7;
                 v8 = low_shear - shear;
-                EACH_LANE each(shear_t) = each(shear_t) + (each(share_t) * v8 + share * (each(low_shear_t) - each(shear_t)));
+                EACH_DIRECTION each(shear_t) = each(shear_t) + (each(share_t) * v8 + share * (each(low_shear_t) - each(shear_t)));
                 shear = shear + share * v8;
                 v9 = low_slip - slip;
-                EACH_LANE each(slip_t) = each(slip_t) + (each(share_t) * v9 + share * (each(low_slip_t) - each(slip_t)));
+                EACH_DIRECTION each(slip_t) = each(slip_t) + (each(share_t) * v9 + share * (each(low_slip_t) - each(slip_t)));
                 slip = slip + share * v9;
             }
-            EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (3 * stations + j))) = each(shear_t);
+            EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (3 * stations + j))) = each(shear_t);
             AT(work, outline + layout__OUTLINE_NUMBERS + (3 * stations + j)) = shear;
-            EACH_LANE each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (4 * stations + j))) = each(slip_t);
+            EACH_DIRECTION each(RATE_AT(work_t, outline + layout__OUTLINE_NUMBERS + (4 * stations + j))) = each(slip_t);
             AT(work, outline + layout__OUTLINE_NUMBERS + (4 * stations + j)) = slip;
         }
     }
@@ -1671,75 +1694,75 @@ static inline int64_t derivative_rolling_contact__write_patch_wear_t(array_doubl
 }
 
 /* Derivative of ``strip_shear``. */
-static inline void derivative_rolling_contact__strip_shear_t(double* shear_out, lanes* shear_t_out, array_double_1d work, array_lanes_1d work_t, int64_t strip)
+static inline void derivative_rolling_contact__strip_shear_t(double* shear_out, directional_rate* shear_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t strip)
 {
-    lanes shear_t, force_t;
+    directional_rate shear_t, force_t;
     double shear, v1, v2, force, v3, v4;
-    shear_t = all_lanes(0.0);
+    shear_t = along_all(0.0);
     shear = 0.0;
     if (AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) > 0.0)
     {
         v1 = AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y);
         v2 = sqrt(v1);
-        EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
+        EACH_DIRECTION each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
         force = v2;
         v3 = 2.0 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
         v4 = force / v3;
-        EACH_LANE each(shear_t) = (each(force_t) - v4 * (2.0 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) / v3;
+        EACH_DIRECTION each(shear_t) = (each(force_t) - v4 * (2.0 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) / v3;
         shear = v4;
     }
     *shear_out = shear;
-    EACH_LANE each(*shear_t_out) = each(shear_t);
+    EACH_DIRECTION each(*shear_t_out) = each(shear_t);
 }
 
 /* Derivative of ``strip_slip``. */
-static inline void derivative_rolling_contact__strip_slip_t(double* slip_out, lanes* slip_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+static inline void derivative_rolling_contact__strip_slip_t(double* slip_out, directional_rate* slip_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip)
 {
     double v1, v2, force, slip, v3, power, v4;
-    lanes force_t, slip_t, v3_t, power_t;
+    directional_rate force_t, slip_t, v3_t, power_t;
     v1 = AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y);
     v2 = sqrt(v1);
-    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
+    EACH_DIRECTION each(force_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
     force = v2;
-    slip_t = all_lanes(0.0);
+    slip_t = along_all(0.0);
     slip = 0.0;
     if (force > 0.0)
     {
         derivative_rolling_contact__strip_power_t(&v3, &v3_t, work, work_t, patch, strip);
-        EACH_LANE each(power_t) = each(v3_t);
+        EACH_DIRECTION each(power_t) = each(v3_t);
         power = v3;
         if (power > 0.0)
         {
             v4 = power / force;
-            EACH_LANE each(slip_t) = (each(power_t) - v4 * each(force_t)) / force;
+            EACH_DIRECTION each(slip_t) = (each(power_t) - v4 * each(force_t)) / force;
             slip = v4;
         }
     }
     *slip_out = slip;
-    EACH_LANE each(*slip_t_out) = each(slip_t);
+    EACH_DIRECTION each(*slip_t_out) = each(slip_t);
 }
 
 /* Derivative of ``strip_power``. */
-static inline void derivative_rolling_contact__strip_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+static inline void derivative_rolling_contact__strip_power_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip)
 {
     double v1, power, v2;
-    lanes power_t, v2_t;
+    directional_rate power_t, v2_t;
     v1 = AT(work, strip + layout__ROLLING_STRIP_LATERAL) - AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
-    EACH_LANE each(power_t) = -(each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)))) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_MOMENT) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT))));
+    EACH_DIRECTION each(power_t) = -(each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP)) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + AT(work, strip + layout__ROLLING_STRIP_SLIP) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) - (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_X) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_X)))) * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * AT(work, strip + layout__ROLLING_STRIP_MOMENT) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_MOMENT))));
     power = -(AT(work, strip + layout__ROLLING_STRIP_SLIP) * AT(work, strip + layout__ROLLING_STRIP_FORCE_X) + v1 * AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_MOMENT));
     v2 = power;
-    EACH_LANE each(v2_t) = each(power_t);
+    EACH_DIRECTION each(v2_t) = each(power_t);
     if (0.0 > v2)
     {
         v2 = 0.0;
-        v2_t = all_lanes(0.0);
+        v2_t = along_all(0.0);
     }
     *out_0 = AT(work, patch + layout__PATCH_SPEED) * v2;
-    EACH_LANE each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * v2 + AT(work, patch + layout__PATCH_SPEED) * each(v2_t);
+    EACH_DIRECTION each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * v2 + AT(work, patch + layout__PATCH_SPEED) * each(v2_t);
 }
 
 /* Derivative of ``solve_creep_forces``. */
-static inline int64_t derivative_rolling_contact__solve_creep_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline int64_t derivative_rolling_contact__solve_creep_forces_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t)
 {
     if (input_checks__has_creep_forces(tables, work))
     {
@@ -1750,7 +1773,7 @@ static inline int64_t derivative_rolling_contact__solve_creep_forces_t(array_dou
 }
 
 /* Derivative of ``solve_side_creep``. */
-static inline int64_t derivative_rolling_contact__solve_side_creep_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_rolling_contact__solve_side_creep_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     derivative_rolling_contact__solve_wheel_creep_t(tables, work, work_t, index);
     derivative_rolling_contact__write_side_wear_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
@@ -1758,7 +1781,7 @@ static inline int64_t derivative_rolling_contact__solve_side_creep_t(array_doubl
 }
 
 /* Derivative of ``write_side_wear``. */
-static inline int64_t derivative_rolling_contact__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+static inline int64_t derivative_rolling_contact__write_side_wear_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side)
 {
     if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
     {
@@ -1768,39 +1791,39 @@ static inline int64_t derivative_rolling_contact__write_side_wear_t(array_double
 }
 
 /* Derivative of ``side_friction``. */
-static inline void derivative_rolling_contact__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline void derivative_rolling_contact__side_friction_t(double* friction_out, directional_rate* friction_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
-    lanes friction_t;
+    directional_rate friction_t;
     double friction;
-    EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION));
+    EACH_DIRECTION each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION));
     friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION);
     if (index == 1)
     {
-        EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION));
+        EACH_DIRECTION each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION));
         friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION);
     }
     *friction_out = friction;
-    EACH_LANE each(*friction_t_out) = each(friction_t);
+    EACH_DIRECTION each(*friction_t_out) = each(friction_t);
 }
 
 /* Derivative of ``solve_wheel_creep``. */
-static inline int64_t derivative_rolling_contact__solve_wheel_creep_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_rolling_contact__solve_wheel_creep_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     int64_t side, number, patch, number_end;
     double v1, friction, v2, factor;
-    lanes v1_t, friction_t, v2_t, factor_t;
+    directional_rate v1_t, friction_t, v2_t, factor_t;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     derivative_rolling_contact__side_friction_t(&v1, &v1_t, work, work_t, index);
-    EACH_LANE each(friction_t) = each(v1_t);
+    EACH_DIRECTION each(friction_t) = each(v1_t);
     friction = v1;
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PLACE) = all_lanes(0.0);
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PLACE) = along_all(0.0);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE) = (double)(layout__SOLVED_PATCH_LIMIT * index + number);
         derivative_rolling_contact__open_rolling_t(&v2, &v2_t, work, work_t, tables, patch, friction, friction_t);
-        EACH_LANE each(factor_t) = each(v2_t);
+        EACH_DIRECTION each(factor_t) = each(v2_t);
         factor = v2;
         derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
         derivative_rolling_contact__close_rolling_t(work, work_t, patch, factor, factor_t);
@@ -1809,45 +1832,45 @@ static inline int64_t derivative_rolling_contact__solve_wheel_creep_t(array_doub
 }
 
 /* Derivative of ``open_rolling``. */
-static inline void derivative_rolling_contact__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t)
+static inline void derivative_rolling_contact__open_rolling_t(double* factor_out, directional_rate* factor_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, double friction, directional_rate friction_t)
 {
     double v1, factor;
-    lanes v1_t, factor_t;
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BARE) = all_lanes(0.0);
+    directional_rate v1_t, factor_t;
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BARE) = along_all(0.0);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) = (double)false;
-    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = along_all(0.0);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = (double)(AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN) == 1.0);
     derivative_friction__set_friction_t(work, work_t, tables, patch, friction, friction_t, AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) == 1.0);
     derivative_friction__slope_factor_t(&v1, &v1_t, work, work_t, tables, patch);
-    EACH_LANE each(factor_t) = each(v1_t);
+    EACH_DIRECTION each(factor_t) = each(v1_t);
     factor = v1;
     if (factor != 1.0)
     {
         derivative_friction__multiply_creepages_t(work, work_t, patch, factor, factor_t);
     }
     *factor_out = factor;
-    EACH_LANE each(*factor_t_out) = each(factor_t);
+    EACH_DIRECTION each(*factor_t_out) = each(factor_t);
 }
 
 /* Derivative of ``close_rolling``. */
-static inline int64_t derivative_rolling_contact__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
+static inline int64_t derivative_rolling_contact__close_rolling_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double factor, directional_rate factor_t)
 {
     double v1, limit, v2, v3, v4;
-    lanes limit_t, rates;
+    directional_rate limit_t, rates;
     if (factor != 1.0)
     {
         v1 = 1.0 / factor;
-        EACH_LANE each(rates) = -v1 * each(factor_t) / factor;
+        EACH_DIRECTION each(rates) = -v1 * each(factor_t) / factor;
         derivative_friction__multiply_creepages_t(work, work_t, patch, v1, rates);
     }
-    EACH_LANE each(limit_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_DIRECTION each(limit_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     limit = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     if (limit > 0.0)
     {
         v2 = AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEP_Y);
         v3 = sqrt(v2);
         v4 = v3 / limit;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SATURATION)) = (derivative_rates__root_rate(v3, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)))) - v4 * each(limit_t)) / limit;
+        EACH_DIRECTION each(RATE_AT(work_t, patch + layout__PATCH_SATURATION)) = (derivative_rates__root_rate(v3, each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) * AT(work, patch + layout__PATCH_CREEP_X) + AT(work, patch + layout__PATCH_CREEP_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) * AT(work, patch + layout__PATCH_CREEP_Y) + AT(work, patch + layout__PATCH_CREEP_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)))) - v4 * each(limit_t)) / limit;
         AT(work, patch + layout__PATCH_SATURATION) = v4;
     }
     return 0;
@@ -1860,73 +1883,73 @@ static inline int64_t derivative_rolling_contact__close_rolling_t(array_double_1
  */
 
 /* Derivative of ``describe_contact``. */
-static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t)
+static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double y, directional_rate y_t, double aside, directional_rate aside_t, double shift, directional_rate shift_t)
 {
     int64_t pair, place, point;
     double z, slope, y_track, rail_slope, mismatch, sin_phi, cos_phi, r, v1, v2, lateral, v3, x_track, pitch_sin, pitch_cos, ahead, z_track, v4, v5, v6;
-    lanes z_t, slope_t, y_track_t, rail_slope_t, mismatch_t, sin_phi_t, cos_phi_t, r_t, lateral_t, x_track_t, pitch_sin_t, pitch_cos_t, ahead_t, z_track_t, v4_t, v5_t, v6_t;
+    directional_rate z_t, slope_t, y_track_t, rail_slope_t, mismatch_t, sin_phi_t, cos_phi_t, r_t, lateral_t, x_track_t, pitch_sin_t, pitch_cos_t, ahead_t, z_track_t, v4_t, v5_t, v6_t;
     bool touches;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
     derivative_frame__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, tables, work, work_t, pair, place, y, y_t, aside, aside_t, shift, shift_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-    EACH_LANE each(r_t) = each(z_t);
+    EACH_DIRECTION each(r_t) = each(z_t);
     r = AT(tables, pair + layout__PAIR_RADIUS) + z;
     v1 = AT(work, place + layout__PLACE_ARM) + y;
     v2 = r * cos_phi;
-    EACH_LANE each(lateral_t) = (each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t)) * AT(work, place + layout__PLACE_COS_ROLL) + v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * AT(work, place + layout__PLACE_SIN_ROLL) + v2 * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)));
+    EACH_DIRECTION each(lateral_t) = (each(RATE_AT(work_t, place + layout__PLACE_ARM)) + each(y_t)) * AT(work, place + layout__PLACE_COS_ROLL) + v1 * each(RATE_AT(work_t, place + layout__PLACE_COS_ROLL)) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * AT(work, place + layout__PLACE_SIN_ROLL) + v2 * each(RATE_AT(work_t, place + layout__PLACE_SIN_ROLL)));
     lateral = v1 * AT(work, place + layout__PLACE_COS_ROLL) - v2 * AT(work, place + layout__PLACE_SIN_ROLL);
     v3 = AT(work, place + layout__PLACE_COS_YAW) * r;
-    EACH_LANE each(x_track_t) = (each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) * r + AT(work, place + layout__PLACE_COS_YAW) * each(r_t)) * sin_phi + v3 * each(sin_phi_t) - (each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * lateral + AT(work, place + layout__PLACE_SIN_YAW) * each(lateral_t));
+    EACH_DIRECTION each(x_track_t) = (each(RATE_AT(work_t, place + layout__PLACE_COS_YAW)) * r + AT(work, place + layout__PLACE_COS_YAW) * each(r_t)) * sin_phi + v3 * each(sin_phi_t) - (each(RATE_AT(work_t, place + layout__PLACE_SIN_YAW)) * lateral + AT(work, place + layout__PLACE_SIN_YAW) * each(lateral_t));
     x_track = v3 * sin_phi - AT(work, place + layout__PLACE_SIN_YAW) * lateral;
     if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
         derivative_rails__pitch_of_frame_t(&pitch_sin, &pitch_sin_t, &pitch_cos, &pitch_cos_t, work, work_t, place);
-        EACH_LANE each(ahead_t) = each(sin_phi_t) * pitch_cos + sin_phi * each(pitch_cos_t) - (each(cos_phi_t) * pitch_sin + cos_phi * each(pitch_sin_t));
+        EACH_DIRECTION each(ahead_t) = each(sin_phi_t) * pitch_cos + sin_phi * each(pitch_cos_t) - (each(cos_phi_t) * pitch_sin + cos_phi * each(pitch_sin_t));
         ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
-        EACH_LANE each(cos_phi_t) = each(sin_phi_t) * pitch_sin + sin_phi * each(pitch_sin_t) + (each(cos_phi_t) * pitch_cos + cos_phi * each(pitch_cos_t));
+        EACH_DIRECTION each(cos_phi_t) = each(sin_phi_t) * pitch_sin + sin_phi * each(pitch_sin_t) + (each(cos_phi_t) * pitch_cos + cos_phi * each(pitch_cos_t));
         cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
-        EACH_LANE each(sin_phi_t) = each(ahead_t);
+        EACH_DIRECTION each(sin_phi_t) = each(ahead_t);
         sin_phi = ahead;
     }
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_WHEEL)) = each(r_t) * sin_phi + r * each(sin_phi_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_WHEEL)) = each(r_t) * sin_phi + r * each(sin_phi_t);
     AT(work, point + layout__CONTACT_POINT_X_WHEEL) = r * sin_phi;
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_WHEEL)) = each(y_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_WHEEL)) = each(y_t);
     AT(work, point + layout__CONTACT_POINT_Y_WHEEL) = y;
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_WHEEL)) = each(r_t) * cos_phi + r * each(cos_phi_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_WHEEL)) = each(r_t) * cos_phi + r * each(cos_phi_t);
     AT(work, point + layout__CONTACT_POINT_Z_WHEEL) = r * cos_phi - AT(tables, pair + layout__PAIR_RADIUS);
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     AT(work, point + layout__CONTACT_POINT_Y_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y);
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_RAIL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
     AT(work, point + layout__CONTACT_POINT_Z_RAIL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z);
-    derivative_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, AT(tables, pair + layout__PAIR_RAIL_Y), all_lanes(0.0), y_track, y_track_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK)) = each(x_track_t);
+    derivative_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, AT(tables, pair + layout__PAIR_RAIL_Y), along_all(0.0), y_track, y_track_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_X_TRACK)) = each(x_track_t);
     AT(work, point + layout__CONTACT_POINT_X_TRACK) = x_track;
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK)) = each(y_track_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_Y_TRACK)) = each(y_track_t);
     AT(work, point + layout__CONTACT_POINT_Y_TRACK) = y_track;
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK)) = each(z_track_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_Z_TRACK)) = each(z_track_t);
     AT(work, point + layout__CONTACT_POINT_Z_TRACK) = z_track;
     derivative_circle__atan_rule_t(&v4, &v4_t, rail_slope, rail_slope_t);
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -each(v4_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -each(v4_t);
     AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE) = -v4;
     if (AT(work, place + layout__PLACE_LEANING) == 1.0)
     {
         derivative_circle__atan_rule_t(&v5, &v5_t, rail_slope, rail_slope_t);
-        EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -each(v5_t) - each(RATE_AT(work_t, place + layout__PLACE_RAIL_ROLL));
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -each(v5_t) - each(RATE_AT(work_t, place + layout__PLACE_RAIL_ROLL));
         AT(work, point + layout__CONTACT_POINT_CONTACT_ANGLE) = -v5 - AT(work, place + layout__PLACE_RAIL_ROLL);
     }
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = each(r_t);
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = each(r_t);
     AT(work, point + layout__CONTACT_POINT_ROLLING_RADIUS) = r;
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_X)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_X)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     AT(work, point + layout__CONTACT_POINT_CURVATURE_X) = AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE);
-    EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
+    EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
     AT(work, point + layout__CONTACT_POINT_CURVATURE_Y) = AT(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND);
     if ((int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE)
     {
         derivative_curvature__relative_curvature_t(&v6, &v6_t, tables, pair, y, y_t, AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y), RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-        EACH_LANE each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * each(v6_t);
+        EACH_DIRECTION each(RATE_AT(work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * each(v6_t);
         AT(work, point + layout__CONTACT_POINT_CURVATURE_Y) = 2.0 * v6;
     }
     touches = true;
@@ -1945,27 +1968,27 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
 }
 
 /* Derivative of ``clear_side``. */
-static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
+static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side)
 {
-    RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION) = all_lanes(0.0);
+    RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION) = along_all(0.0);
     AT(work, side + layout__SIDE_SEARCH_PENETRATION) = 0.0;
-    RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR) = all_lanes(0.0);
+    RATE_AT(work_t, side + layout__SIDE_SEARCH_MODEL_ERROR) = along_all(0.0);
     AT(work, side + layout__SIDE_SEARCH_MODEL_ERROR) = 0.0;
     derivative_filling__clear_patches_t(work, work_t, side);
     return 0;
 }
 
 /* Derivative of ``load_side``. */
-static inline void derivative_side__load_side_t(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline void derivative_side__load_side_t(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t)
 {
     int64_t pair, side, count, number, number_end;
     double penetration;
-    lanes penetration_t;
+    directional_rate penetration_t;
     bool satisfied;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     derivative_normal_contact__solve_normal_t(&penetration, &penetration_t, &count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
-    EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) = each(penetration_t);
+    EACH_DIRECTION each(RATE_AT(work_t, side + layout__SIDE_SEARCH_PENETRATION)) = each(penetration_t);
     AT(work, side + layout__SIDE_SEARCH_PENETRATION) = penetration;
     if (!satisfied && count == 0)
     {
@@ -2005,14 +2028,14 @@ static inline void derivative_side__load_side_t(int64_t* count_out, int64_t* VAL
 }
 
 /* Derivative of ``touch_side``. */
-static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     int64_t side, status;
     bool n1;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     derivative_side__clear_side_t(work, work_t, side);
     status = layout__UNLOADED;
-    n1 = derivative_side__describe_contact_t(tables, work, work_t, index, AT(work, side + layout__SIDE_SEARCH_BEST_Y), RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST_Y), 0.0, all_lanes(0.0), AT(work, side + layout__SIDE_SEARCH_BEST), RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
+    n1 = derivative_side__describe_contact_t(tables, work, work_t, index, AT(work, side + layout__SIDE_SEARCH_BEST_Y), RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST_Y), 0.0, along_all(0.0), AT(work, side + layout__SIDE_SEARCH_BEST), RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST));
     if (!n1)
     {
         status = layout__OFF_PROFILE;
@@ -2021,21 +2044,21 @@ static inline int64_t derivative_side__touch_side_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``solve_side``. */
-static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t)
+static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double force, directional_rate force_t)
 {
     int64_t n1, status, count;
     double penetration, pressed;
-    lanes pressed_t;
+    directional_rate pressed_t;
     n1 = derivative_side__touch_side_t(tables, work, work_t, index);
     status = n1;
     if (status == layout__UNLOADED)
     {
         penetration = AT(tables, layout__TABLES_PENETRATION + index);
-        EACH_LANE each(pressed_t) = each(force_t);
+        EACH_DIRECTION each(pressed_t) = each(force_t);
         pressed = force;
         if (isfinite(penetration))
         {
-            pressed_t = all_lanes(0.0);
+            pressed_t = along_all(0.0);
             pressed = penetration;
         }
         if (pressed > 0.0)
@@ -2043,7 +2066,7 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
             status = layout__VALID;
             if ((int64_t)AT(tables, layout__TABLES_DEPTH) != layout__DEPTH_GEOMETRY)
             {
-                derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, penetration, all_lanes(0.0));
+                derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, penetration, along_all(0.0));
             }
         }
     }
@@ -2051,14 +2074,14 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``lower_wheel``. */
-static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t)
+static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double approach, directional_rate approach_t)
 {
     int64_t pair, side, n1, deepest;
-    lanes height_t, aside_t, shift_t, v2_t;
+    directional_rate height_t, aside_t, shift_t, v2_t;
     double height, aside, shift, v2;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    EACH_LANE each(height_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(approach_t);
+    EACH_DIRECTION each(height_t) = each(RATE_AT(work_t, side + layout__SIDE_SEARCH_BEST)) + each(approach_t);
     height = AT(work, side + layout__SIDE_SEARCH_BEST) + approach;
     derivative_side__clear_side_t(work, work_t, side);
     n1 = derivative_side__find_points_t(work, work_t, tables, side, index, height, height_t);
@@ -2069,20 +2092,20 @@ static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, arr
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * penetration_maxima__deepest_entry(work);
     derivative_penetrated_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
     derivative_side__describe_contact_t(tables, work, work_t, index, AT(work, deepest + layout__DEEP_POINT_WHEEL), RATE_AT(work_t, deepest + layout__DEEP_POINT_WHEEL), aside, aside_t, shift, shift_t);
-    derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH), 0.0, all_lanes(0.0));
+    derivative_penetrated_regions__lower_frame_t(work, work_t, height, height_t, AT(work, deepest + layout__DEEP_POINT_DEPTH), RATE_AT(work_t, deepest + layout__DEEP_POINT_DEPTH), 0.0, along_all(0.0));
     derivative_curves__rail_way_t(&v2, &v2_t, tables, pair, AT(work, deepest + layout__DEEP_POINT_RAIL), RATE_AT(work_t, deepest + layout__DEEP_POINT_RAIL));
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) = each(v2_t);
+    EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY)) = each(v2_t);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WAY) = v2;
     return layout__VALID;
 }
 
 /* Derivative of ``find_points``. */
-static inline int64_t derivative_side__find_points_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, lanes height_t)
+static inline int64_t derivative_side__find_points_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, directional_rate height_t)
 {
     int64_t pair, kept, count, n1, n2;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     kept = layout__WORK_CONTACT + layout__CONTACT_DEEP_POINTS + layout__DEEP_POINTS_SIZE * index;
-    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_TRIAL) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_TRIAL) = along_all(0.0);
     AT(work, layout__WORK_CONTACT + layout__CONTACT_TRIAL) = (double)(kept - layout__WORK_CONTACT);
     count = 0;
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) == 1.0 && (int64_t)AT(work, kept + layout__DEEP_POINTS_COUNT) > 0)
@@ -2100,40 +2123,40 @@ static inline int64_t derivative_side__find_points_t(array_double_1d work, array
 }
 
 /* Derivative of ``side_lever``. */
-static inline void derivative_side__side_lever_t(double* lever_out, lanes* lever_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, int64_t count)
+static inline void derivative_side__side_lever_t(double* lever_out, directional_rate* lever_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, int64_t count)
 {
     int64_t pair, at, region, block;
-    lanes total_t, weight_t, stiffness_t, v2_t, v3_t, lever_t;
+    directional_rate total_t, weight_t, stiffness_t, v2_t, v3_t, lever_t;
     double total, weight, v1, stiffness, v2, v3, lever, v4;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-    total_t = all_lanes(0.0);
+    total_t = along_all(0.0);
     total = 0.0;
-    weight_t = all_lanes(0.0);
+    weight_t = along_all(0.0);
     weight = 0.0;
     for (region = 0; region < count; region += 1)
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
         v1 = AT(work, block + layout__REGION_STIFFNESS) * AT(work, block + layout__REGION_SHARE);
-        EACH_LANE each(stiffness_t) = (each(RATE_AT(work_t, block + layout__REGION_STIFFNESS)) * AT(work, block + layout__REGION_SHARE) + AT(work, block + layout__REGION_STIFFNESS) * each(RATE_AT(work_t, block + layout__REGION_SHARE))) * AT(work, block + layout__REGION_COS) + v1 * each(RATE_AT(work_t, block + layout__REGION_COS));
+        EACH_DIRECTION each(stiffness_t) = (each(RATE_AT(work_t, block + layout__REGION_STIFFNESS)) * AT(work, block + layout__REGION_SHARE) + AT(work, block + layout__REGION_STIFFNESS) * each(RATE_AT(work_t, block + layout__REGION_SHARE))) * AT(work, block + layout__REGION_COS) + v1 * each(RATE_AT(work_t, block + layout__REGION_COS));
         stiffness = v1 * AT(work, block + layout__REGION_COS);
-        EACH_LANE each(weight_t) = each(weight_t) + each(stiffness_t);
+        EACH_DIRECTION each(weight_t) = each(weight_t) + each(stiffness_t);
         weight = weight + stiffness;
         derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, pair, at, AT(work, block + layout__REGION_WHEEL), RATE_AT(work_t, block + layout__REGION_WHEEL));
-        EACH_LANE each(total_t) = each(total_t) + (each(stiffness_t) * v2 + stiffness * each(v2_t));
+        EACH_DIRECTION each(total_t) = each(total_t) + (each(stiffness_t) * v2 + stiffness * each(v2_t));
         total = total + stiffness * v2;
     }
     derivative_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, pair, at, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y), RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y));
-    EACH_LANE each(lever_t) = each(v3_t);
+    EACH_DIRECTION each(lever_t) = each(v3_t);
     lever = v3;
     if (weight > 0.0)
     {
         v4 = total / weight;
-        EACH_LANE each(lever_t) = (each(total_t) - v4 * each(weight_t)) / weight;
+        EACH_DIRECTION each(lever_t) = (each(total_t) - v4 * each(weight_t)) / weight;
         lever = v4;
     }
     *lever_out = lever;
-    EACH_LANE each(*lever_t_out) = each(lever_t);
+    EACH_DIRECTION each(*lever_t_out) = each(lever_t);
 }
 
 
@@ -2143,140 +2166,140 @@ static inline void derivative_side__side_lever_t(double* lever_out, lanes* lever
  */
 
 /* Derivative of ``damper_stiffness``. */
-static inline void derivative_springs__damper_stiffness_t(double* stiffness_out, lanes* stiffness_t_out, double damping, lanes damping_t, double time_step, lanes time_step_t)
+static inline void derivative_springs__damper_stiffness_t(double* stiffness_out, directional_rate* stiffness_t_out, double damping, directional_rate damping_t, double time_step, directional_rate time_step_t)
 {
-    lanes stiffness_t;
+    directional_rate stiffness_t;
     double stiffness, v1;
-    stiffness_t = all_lanes(0.0);
+    stiffness_t = along_all(0.0);
     stiffness = 0.0;
     if (time_step > 0.0)
     {
         v1 = damping / time_step;
-        EACH_LANE each(stiffness_t) = (each(damping_t) - v1 * each(time_step_t)) / time_step;
+        EACH_DIRECTION each(stiffness_t) = (each(damping_t) - v1 * each(time_step_t)) / time_step;
         stiffness = v1;
     }
     *stiffness_out = stiffness;
-    EACH_LANE each(*stiffness_t_out) = each(stiffness_t);
+    EACH_DIRECTION each(*stiffness_t_out) = each(stiffness_t);
 }
 
 /* Derivative of ``open_equilibrium``. */
-static inline int64_t derivative_springs__open_equilibrium_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline int64_t derivative_springs__open_equilibrium_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
     int64_t spring;
-    lanes time_step_t, lateral_t, vertical_t, v1_t, damper_t, v4_t;
+    directional_rate time_step_t, lateral_t, vertical_t, v1_t, damper_t, v4_t;
     double time_step, lateral, vertical, v1, damper, v2, v3, v4, v5, v6;
     spring = layout__TABLES_SPRINGS + layout__SPRING_SIZE * index;
-    EACH_LANE each(time_step_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    EACH_DIRECTION each(time_step_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
     time_step = AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP);
-    EACH_LANE each(lateral_t) = -each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE));
+    EACH_DIRECTION each(lateral_t) = -each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE));
     lateral = -AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE);
-    EACH_LANE each(vertical_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE));
+    EACH_DIRECTION each(vertical_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE));
     vertical = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE);
     if (index == 1)
     {
-        EACH_LANE each(lateral_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE));
+        EACH_DIRECTION each(lateral_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE));
         lateral = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE);
-        EACH_LANE each(vertical_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE));
+        EACH_DIRECTION each(vertical_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE));
         vertical = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE);
     }
-    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) = along_all(0.0);
     AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) = 0.0;
-    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST) = along_all(0.0);
     AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST) = 0.0;
-    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE) = along_all(0.0);
     AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE) = 0.0;
     if (AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) > 0.0)
     {
-        derivative_springs__damper_stiffness_t(&v1, &v1_t, AT(tables, spring + layout__SPRING_LATERAL_DAMPING), all_lanes(0.0), time_step, time_step_t);
-        EACH_LANE each(damper_t) = each(v1_t);
+        derivative_springs__damper_stiffness_t(&v1, &v1_t, AT(tables, spring + layout__SPRING_LATERAL_DAMPING), along_all(0.0), time_step, time_step_t);
+        EACH_DIRECTION each(damper_t) = each(v1_t);
         damper = v1;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS)) = each(damper_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS)) = each(damper_t);
         AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) = AT(tables, spring + layout__SPRING_LATERAL_STIFFNESS) + damper;
         v2 = damper * lateral;
         v3 = v2 / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST)) = (each(damper_t) * lateral + damper * each(lateral_t) - v3 * each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS))) / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST)) = (each(damper_t) * lateral + damper * each(lateral_t) - v3 * each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS))) / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS);
         AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST) = v3;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE)) = each(lateral_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE)) = each(lateral_t);
         AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE) = lateral;
     }
-    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) = along_all(0.0);
     AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) = 0.0;
-    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST) = along_all(0.0);
     AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST) = 0.0;
-    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE) = all_lanes(0.0);
+    RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE) = along_all(0.0);
     AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE) = 0.0;
     if (AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) > 0.0)
     {
-        derivative_springs__damper_stiffness_t(&v4, &v4_t, AT(tables, spring + layout__SPRING_VERTICAL_DAMPING), all_lanes(0.0), time_step, time_step_t);
-        EACH_LANE each(damper_t) = each(v4_t);
+        derivative_springs__damper_stiffness_t(&v4, &v4_t, AT(tables, spring + layout__SPRING_VERTICAL_DAMPING), along_all(0.0), time_step, time_step_t);
+        EACH_DIRECTION each(damper_t) = each(v4_t);
         damper = v4;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS)) = each(damper_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS)) = each(damper_t);
         AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) = AT(tables, spring + layout__SPRING_VERTICAL_STIFFNESS) + damper;
         v5 = damper * vertical;
         v6 = v5 / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST)) = (each(damper_t) * vertical + damper * each(vertical_t) - v6 * each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS))) / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST)) = (each(damper_t) * vertical + damper * each(vertical_t) - v6 * each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS))) / AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
         AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST) = v6;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE)) = each(vertical_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE)) = each(vertical_t);
         AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE) = vertical;
     }
     return 0;
 }
 
 /* Derivative of ``deflect``. */
-static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
+static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_directional_rate_1d work_t, int64_t index, double lateral, directional_rate lateral_t, double vertical, directional_rate vertical_t)
 {
     int64_t deflection;
-    lanes time_step_t;
+    directional_rate time_step_t;
     double time_step, v1, v2, v3, v4;
     deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
-    EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL)) = each(lateral_t);
+    EACH_DIRECTION each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL)) = each(lateral_t);
     AT(work, deflection + layout__DEFLECTION_LATERAL) = lateral;
-    EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL)) = each(vertical_t);
+    EACH_DIRECTION each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL)) = each(vertical_t);
     AT(work, deflection + layout__DEFLECTION_VERTICAL) = vertical;
-    RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE) = all_lanes(0.0);
+    RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE) = along_all(0.0);
     AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) = 0.0;
-    RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE) = all_lanes(0.0);
+    RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE) = along_all(0.0);
     AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) = 0.0;
-    EACH_LANE each(time_step_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    EACH_DIRECTION each(time_step_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
     time_step = AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP);
     if (time_step > 0.0)
     {
         v1 = lateral - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE);
         v2 = v1 / time_step;
-        EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE)) = (each(lateral_t) - each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE)) - v2 * each(time_step_t)) / time_step;
+        EACH_DIRECTION each(RATE_AT(work_t, deflection + layout__DEFLECTION_LATERAL_RATE)) = (each(lateral_t) - each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_BEFORE)) - v2 * each(time_step_t)) / time_step;
         AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) = v2;
         v3 = vertical - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE);
         v4 = v3 / time_step;
-        EACH_LANE each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)) = (each(vertical_t) - each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE)) - v4 * each(time_step_t)) / time_step;
+        EACH_DIRECTION each(RATE_AT(work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)) = (each(vertical_t) - each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_BEFORE)) - v4 * each(time_step_t)) / time_step;
         AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) = v4;
     }
     return 0;
 }
 
 /* Derivative of ``spring_residual``. */
-static inline void derivative_springs__spring_residual_t(double* residual_out, lanes* residual_t_out, double stiffness, lanes stiffness_t, double rest, lanes rest_t, double deflection, lanes deflection_t, double force, lanes force_t)
+static inline void derivative_springs__spring_residual_t(double* residual_out, directional_rate* residual_t_out, double stiffness, directional_rate stiffness_t, double rest, directional_rate rest_t, double deflection, directional_rate deflection_t, double force, directional_rate force_t)
 {
-    lanes residual_t;
+    directional_rate residual_t;
     double residual, v1;
-    EACH_LANE each(residual_t) = each(deflection_t);
+    EACH_DIRECTION each(residual_t) = each(deflection_t);
     residual = deflection;
     if (stiffness > 0.0)
     {
         v1 = deflection - rest;
-        EACH_LANE each(residual_t) = each(stiffness_t) * v1 + stiffness * (each(deflection_t) - each(rest_t)) - each(force_t);
+        EACH_DIRECTION each(residual_t) = each(stiffness_t) * v1 + stiffness * (each(deflection_t) - each(rest_t)) - each(force_t);
         residual = stiffness * v1 - force;
     }
     *residual_out = residual;
-    EACH_LANE each(*residual_t_out) = each(residual_t);
+    EACH_DIRECTION each(*residual_t_out) = each(residual_t);
 }
 
 /* Derivative of ``weigh_rail``. */
-static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
+static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double height, directional_rate height_t)
 {
     int64_t n1, status, side;
     bool with_creep;
     double v2, v3;
-    lanes v2_t, v3_t, rates, rates_2;
+    directional_rate v2_t, v3_t, rates, rates_2;
     n1 = derivative_prescribed_height__load_at_height_t(tables, work, work_t, index, height, height_t);
     status = n1;
     if (status <= layout__UNLOADED)
@@ -2292,13 +2315,13 @@ static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, a
             derivative_rolling_contact__solve_side_creep_t(tables, work, work_t, index);
         }
         derivative_forces__sum_side_t(work, work_t, side, with_creep);
-        EACH_LANE each(rates) = -each(RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1));
+        EACH_DIRECTION each(rates) = -each(RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1));
         derivative_springs__spring_residual_t(&v2, &v2_t, AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS), RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST), RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 1), rates);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) = each(v2_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL)) = each(v2_t);
         AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) = v2;
-        EACH_LANE each(rates_2) = -each(RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2));
+        EACH_DIRECTION each(rates_2) = -each(RATE_AT(work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2));
         derivative_springs__spring_residual_t(&v3, &v3_t, AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS), RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST), RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST), AT(work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), RATE_AT(work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL), -AT(work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + 2), rates_2);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) = each(v3_t);
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL)) = each(v3_t);
         AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) = v3;
     }
     return status;
@@ -2311,24 +2334,24 @@ static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, a
  */
 
 /* Derivative of ``carried_share``. */
-static inline void derivative_vertical_load__carried_share_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index)
+static inline void derivative_vertical_load__carried_share_t(double* share_out, directional_rate* share_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t index)
 {
-    lanes share_t, v1_t, wanted_t;
+    directional_rate share_t, v1_t, wanted_t;
     double share, v1, wanted, v2, v3;
     int64_t forces;
-    share_t = all_lanes(0.0);
+    share_t = along_all(0.0);
     share = 1.0;
     derivative_input_checks__wanted_force_t(&v1, &v1_t, work, work_t, layout__WORK_INPUTS, index);
-    EACH_LANE each(wanted_t) = each(v1_t);
+    EACH_DIRECTION each(wanted_t) = each(v1_t);
     wanted = v1;
     forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
     if (wanted > 0.0 && AT(work, forces + layout__FORCES_NORMAL_FORCE + 2) < 0.0)
     {
         v2 = -AT(work, forces + layout__FORCES_FORCE + 2);
         v3 = v2 / wanted;
-        EACH_LANE each(share_t) = (-each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) - v3 * each(wanted_t)) / wanted;
+        EACH_DIRECTION each(share_t) = (-each(RATE_AT(work_t, forces + layout__FORCES_FORCE + 2)) - v3 * each(wanted_t)) / wanted;
         share = v3;
     }
     *share_out = share;
-    EACH_LANE each(*share_t_out) = each(share_t);
+    EACH_DIRECTION each(*share_t_out) = each(share_t);
 }

@@ -3,644 +3,650 @@
 #define GENERATED_DERIVATIVES_H
 
 #include "constants.h"
-#include "../native/lanes.h"
+#include "../native/directions.h"
 
 /* derivative_analyn.py */
-static inline void derivative_analyn__region_influence_t(double* result_out, lanes* result_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t one, int64_t other);
-static inline void derivative_analyn__region_lead_t(double* lead_out, lanes* lead_t_out, array_double_1d work, array_lanes_1d work_t, int64_t one, int64_t other);
-static inline void derivative_analyn__planes_cosine_t(double* cosine_out, lanes* cosine_t_out, array_double_1d work, array_lanes_1d work_t, int64_t one, int64_t other);
-static inline void derivative_analyn__clip_to_bound_t(double* stop_out, lanes* stop_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, lanes stop_t);
-static inline void derivative_analyn__region_load_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t);
-static inline void derivative_analyn__load_regions_t(double* total_out, lanes* total_t_out, array_double_1d work, array_lanes_1d work_t, int64_t count);
-static inline void derivative_analyn__penetrations_rule_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool prescribed);
+static inline void derivative_analyn__region_influence_t(double* result_out, directional_rate* result_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t one, int64_t other);
+static inline void derivative_analyn__region_lead_t(double* lead_out, directional_rate* lead_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t one, int64_t other);
+static inline void derivative_analyn__planes_cosine_t(double* cosine_out, directional_rate* cosine_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t one, int64_t other);
+static inline void derivative_analyn__clip_to_bound_t(double* stop_out, directional_rate* stop_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, directional_rate stop_t);
+static inline void derivative_analyn__region_load_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes, double local_penetration, directional_rate local_penetration_t);
+static inline void derivative_analyn__load_regions_t(double* total_out, directional_rate* total_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t count);
+static inline void derivative_analyn__penetrations_rule_t(double* penetration_out, directional_rate* penetration_t_out, bool* satisfied_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t count, double force, directional_rate force_t, double penetration, directional_rate penetration_t, bool prescribed);
 
 /* derivative_analyn_contact.py */
-static inline void derivative_analyn_contact__analyn_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, int64_t count);
-static inline void derivative_analyn_contact__solve_analyn_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration);
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t);
-static inline int64_t derivative_analyn_contact__keep_trial_t(array_double_1d work, array_lanes_1d work_t, int64_t count);
-static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, lanes* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration);
+static inline void derivative_analyn_contact__analyn_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t);
+static inline int64_t derivative_analyn_contact__fill_from_analyn_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, int64_t count);
+static inline void derivative_analyn_contact__solve_analyn_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t);
+static inline void derivative_analyn_contact__solve_estimated_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double estimate, directional_rate estimate_t, double force, directional_rate force_t, bool by_penetration);
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double penetration, directional_rate penetration_t);
+static inline int64_t derivative_analyn_contact__keep_trial_t(array_double_1d work, array_directional_rate_1d work_t, int64_t count);
+static inline void derivative_analyn_contact__solve_fine_t(double* penetration_out, directional_rate* penetration_t_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count, double force, directional_rate force_t, double penetration, directional_rate penetration_t, bool by_penetration);
 
 /* derivative_auto_contact.py */
-static inline void derivative_auto_contact__auto_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline void derivative_auto_contact__strips_share_t(double* out_0, lanes* out_1, double error, lanes error_t);
-static inline void derivative_auto_contact__total_load_t(double* load_out, lanes* load_t_out, array_double_1d work, array_lanes_1d work_t, int64_t count);
-static inline int64_t derivative_auto_contact__scale_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, double factor, lanes factor_t, int64_t count);
-static inline int64_t derivative_auto_contact__scale_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
+static inline void derivative_auto_contact__auto_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t);
+static inline void derivative_auto_contact__strips_share_t(double* out_0, directional_rate* out_1, double error, directional_rate error_t);
+static inline void derivative_auto_contact__total_load_t(double* load_out, directional_rate* load_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t count);
+static inline int64_t derivative_auto_contact__scale_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, double factor, directional_rate factor_t, int64_t count);
+static inline int64_t derivative_auto_contact__scale_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double factor, directional_rate factor_t);
 
 /* derivative_circle.py */
-static inline void derivative_circle__sine_cosine_rule_t(double* sine_out, lanes* out_1, double* cosine_out, lanes* out_3, double x, lanes x_t);
-static inline void derivative_circle__atan_rule_t(double* out_0, lanes* out_1, double x, lanes x_t);
-static inline void derivative_circle__atan2_rule_t(double* out_0, lanes* out_1, double up, lanes up_t, double along, lanes along_t);
+static inline void derivative_circle__sine_cosine_rule_t(double* sine_out, directional_rate* out_1, double* cosine_out, directional_rate* out_3, double x, directional_rate x_t);
+static inline void derivative_circle__atan_rule_t(double* out_0, directional_rate* out_1, double x, directional_rate x_t);
+static inline void derivative_circle__atan2_rule_t(double* out_0, directional_rate* out_1, double up, directional_rate up_t, double along, directional_rate along_t);
 
 /* derivative_coefficients.py */
-static inline void derivative_coefficients__table_value_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t column, double ratio, lanes ratio_t);
-static inline void derivative_coefficients__hertz_coefficients_t(double* v2_out, lanes* v2_t_out, double* v3_out, lanes* v3_t_out, double* v5_out, lanes* v5_t_out, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t);
-static inline void derivative_coefficients__skewed_coefficients_t(double* v17_out, lanes* out_1, double* v18_out, lanes* out_3, double* out_4, lanes* out_5, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t, double slant, lanes slant_t);
-static inline void derivative_coefficients__middle_slant_t(double* v20_out, lanes* out_1, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t, double slant, lanes slant_t);
-static inline void derivative_coefficients__hertz_stiffness_t(double* v6_out, lanes* out_1, double one_beta, lanes one_beta_t, double nr, lanes nr_t, double B, lanes B_t, double contact_modulus, lanes contact_modulus_t);
-static inline void derivative_coefficients__second_difference_t(double* v5_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t k, double spacing, lanes spacing_t, int64_t window);
-static inline void derivative_coefficients__secant_curvature_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t gaps, int64_t k, double spacing, lanes spacing_t, int64_t window, double middle, lanes middle_t);
-static inline void derivative_coefficients__windowed_curvature_t(double* v6_out, lanes* out_1, double averaged, lanes averaged_t, double secant, lanes secant_t, double share, lanes share_t);
-static inline void derivative_coefficients__adaptive_curvatures_t(double* secant_out, lanes* secant_t_out, double* side_out, lanes* side_t_out, double* B_out, lanes* B_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, lanes middle_t, double mean, lanes mean_t, double least, lanes least_t);
-static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
-static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes* out_1, double* v5_out, lanes* out_3, double* v6_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t);
+static inline void derivative_coefficients__table_value_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t column, double ratio, directional_rate ratio_t);
+static inline void derivative_coefficients__hertz_coefficients_t(double* v2_out, directional_rate* v2_t_out, double* v3_out, directional_rate* v3_t_out, double* v5_out, directional_rate* v5_t_out, array_double_1d tables, int64_t table, double A, directional_rate A_t, double B, directional_rate B_t);
+static inline void derivative_coefficients__skewed_coefficients_t(double* v17_out, directional_rate* out_1, double* v18_out, directional_rate* out_3, double* out_4, directional_rate* out_5, array_double_1d tables, int64_t table, double A, directional_rate A_t, double B, directional_rate B_t, double slant, directional_rate slant_t);
+static inline void derivative_coefficients__middle_slant_t(double* v20_out, directional_rate* out_1, array_double_1d tables, int64_t table, double A, directional_rate A_t, double B, directional_rate B_t, double slant, directional_rate slant_t);
+static inline void derivative_coefficients__hertz_stiffness_t(double* v6_out, directional_rate* out_1, double one_beta, directional_rate one_beta_t, double nr, directional_rate nr_t, double B, directional_rate B_t, double contact_modulus, directional_rate contact_modulus_t);
+static inline void derivative_coefficients__second_difference_t(double* v5_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t values, int64_t k, double spacing, directional_rate spacing_t, int64_t window);
+static inline void derivative_coefficients__secant_curvature_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t gaps, int64_t k, double spacing, directional_rate spacing_t, int64_t window, double middle, directional_rate middle_t);
+static inline void derivative_coefficients__windowed_curvature_t(double* v6_out, directional_rate* out_1, double averaged, directional_rate averaged_t, double secant, directional_rate secant_t, double share, directional_rate share_t);
+static inline void derivative_coefficients__adaptive_curvatures_t(double* secant_out, directional_rate* secant_t_out, double* side_out, directional_rate* side_t_out, double* B_out, directional_rate* B_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, directional_rate middle_t, double mean, directional_rate mean_t, double least, directional_rate least_t);
+static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
+static inline void derivative_coefficients__skew_factors_t(double* v4_out, directional_rate* out_1, double* v5_out, directional_rate* out_3, double* v6_out, directional_rate* out_5, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double A, directional_rate A_t);
 
 /* derivative_compliant_rules.py */
-static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
-static inline bool derivative_compliant_rules__follow_balanced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_compliant_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline int64_t derivative_compliant_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double lateral, directional_rate lateral_t, double vertical, directional_rate vertical_t);
+static inline bool derivative_compliant_rules__follow_balanced_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline bool derivative_compliant_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
 
 /* derivative_correction.py */
-static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double share, lanes share_t);
-static inline void derivative_correction__saturation_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, lanes share_t);
-static inline void derivative_correction__scale_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double share, lanes share_t);
-static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, lanes* on_elevation_t_out, double* on_azimuth_out, lanes* on_azimuth_t_out, double* on_radius_out, lanes* on_radius_t_out, double* faint_out, lanes* faint_t_out, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t);
-static inline void derivative_correction__slope_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share, lanes share_t);
-static inline void derivative_correction__radius_cell_t(int64_t* cell_out, double* out_1, lanes* out_2, array_double_1d tables, int64_t table, double place, lanes place_t);
-static inline void derivative_correction__middle_bend_t(int64_t* beyond_out, double* bend_out, lanes* bend_t_out, int64_t at, double on_azimuth, lanes on_azimuth_t);
-static inline void derivative_correction__missing_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t);
-static inline void derivative_correction__on_plane_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t);
-static inline void derivative_correction__on_cone_t(double* found_out, lanes* found_t_out, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t);
-static inline void derivative_correction__on_line_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, lanes on_radius_t);
+static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, double share, directional_rate share_t);
+static inline void derivative_correction__saturation_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, directional_rate share_t);
+static inline void derivative_correction__scale_at_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double share, directional_rate share_t);
+static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, directional_rate* on_elevation_t_out, double* on_azimuth_out, directional_rate* on_azimuth_t_out, double* on_radius_out, directional_rate* on_radius_t_out, double* faint_out, directional_rate* faint_t_out, array_double_1d tables, int64_t table, double along, directional_rate along_t, double across, directional_rate across_t, double turning, directional_rate turning_t);
+static inline void derivative_correction__slope_at_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share, directional_rate share_t);
+static inline void derivative_correction__radius_cell_t(int64_t* cell_out, double* out_1, directional_rate* out_2, array_double_1d tables, int64_t table, double place, directional_rate place_t);
+static inline void derivative_correction__middle_bend_t(int64_t* beyond_out, double* bend_out, directional_rate* bend_t_out, int64_t at, double on_azimuth, directional_rate on_azimuth_t);
+static inline void derivative_correction__missing_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, directional_rate on_ratio_t, double on_elevation, directional_rate on_elevation_t, double on_azimuth, directional_rate on_azimuth_t, double bend, directional_rate bend_t, int64_t beyond, double on_radius, directional_rate on_radius_t);
+static inline void derivative_correction__on_plane_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, directional_rate on_elevation_t, double on_azimuth, directional_rate on_azimuth_t, double bend, directional_rate bend_t, int64_t beyond, double on_radius, directional_rate on_radius_t);
+static inline void derivative_correction__on_cone_t(double* found_out, directional_rate* found_t_out, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, directional_rate on_azimuth_t, double bend, directional_rate bend_t, int64_t beyond, double on_radius, directional_rate on_radius_t);
+static inline void derivative_correction__on_line_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, directional_rate on_radius_t);
 
 /* derivative_coupled_strips.py */
-static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double shift, lanes shift_t, double width, lanes width_t, double ratio, lanes ratio_t);
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double mean, lanes mean_t, double ratio, lanes ratio_t);
-static inline void derivative_coupled_strips__spread_square_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t integration, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t);
-static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, lanes* depth_t_out, double* weight_out, lanes* weight_t_out, double square, lanes square_t, double v, lanes v_t, double k, lanes k_t, double a, lanes a_t);
-static inline void derivative_coupled_strips__later_share_t(double* share_out, lanes* share_t_out, double depth, lanes depth_t, double ratio, lanes ratio_t);
-static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, lanes* weight_t_out, array_double_1d work, array_lanes_1d work_t, int64_t integration);
-static inline void derivative_coupled_strips__smooth_step_t(double* value_out, lanes* value_t_out, double z, lanes z_t);
-static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline void derivative_coupled_strips__add_strips_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double ratio, lanes ratio_t);
-static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, lanes* out_1, double* v7_out, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_coupled_strips__begin_integration_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, int64_t strip, int64_t index);
-static inline int64_t derivative_coupled_strips__finish_integrations_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, lanes* lost_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double shift, directional_rate shift_t, double width, directional_rate width_t, double ratio, directional_rate ratio_t);
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double mean, directional_rate mean_t, double ratio, directional_rate ratio_t);
+static inline void derivative_coupled_strips__spread_square_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double scale, directional_rate scale_t, double k, directional_rate k_t, double ratio, directional_rate ratio_t);
+static inline void derivative_coupled_strips__slip_depth_t(double* depth_out, directional_rate* depth_t_out, double* weight_out, directional_rate* weight_t_out, double square, directional_rate square_t, double v, directional_rate v_t, double k, directional_rate k_t, double a, directional_rate a_t);
+static inline void derivative_coupled_strips__later_share_t(double* share_out, directional_rate* share_t_out, double depth, directional_rate depth_t, double ratio, directional_rate ratio_t);
+static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, directional_rate* weight_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t integration);
+static inline void derivative_coupled_strips__smooth_step_t(double* value_out, directional_rate* value_t_out, double z, directional_rate z_t);
+static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline void derivative_coupled_strips__add_strips_t(double* share_out, directional_rate* share_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double ratio, directional_rate ratio_t);
+static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, directional_rate* out_1, double* v7_out, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_coupled_strips__begin_integration_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, int64_t strip, int64_t index);
+static inline int64_t derivative_coupled_strips__finish_integrations_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, directional_rate* lost_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
 
 /* derivative_creep_force.py */
-static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
 
 /* derivative_creepage.py */
-static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
-static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
-static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t strip, double x_track, lanes x_track_t, double inverse, lanes inverse_t);
-static inline void derivative_creepage__rolling_velocity_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, double* v5_out, lanes* out_7, array_double_1d work, array_lanes_1d work_t, int64_t motion, double x, lanes x_t, double y, lanes y_t, double z, lanes z_t, double radius, lanes radius_t);
-static inline void derivative_creepage__velocity_along_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double y, lanes y_t, double z, lanes z_t, double rolling_x, lanes rolling_x_t);
-static inline void derivative_creepage__reference_speed_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t);
-static inline void derivative_creepage__approach_rate_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t strip, double x_track, directional_rate x_track_t, double inverse, directional_rate inverse_t);
+static inline void derivative_creepage__rolling_velocity_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, double* v5_out, directional_rate* out_7, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, double x, directional_rate x_t, double y, directional_rate y_t, double z, directional_rate z_t, double radius, directional_rate radius_t);
+static inline void derivative_creepage__velocity_along_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, double y, directional_rate y_t, double z, directional_rate z_t, double rolling_x, directional_rate rolling_x_t);
+static inline void derivative_creepage__velocity_across_t(double* lateral_out, directional_rate* lateral_t_out, double* vertical_out, directional_rate* vertical_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, double x, directional_rate x_t, double y_track, directional_rate y_track_t, double z_track, directional_rate z_track_t, double rolling_y, directional_rate rolling_y_t, double rolling_z, directional_rate rolling_z_t);
+static inline void derivative_creepage__reference_speed_t(double* v3_out, directional_rate* out_1, double running, directional_rate running_t, double rolling, directional_rate rolling_t);
+static inline void derivative_creepage__approach_rate_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch);
 
 /* derivative_curvature.py */
-static inline void derivative_curvature__profile_curvature_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double y, lanes y_t);
-static inline void derivative_curvature__relative_curvature_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double y, lanes y_t, double abscissa, lanes abscissa_t);
-static inline void derivative_curvature__longitudinal_curvature_t(double* v2_out, lanes* v2_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
-static inline void derivative_curvature__effective_curvature_t(double* curvature_out, lanes* curvature_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
-static inline void derivative_curvature__other_curvature_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
-static inline void derivative_curvature__rail_bend_t(double* out_0, lanes* out_1, array_double_1d tables, double y, lanes y_t);
+static inline void derivative_curvature__profile_curvature_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, double y, directional_rate y_t);
+static inline void derivative_curvature__relative_curvature_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t pair, double y, directional_rate y_t, double abscissa, directional_rate abscissa_t);
+static inline void derivative_curvature__longitudinal_curvature_t(double* v2_out, directional_rate* v2_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t place, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t);
+static inline void derivative_curvature__effective_curvature_t(double* curvature_out, directional_rate* curvature_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t);
+static inline void derivative_curvature__other_curvature_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t place, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t);
+static inline void derivative_curvature__rail_bend_t(double* out_0, directional_rate* out_1, array_double_1d tables, double y, directional_rate y_t);
 
 /* derivative_curves.py */
-static inline void derivative_curves__curve_jet_t(double* across_out, lanes* across_t_out, double* down_out, lanes* down_t_out, double* slope_out, lanes* slope_t_out, double* stretch_out, lanes* stretch_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t);
-static inline void derivative_curves__curve_speed_t(double* speed_out, lanes* speed_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t);
-static inline void derivative_curves__within_t(double* u_out, lanes* u_t_out, array_double_1d tables, int64_t pair, int64_t curve, double u, lanes u_t);
-static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double spacing, lanes spacing_t);
-static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t);
-static inline void derivative_curves__panel_length_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double low, lanes low_t, double high, lanes high_t);
-static inline void derivative_curves__arc_length_t(double* total_out, lanes* total_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double start, lanes start_t, double stop, lanes stop_t);
-static inline void derivative_curves__rail_way_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double abscissa, lanes abscissa_t);
-static inline void derivative_curves__rail_length_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t);
-static inline void derivative_curves__abscissa_after_t(double* x_out, lanes* x_t_out, array_double_1d tables, int64_t pair, double way, lanes way_t);
-static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double station, lanes station_t);
-static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double length, lanes length_t);
-static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double chord, lanes chord_t);
-static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double lateral, lanes lateral_t);
+static inline void derivative_curves__curve_jet_t(double* across_out, directional_rate* across_t_out, double* down_out, directional_rate* down_t_out, double* slope_out, directional_rate* slope_t_out, double* stretch_out, directional_rate* stretch_t_out, double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double u, directional_rate u_t);
+static inline void derivative_curves__curve_speed_t(double* speed_out, directional_rate* speed_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double u, directional_rate u_t);
+static inline void derivative_curves__within_t(double* u_out, directional_rate* u_t_out, array_double_1d tables, int64_t pair, int64_t curve, double u, directional_rate u_t);
+static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double spacing, directional_rate spacing_t);
+static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double u, directional_rate u_t);
+static inline void derivative_curves__panel_length_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double low, directional_rate low_t, double high, directional_rate high_t);
+static inline void derivative_curves__arc_length_t(double* total_out, directional_rate* total_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double start, directional_rate start_t, double stop, directional_rate stop_t);
+static inline void derivative_curves__rail_way_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t pair, double abscissa, directional_rate abscissa_t);
+static inline void derivative_curves__rail_length_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t pair, double start, directional_rate start_t, double stop, directional_rate stop_t);
+static inline void derivative_curves__abscissa_after_t(double* x_out, directional_rate* x_t_out, array_double_1d tables, int64_t pair, double way, directional_rate way_t);
+static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double station, directional_rate station_t);
+static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double length, directional_rate length_t);
+static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t curve, double chord, directional_rate chord_t);
+static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double lateral, directional_rate lateral_t);
 
 /* derivative_depth_rates.py */
-static inline void derivative_depth_rates__motion_size_t(double* v1_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs);
-static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_lanes_1d work_t, double time, lanes time_t);
-static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_lanes_1d work_t);
+static inline void derivative_depth_rates__motion_size_t(double* v1_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t inputs);
+static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_directional_rate_1d work_t, double time, directional_rate time_t);
+static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_directional_rate_1d work_t);
 
 /* derivative_distributed_power.py */
-static inline int64_t derivative_distributed_power__distribute_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
-static inline int64_t derivative_distributed_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn);
-static inline void derivative_distributed_power__cell_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations);
-static inline int64_t derivative_distributed_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t);
-static inline void derivative_distributed_power__own_share_t(double* found_out, lanes* found_t_out, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t);
+static inline int64_t derivative_distributed_power__distribute_power_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t stations);
+static inline int64_t derivative_distributed_power__share_among_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t worn);
+static inline void derivative_distributed_power__cell_width_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations);
+static inline int64_t derivative_distributed_power__add_power_t(array_double_1d work, array_directional_rate_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, directional_rate owner_t, int64_t strip, double power, directional_rate power_t);
+static inline void derivative_distributed_power__own_share_t(double* found_out, directional_rate* found_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, directional_rate owner_t, double share, directional_rate share_t);
 
 /* derivative_estimate.py */
-static inline void derivative_estimate__guess_penetration_t(double* v3_out, lanes* v3_t_out, double force, lanes force_t, double A, lanes A_t, double contact_modulus, lanes contact_modulus_t);
-static inline void derivative_estimate__estimate_penetration_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t);
-static inline void derivative_estimate__first_penetration_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t);
-static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_lanes_1d work_t, int64_t count, double penetration, lanes penetration_t);
+static inline void derivative_estimate__guess_penetration_t(double* v3_out, directional_rate* v3_t_out, double force, directional_rate force_t, double A, directional_rate A_t, double contact_modulus, directional_rate contact_modulus_t);
+static inline void derivative_estimate__estimate_penetration_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double force, directional_rate force_t);
+static inline void derivative_estimate__first_penetration_t(double* v1_out, directional_rate* v1_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double force, directional_rate force_t);
+static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_directional_rate_1d work_t, int64_t count, double penetration, directional_rate penetration_t);
 
 /* derivative_falling.py */
-static inline int64_t derivative_falling__open_falling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_falling__find_shares_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t);
-static inline void derivative_falling__point_share_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double x, lanes x_t);
-static inline void derivative_falling__decay_t(double* out_0, lanes* out_1, double t, lanes t_t);
-static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, array_lanes_1d work_t, double bound, lanes bound_t);
-static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_falling__open_falling_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_falling__find_shares_t(array_double_1d work, array_directional_rate_1d work_t, double x, directional_rate x_t);
+static inline void derivative_falling__point_share_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip, double x, directional_rate x_t);
+static inline void derivative_falling__decay_t(double* out_0, directional_rate* out_1, double t, directional_rate t_t);
+static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, array_directional_rate_1d work_t, double bound, directional_rate bound_t);
+static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, array_directional_rate_1d work_t);
 
 /* derivative_fastrip.py */
-static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t integration);
-static inline void derivative_fastrip__longitudinal_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t strip);
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t);
-static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t integration, int64_t strip);
-static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t integration);
-static inline int64_t derivative_fastrip__integrate_on_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, double x, lanes x_t, double bound, lanes bound_t);
-static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t integration, double bound, lanes bound_t);
-static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t integration, double x, lanes x_t, double bound, lanes bound_t);
+static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, int64_t integration);
+static inline void derivative_fastrip__longitudinal_t(double* push_out, directional_rate* push_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, int64_t strip);
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double push, directional_rate push_t, double lateral, directional_rate lateral_t, double spin, directional_rate spin_t);
+static inline void derivative_fastrip__add_tractions_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t patch, int64_t integration, int64_t strip);
+static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration);
+static inline int64_t derivative_fastrip__integrate_on_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double x, directional_rate x_t, double bound, directional_rate bound_t);
+static inline void derivative_fastrip__slip_direction_t(double* p_x_out, directional_rate* p_x_t_out, double* p_y_out, directional_rate* p_y_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double bound, directional_rate bound_t);
+static inline void derivative_fastrip__stick_traction_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t integration, double x, directional_rate x_t, double bound, directional_rate bound_t);
 
 /* derivative_fastsim.py */
-static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline void derivative_fastsim__stiffnesses_t(double* v5_out, lanes* out_1, double* v9_out, lanes* out_3, double* v15_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline void derivative_fastsim__strip_push_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double turning, lanes turning_t);
-static inline void derivative_fastsim__integrate_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t);
-static inline void derivative_fastsim__sticking_t(double* part_out, lanes* part_t_out, double free_x, lanes free_x_t, double free_y, lanes free_y_t, double push_x, lanes push_x_t, double push_y, lanes push_y_t, double bound, lanes bound_t);
+static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline void derivative_fastsim__stiffnesses_t(double* v5_out, directional_rate* out_1, double* v9_out, directional_rate* out_3, double* v15_out, directional_rate* out_5, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline void derivative_fastsim__strip_push_t(double* push_out, directional_rate* push_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip, double along, directional_rate along_t, double turning, directional_rate turning_t);
+static inline void derivative_fastsim__integrate_strip_t(double* v17_out, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, directional_rate rate_t, double push, directional_rate push_t, double across, directional_rate across_t, double turning, directional_rate turning_t);
+static inline void derivative_fastsim__sticking_t(double* part_out, directional_rate* part_t_out, double free_x, directional_rate free_x_t, double free_y, directional_rate free_y_t, double push_x, directional_rate push_x_t, double push_y, directional_rate push_y_t, double bound, directional_rate bound_t);
 
 /* derivative_fatigue.py */
-static inline void derivative_fatigue__wear_number_damage_t(double* damage_out, lanes* damage_t_out, double wear_number, lanes wear_number_t);
-static inline void derivative_fatigue__shakedown_ratio_t(double* ratio_out, lanes* ratio_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, double yield_shear, lanes yield_shear_t);
+static inline void derivative_fatigue__wear_number_damage_t(double* damage_out, directional_rate* damage_t_out, double wear_number, directional_rate wear_number_t);
+static inline void derivative_fatigue__shakedown_ratio_t(double* ratio_out, directional_rate* ratio_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double yield_shear, directional_rate yield_shear_t);
 
 /* derivative_filling.py */
-static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
-static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double start, lanes start_t, int64_t first, int64_t rule);
-static inline int64_t derivative_filling__forget_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t region, double load, lanes load_t, double moment, lanes moment_t);
-static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
-static inline int64_t derivative_filling__fill_sliver_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_lanes_1d work_t, int64_t totals);
-static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
-static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t index);
-static inline int64_t derivative_filling__finish_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
-static inline int64_t derivative_filling__total_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
+static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side);
+static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t region, double start, directional_rate start_t, int64_t first, int64_t rule);
+static inline int64_t derivative_filling__forget_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t region, double load, directional_rate load_t, double moment, directional_rate moment_t);
+static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side);
+static inline int64_t derivative_filling__fill_sliver_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_directional_rate_1d work_t, int64_t totals);
+static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side);
+static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t index);
+static inline int64_t derivative_filling__finish_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side);
+static inline int64_t derivative_filling__total_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side);
 
 /* derivative_forces.py */
-static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side, bool with_creep);
-static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
-static inline int64_t derivative_forces__add_creep_force_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
-static inline void derivative_forces__about_axle_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double moment_x, lanes moment_x_t, double moment_y, lanes moment_y_t, double moment_z, lanes moment_z_t);
-static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double mirror, lanes mirror_t);
-static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double plane, lanes plane_t, double across, lanes across_t);
+static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, bool with_creep);
+static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_forces__add_creep_force_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_forces__turn_creep_force_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch, double moment_x, directional_rate moment_x_t, double moment_y, directional_rate moment_y_t, double moment_z, directional_rate moment_z_t, double missing, directional_rate missing_t);
+static inline void derivative_forces__about_axle_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, double moment_x, directional_rate moment_x_t, double moment_y, directional_rate moment_y_t, double moment_z, directional_rate moment_z_t);
+static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_directional_rate_1d work_t, int64_t total, int64_t part, double mirror, directional_rate mirror_t);
+static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_directional_rate_1d work_t, int64_t total, int64_t part, double plane, directional_rate plane_t, double across, directional_rate across_t);
 
 /* derivative_frame.py */
-static inline void derivative_frame__open_frame_t(double* z_out, lanes* z_t_out, double* slope_out, lanes* slope_t_out, double* y_track_out, lanes* y_track_t_out, double* rail_slope_out, lanes* rail_slope_t_out, double* mismatch_out, lanes* mismatch_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t);
-static inline void derivative_frame__normal_gap_t(double* gap_out, lanes* gap_t_out, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
-static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count);
-static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t slot);
-static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
-static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double slope, lanes slope_t);
-static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region);
+static inline void derivative_frame__open_frame_t(double* z_out, directional_rate* z_t_out, double* slope_out, directional_rate* slope_t_out, double* y_track_out, directional_rate* y_track_t_out, double* rail_slope_out, directional_rate* rail_slope_t_out, double* mismatch_out, directional_rate* mismatch_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double y, directional_rate y_t, double aside, directional_rate aside_t, double shift, directional_rate shift_t);
+static inline void derivative_frame__normal_gap_t(double* gap_out, directional_rate* gap_t_out, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t);
+static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count);
+static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t slot);
+static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region);
+static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double slope, directional_rate slope_t);
+static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region);
 
 /* derivative_free_rolling.py */
-static inline void derivative_free_rolling__nominal_rate_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline void derivative_free_rolling__nominal_rate_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
 
 /* derivative_friction.py */
-static inline int64_t derivative_friction__set_friction_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t, bool resting);
-static inline void derivative_friction__flange_share_t(double* out_0, lanes* out_1, array_double_1d tables, double angle, lanes angle_t);
-static inline void derivative_friction__slope_factor_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
-static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline void derivative_friction__creep_gain_t(double* gain_out, lanes* gain_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_friction__set_friction_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, double friction, directional_rate friction_t, bool resting);
+static inline void derivative_friction__flange_share_t(double* out_0, directional_rate* out_1, array_double_1d tables, double angle, directional_rate angle_t);
+static inline void derivative_friction__slope_factor_t(double* factor_out, directional_rate* factor_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double factor, directional_rate factor_t);
+static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline void derivative_friction__creep_gain_t(double* gain_out, directional_rate* gain_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
 
 /* derivative_gap.py */
-static inline void derivative_gap__vertical_gap_t(double* out_0, lanes* out_1, double* mismatch_out, lanes* mismatch_t_out, double* out_4, lanes* out_5, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t);
-static inline void derivative_gap__gap_per_roll_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t);
+static inline void derivative_gap__vertical_gap_t(double* out_0, directional_rate* out_1, double* mismatch_out, directional_rate* mismatch_t_out, double* out_4, directional_rate* out_5, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double y, directional_rate y_t);
+static inline void derivative_gap__gap_per_roll_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double y, directional_rate y_t);
 
 /* derivative_hertz_contact.py */
-static inline void derivative_hertz_contact__hertz_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* out_2, bool* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline int64_t derivative_hertz_contact__fill_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double half_length, lanes half_length_t, double half_width, lanes half_width_t);
-static inline void derivative_hertz_contact__press_ellipse_t(double* v7_out, lanes* out_1, double* v10_out, lanes* out_3, double* stiffness_out, lanes* stiffness_t_out, double* penetration_out, lanes* penetration_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline void derivative_hertz_contact__profile_ends_t(double* low_out, lanes* low_t_out, double* high_out, lanes* high_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region);
-static inline void derivative_hertz_contact__widest_ellipse_t(double* v7_out, lanes* v7_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double low, lanes low_t, double high, lanes high_t);
-static inline void derivative_hertz_contact__narrow_ellipse_t(double* B_out, lanes* B_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t, double widest, lanes widest_t);
+static inline void derivative_hertz_contact__hertz_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* out_2, bool* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t);
+static inline int64_t derivative_hertz_contact__fill_ellipse_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t region, double half_length, directional_rate half_length_t, double half_width, directional_rate half_width_t);
+static inline void derivative_hertz_contact__press_ellipse_t(double* v7_out, directional_rate* out_1, double* v10_out, directional_rate* out_3, double* stiffness_out, directional_rate* stiffness_t_out, double* penetration_out, directional_rate* penetration_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double A, directional_rate A_t, double B, directional_rate B_t, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t);
+static inline void derivative_hertz_contact__profile_ends_t(double* low_out, directional_rate* low_t_out, double* high_out, directional_rate* high_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region);
+static inline void derivative_hertz_contact__widest_ellipse_t(double* v7_out, directional_rate* v7_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double low, directional_rate low_t, double high, directional_rate high_t);
+static inline void derivative_hertz_contact__narrow_ellipse_t(double* B_out, directional_rate* B_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double A, directional_rate A_t, double B, directional_rate B_t, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t, double widest, directional_rate widest_t);
 
 /* derivative_input_checks.py */
-static inline void derivative_input_checks__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline void derivative_input_checks__wanted_force_t(double* force_out, lanes* force_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, int64_t index);
-static inline void derivative_input_checks__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index);
+static inline void derivative_input_checks__side_force_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline void derivative_input_checks__wanted_force_t(double* force_out, directional_rate* force_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t inputs, int64_t index);
+static inline void derivative_input_checks__outer_torque_t(double* torque_out, directional_rate* torque_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t inputs, int64_t index);
 
 /* derivative_locus.py */
-static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral_shift, lanes lateral_shift_t, double yaw, lanes yaw_t, double roll, lanes roll_t, double radius, lanes radius_t, double height, lanes height_t, double arm, lanes arm_t);
-static inline int64_t derivative_locus__turn_wheelset_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double roll, lanes roll_t);
-static inline int64_t derivative_locus__set_roll_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double sin_roll, lanes sin_roll_t, double cos_roll, lanes cos_roll_t);
-static inline int64_t derivative_locus__mirror_place_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t mirrored, double radius, lanes radius_t);
-static inline int64_t derivative_locus__mirror_roll_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t mirrored);
-static inline void derivative_locus__around_wheel_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t place, double slope, lanes slope_t);
-static inline void derivative_locus__outline_point_t(double* y_track_out, lanes* y_track_t_out, double* z_track_out, lanes* z_track_t_out, double* outline_slope_out, lanes* outline_slope_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t);
-static inline void derivative_locus__outline_jet_t(double* y_track_out, lanes* y_track_t_out, double* z_track_out, lanes* z_track_t_out, double* outline_slope_out, lanes* outline_slope_t_out, double* stretch_out, lanes* stretch_t_out, double* slope_rate_out, lanes* slope_rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
-static inline void derivative_locus__outline_x_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t);
+static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double lateral_shift, directional_rate lateral_shift_t, double yaw, directional_rate yaw_t, double roll, directional_rate roll_t, double radius, directional_rate radius_t, double height, directional_rate height_t, double arm, directional_rate arm_t);
+static inline int64_t derivative_locus__turn_wheelset_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double roll, directional_rate roll_t);
+static inline int64_t derivative_locus__set_roll_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double sin_roll, directional_rate sin_roll_t, double cos_roll, directional_rate cos_roll_t);
+static inline int64_t derivative_locus__mirror_place_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, int64_t mirrored, double radius, directional_rate radius_t);
+static inline int64_t derivative_locus__mirror_roll_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, int64_t mirrored);
+static inline void derivative_locus__around_wheel_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double slope, directional_rate slope_t);
+static inline void derivative_locus__outline_point_t(double* y_track_out, directional_rate* y_track_t_out, double* z_track_out, directional_rate* z_track_t_out, double* outline_slope_out, directional_rate* outline_slope_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t);
+static inline void derivative_locus__outline_jet_t(double* y_track_out, directional_rate* y_track_t_out, double* z_track_out, directional_rate* z_track_t_out, double* outline_slope_out, directional_rate* outline_slope_t_out, double* stretch_out, directional_rate* stretch_t_out, double* slope_rate_out, directional_rate* slope_rate_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t);
+static inline void derivative_locus__outline_x_t(double* out_0, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double y, directional_rate y_t);
 
 /* derivative_model_error.py */
-static inline void derivative_model_error__analyn_error_t(double* error_out, lanes* error_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count);
-static inline void derivative_model_error__curvature_change_t(double* load_out, lanes* load_t_out, double* changes_out, lanes* changes_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes, int64_t window);
+static inline void derivative_model_error__analyn_error_t(double* error_out, directional_rate* error_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t count);
+static inline void derivative_model_error__curvature_change_t(double* load_out, directional_rate* load_t_out, double* changes_out, directional_rate* changes_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes, int64_t window);
 
 /* derivative_motion.py */
-static inline void derivative_motion__rolling_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double given, lanes given_t, double radius, lanes radius_t);
-static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right, int64_t inputs);
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion, int64_t inputs);
-static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t mirrored);
-static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs);
-static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs);
-static inline int64_t derivative_motion__carry_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t rail, int64_t deflection);
-static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
-static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t point);
-static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t forces);
-static inline void derivative_motion__known_part_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion);
-static inline void derivative_motion__constraint_residual_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion);
-static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right);
+static inline void derivative_motion__rolling_rate_t(double* rate_out, directional_rate* rate_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t inputs, double given, directional_rate given_t, double radius, directional_rate radius_t);
+static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t left, int64_t right, int64_t inputs);
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t motion, int64_t inputs);
+static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t mirrored);
+static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t rail, int64_t inputs);
+static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t rail, int64_t inputs);
+static inline int64_t derivative_motion__carry_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t rail, int64_t deflection);
+static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_directional_rate_1d work_t, int64_t left, int64_t right, double vertical, directional_rate vertical_t, double roll_rate, directional_rate roll_rate_t);
+static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t point);
+static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t forces);
+static inline void derivative_motion__known_part_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion);
+static inline void derivative_motion__constraint_residual_t(double* v3_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion);
+static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_directional_rate_1d work_t, int64_t left, int64_t right);
 
 /* derivative_motion_rules.py */
-static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
-static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
-static inline void derivative_motion_rules__follow_residuals_t(double* left_out, lanes* left_t_out, double* right_out, lanes* right_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
-static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
-static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_motion_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t inputs, double roll, directional_rate roll_t);
+static inline int64_t derivative_motion_rules__begin_yaw_t(array_double_1d work, array_directional_rate_1d work_t, int64_t inputs, double roll, directional_rate roll_t);
+static inline void derivative_motion_rules__follow_residuals_t(double* left_out, directional_rate* left_t_out, double* right_out, directional_rate* right_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double time, directional_rate time_t, double vertical, directional_rate vertical_t, double roll_rate, directional_rate roll_rate_t);
+static inline int64_t derivative_motion_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double time, directional_rate time_t, double vertical, directional_rate vertical_t, double roll_rate, directional_rate roll_rate_t);
+static inline int64_t derivative_motion_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
 
 /* derivative_node_patches.py */
-static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t count);
-static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes);
-static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t number, int64_t k);
-static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t inner, int64_t outer, double start, lanes start_t, double stop, lanes stop_t, double spacing, lanes spacing_t);
-static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double start, lanes start_t, int64_t strip);
-static inline void derivative_node_patches__add_part_t(double* load_out, lanes* load_t_out, double* moment_out, lanes* moment_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t, double step, lanes step_t);
-static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
-static inline void derivative_node_patches__peak_square_t(double* square_out, lanes* square_t_out, double before, lanes before_t, double square, lanes square_t, double after, lanes after_t);
+static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t count);
+static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes);
+static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t number, int64_t k);
+static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t inner, int64_t outer, double start, directional_rate start_t, double stop, directional_rate stop_t, double spacing, directional_rate spacing_t);
+static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t region, double start, directional_rate start_t, int64_t strip);
+static inline void derivative_node_patches__add_part_t(double* load_out, directional_rate* load_t_out, double* moment_out, directional_rate* moment_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, directional_rate start_t, double stop, directional_rate stop_t, double step, directional_rate step_t);
+static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip);
+static inline void derivative_node_patches__peak_square_t(double* square_out, directional_rate* square_t_out, double before, directional_rate before_t, double square, directional_rate square_t, double after, directional_rate after_t);
 
 /* derivative_nodes.py */
-static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double spacing, lanes spacing_t);
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t);
-static inline void derivative_nodes__turn_cosine_t(double* v5_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
-static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes);
-static inline void derivative_nodes__trace_node_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at);
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t);
-static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count);
-static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, lanes spacing_t, double start_rate, lanes start_rate_t, double stop_rate, lanes stop_rate_t);
-static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t direction, double station, lanes station_t);
-static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t at, int64_t direction);
-static inline void derivative_nodes__zone_share_t(double* share_out, lanes* share_t_out, array_double_1d tables, double A, lanes A_t, double side, lanes side_t);
-static inline void derivative_nodes__node_spacing_t(double* spacing_out, lanes* spacing_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double enlarge, lanes enlarge_t);
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double enlarge, lanes enlarge_t);
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, lanes enlarge_t);
+static inline void derivative_nodes__trace_tolerance_t(double* tolerance_out, directional_rate* tolerance_t_out, double spacing, directional_rate spacing_t);
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, directional_rate low_reach_t, double high_reach, directional_rate high_reach_t);
+static inline void derivative_nodes__turn_cosine_t(double* v5_out, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair);
+static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes);
+static inline void derivative_nodes__trace_node_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at);
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, directional_rate reach_t, double rate, directional_rate rate_t);
+static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_directional_rate_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count);
+static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_directional_rate_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, directional_rate spacing_t, double start_rate, directional_rate start_rate_t, double stop_rate, directional_rate stop_rate_t);
+static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t direction, double station, directional_rate station_t);
+static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_directional_rate_1d work_t, int64_t nodes, int64_t at, int64_t direction);
+static inline void derivative_nodes__zone_share_t(double* share_out, directional_rate* share_t_out, array_double_1d tables, double A, directional_rate A_t, double side, directional_rate side_t);
+static inline void derivative_nodes__node_spacing_t(double* spacing_out, directional_rate* spacing_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, double enlarge, directional_rate enlarge_t);
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count, double enlarge, directional_rate enlarge_t);
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, directional_rate enlarge_t);
 
 /* derivative_normal_contact.py */
-static inline void derivative_normal_contact__solve_normal_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
+static inline void derivative_normal_contact__solve_normal_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t);
 
 /* derivative_outline.py */
-static inline void derivative_outline__curved_at_t(double* half_length_out, lanes* half_length_t_out, double* pressure_out, lanes* pressure_t_out, array_double_1d work, array_lanes_1d work_t, int64_t count, double station, lanes station_t);
-static inline void derivative_outline__between_strips_t(double* half_length_out, lanes* half_length_t_out, double* pressure_out, lanes* pressure_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double own, lanes own_t);
-static inline void derivative_outline__straight_at_t(double* half_length_out, lanes* half_length_t_out, double* pressure_out, lanes* pressure_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t after, double station, lanes station_t);
-static inline int64_t derivative_outline__write_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t side, int64_t count);
-static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t totals);
-static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t totals, int64_t count);
-static inline int64_t derivative_outline__write_straight_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t side);
+static inline void derivative_outline__curved_at_t(double* half_length_out, directional_rate* half_length_t_out, double* pressure_out, directional_rate* pressure_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t count, double station, directional_rate station_t);
+static inline void derivative_outline__between_strips_t(double* half_length_out, directional_rate* half_length_t_out, double* pressure_out, directional_rate* pressure_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, double own, directional_rate own_t);
+static inline void derivative_outline__straight_at_t(double* half_length_out, directional_rate* half_length_t_out, double* pressure_out, directional_rate* pressure_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t after, double station, directional_rate station_t);
+static inline int64_t derivative_outline__write_outline_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t side, int64_t count);
+static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t totals);
+static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t totals, int64_t count);
+static inline int64_t derivative_outline__write_straight_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t side);
 
 /* derivative_overlaps.py */
-static inline void derivative_overlaps__turning_rule_t(double* found_x_out, lanes* found_x_t_out, double* y_out, lanes* y_t_out, double* overlap_out, lanes* overlap_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t);
-static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double height, lanes height_t);
+static inline void derivative_overlaps__turning_rule_t(double* found_x_out, directional_rate* found_x_t_out, double* y_out, directional_rate* y_t_out, double* overlap_out, directional_rate* overlap_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double x, directional_rate x_t, double y, directional_rate y_t, double height, directional_rate height_t);
+static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double height, directional_rate height_t);
+
+/* derivative_pair.py */
+static inline void derivative_pair__solve_pair_t(double* determinant_out, directional_rate* determinant_t_out, double* x_out, directional_rate* x_t_out, double* y_out, directional_rate* y_t_out, double first, directional_rate first_t, double second, directional_rate second_t, double first_x, directional_rate first_x_t, double first_y, directional_rate first_y_t, double second_x, directional_rate second_x_t, double second_y, directional_rate second_y_t);
 
 /* derivative_patch_places.py */
-static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t);
-static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side);
-static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number);
-static inline void derivative_patch_places__abscissa_at_t(double* abscissa_out, lanes* abscissa_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double away, lanes away_t);
-static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch);
+static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, directional_rate local_penetration_t);
+static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side);
+static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number);
+static inline void derivative_patch_places__abscissa_at_t(double* abscissa_out, directional_rate* abscissa_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double away, directional_rate away_t);
+static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t patch);
 
 /* derivative_penetrated.py */
-static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t);
-static inline void derivative_penetrated__mean_bend_t(double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t);
-static inline void derivative_penetrated__penetrated_gap_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
-static inline void derivative_penetrated__met_curvature_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
-static inline void derivative_penetrated__limited_t(double* step_out, lanes* step_t_out, double step, lanes step_t, double limit, lanes limit_t);
-static inline void derivative_penetrated__turning_point_t(double* x_out, lanes* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t);
-static inline bool derivative_penetrated__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t);
+static inline bool derivative_penetrated__meet_wheel_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double abscissa, directional_rate abscissa_t, double y, directional_rate y_t, double height, directional_rate height_t, double tolerance, directional_rate tolerance_t);
+static inline void derivative_penetrated__mean_bend_t(double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double y, directional_rate y_t, double bend, directional_rate bend_t);
+static inline void derivative_penetrated__penetrated_gap_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t);
+static inline void derivative_penetrated__met_curvature_t(double* v1_out, directional_rate* v1_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair);
+static inline void derivative_penetrated__limited_t(double* step_out, directional_rate* step_t_out, double step, directional_rate step_t, double limit, directional_rate limit_t);
+static inline void derivative_penetrated__turning_point_t(double* x_out, directional_rate* x_t_out, bool* out_2, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double low, directional_rate low_t, double high, directional_rate high_t, double x, directional_rate x_t, double y, directional_rate y_t, double height, directional_rate height_t, double sign, directional_rate sign_t);
+static inline bool derivative_penetrated__meet_rule_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, double abscissa, directional_rate abscissa_t, double y, directional_rate y_t, double height, directional_rate height_t, double tolerance, directional_rate tolerance_t);
 
 /* derivative_penetrated_regions.py */
-static inline void derivative_penetrated_regions__touching_shift_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point);
-static inline int64_t derivative_penetrated_regions__lower_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t);
-static inline int64_t derivative_penetrated_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t);
-static inline int64_t derivative_penetrated_regions__raise_wheel_t(array_double_1d work, array_lanes_1d work_t, bool sunk);
-static inline int64_t derivative_penetrated_regions__open_penetrated_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point);
-static inline int64_t derivative_penetrated_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point);
-static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
+static inline void derivative_penetrated_regions__touching_shift_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, int64_t point);
+static inline int64_t derivative_penetrated_regions__lower_frame_t(array_double_1d work, array_directional_rate_1d work_t, double height, directional_rate height_t, double depth, directional_rate depth_t, double gap, directional_rate gap_t);
+static inline int64_t derivative_penetrated_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double penetration, directional_rate penetration_t);
+static inline int64_t derivative_penetrated_regions__raise_wheel_t(array_double_1d work, array_directional_rate_1d work_t, bool sunk);
+static inline int64_t derivative_penetrated_regions__open_penetrated_region_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t point);
+static inline int64_t derivative_penetrated_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t point);
+static inline int64_t derivative_penetrated_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair);
 
 /* derivative_penetration_maxima.py */
-static inline int64_t derivative_penetration_maxima__keep_deepest_t(array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_penetration_maxima__keep_points_t(array_double_1d work, array_lanes_1d work_t, int64_t kept);
-static inline int64_t derivative_penetration_maxima__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t);
-static inline int64_t derivative_penetration_maxima__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t);
+static inline int64_t derivative_penetration_maxima__keep_deepest_t(array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_penetration_maxima__keep_points_t(array_double_1d work, array_directional_rate_1d work_t, int64_t kept);
+static inline int64_t derivative_penetration_maxima__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, directional_rate height_t);
+static inline int64_t derivative_penetration_maxima__follow_saddle_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, directional_rate height_t);
 
 /* derivative_polach.py */
-static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline void derivative_polach__mean_coefficient_t(double* v7_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double own, lanes own_t);
-static inline void derivative_polach__slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t);
-static inline void derivative_polach__spin_slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t);
-static inline void derivative_polach__spin_share_t(double* out_0, lanes* out_1, double e, lanes e_t);
-static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline void derivative_polach__largest_shear_t(double* v6_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline void derivative_polach__mean_coefficient_t(double* v7_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double first, directional_rate first_t, double second, directional_rate second_t, double own, directional_rate own_t);
+static inline void derivative_polach__slope_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, double shear_modulus, directional_rate shear_modulus_t, int64_t patch, double coefficient, directional_rate coefficient_t, double whole, directional_rate whole_t);
+static inline void derivative_polach__spin_slope_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, double shear_modulus, directional_rate shear_modulus_t, int64_t patch, double coefficient, directional_rate coefficient_t, double whole, directional_rate whole_t);
+static inline void derivative_polach__spin_share_t(double* out_0, directional_rate* out_1, double e, directional_rate e_t);
+static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline void derivative_polach__largest_shear_t(double* v6_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
 
 /* derivative_powers.py */
-static inline void derivative_powers__exp_rule_t(double* value_out, lanes* out_1, double x, lanes x_t);
-static inline void derivative_powers__log_rule_t(double* out_0, lanes* out_1, double x, lanes x_t);
-static inline void derivative_powers__cube_root_rule_t(double* root_out, lanes* rate_out, double x, lanes x_t);
+static inline void derivative_powers__exp_rule_t(double* value_out, directional_rate* out_1, double x, directional_rate x_t);
+static inline void derivative_powers__log_rule_t(double* out_0, directional_rate* out_1, double x, directional_rate x_t);
+static inline void derivative_powers__cube_root_rule_t(double* root_out, directional_rate* rate_out, double x, directional_rate x_t);
 
 /* derivative_prescribed_height.py */
-static inline int64_t derivative_prescribed_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
-static inline int64_t derivative_prescribed_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
-static inline void derivative_prescribed_height__pressing_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
-static inline int64_t derivative_prescribed_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
+static inline int64_t derivative_prescribed_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double height, directional_rate height_t);
+static inline int64_t derivative_prescribed_height__damp_patches_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side);
+static inline void derivative_prescribed_height__damping_factor_t(double* v1_out, directional_rate* v1_t_out, array_double_1d tables, double approach, directional_rate approach_t);
+static inline void derivative_prescribed_height__pressing_power_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_prescribed_height__damp_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double factor, directional_rate factor_t);
 
 /* derivative_quadrature.py */
-static inline void derivative_quadrature__bend_of_t(double* bend_out, lanes* bend_t_out, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t);
-static inline void derivative_quadrature__quadratic_value_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t);
-static inline void derivative_quadrature__cell_part_t(double* start_out, lanes* start_t_out, double* stop_out, lanes* stop_t_out, double d_before, lanes d_before_t, double d_low, lanes d_low_t, double d_high, lanes d_high_t);
-static inline void derivative_quadrature__quadratic_integral_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double stop, lanes stop_t);
-static inline void derivative_quadrature__quadratic_moment_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double stop, lanes stop_t);
-static inline void derivative_quadrature__root_integral_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double start, lanes start_t, double stop, lanes stop_t);
-static inline void derivative_quadrature__quadratic_at_t(double* value_out, lanes* value_t_out, double low, lanes low_t, double slope, lanes slope_t, double bend, lanes bend_t, double x, lanes x_t);
-static inline void derivative_quadrature__bent_integral_t(double* out_0, lanes* out_1, double low, lanes low_t, double slope, lanes slope_t, double bend, lanes bend_t, double start, lanes start_t, double stop, lanes stop_t);
+static inline void derivative_quadrature__bend_of_t(double* bend_out, directional_rate* bend_t_out, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t);
+static inline void derivative_quadrature__quadratic_value_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double x, directional_rate x_t);
+static inline void derivative_quadrature__cell_part_t(double* start_out, directional_rate* start_t_out, double* stop_out, directional_rate* stop_t_out, double d_before, directional_rate d_before_t, double d_low, directional_rate d_low_t, double d_high, directional_rate d_high_t);
+static inline void derivative_quadrature__quadratic_integral_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double stop, directional_rate stop_t);
+static inline void derivative_quadrature__quadratic_moment_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double stop, directional_rate stop_t);
+static inline void derivative_quadrature__root_integral_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double start, directional_rate start_t, double stop, directional_rate stop_t);
+static inline void derivative_quadrature__quadratic_at_t(double* value_out, directional_rate* value_t_out, double low, directional_rate low_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t, double x, directional_rate x_t);
+static inline void derivative_quadrature__bent_integral_t(double* out_0, directional_rate* out_1, double low, directional_rate low_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t, double start, directional_rate start_t, double stop, directional_rate stop_t);
 
 /* derivative_rails.py */
-static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
-static inline int64_t derivative_rails__deflect_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t deflection);
-static inline int64_t derivative_rails__roll_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t);
-static inline int64_t derivative_rails__turn_rolled_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place);
-static inline void derivative_rails__pitch_of_frame_t(double* sine_out, lanes* sine_t_out, double* cosine_out, lanes* cosine_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place);
-static inline void derivative_rails__upright_share_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, int64_t place, double cosine, lanes cosine_t, double sine, lanes sine_t);
-static inline void derivative_rails__on_track_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double y, lanes y_t, double z, lanes z_t);
+static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double lateral, directional_rate lateral_t, double vertical, directional_rate vertical_t);
+static inline int64_t derivative_rails__deflect_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, int64_t deflection);
+static inline int64_t derivative_rails__roll_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place, double rail_y, directional_rate rail_y_t, double angle, directional_rate angle_t);
+static inline int64_t derivative_rails__turn_rolled_rail_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place);
+static inline void derivative_rails__pitch_of_frame_t(double* sine_out, directional_rate* sine_t_out, double* cosine_out, directional_rate* cosine_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place);
+static inline void derivative_rails__upright_share_t(double* share_out, directional_rate* share_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double cosine, directional_rate cosine_t, double sine, directional_rate sine_t);
+static inline void derivative_rails__on_track_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t place, double rail_y, directional_rate rail_y_t, double y, directional_rate y_t, double z, directional_rate z_t);
 
 /* derivative_report.py */
-static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline void derivative_report__found_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_report__report_point_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t out, double mirror, lanes mirror_t);
-static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling);
-static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t);
-static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling);
-static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t, bool rolling);
-static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t, bool rolling);
-static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t out, int64_t vector, double plane, lanes plane_t, double across, lanes across_t);
-static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool with_creep);
-static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested);
-static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool with_creep);
+static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline void derivative_report__found_rate_t(double* rate_out, directional_rate* rate_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline int64_t derivative_report__report_point_t(array_double_1d work, array_directional_rate_1d work_t, int64_t point, int64_t out, double mirror, directional_rate mirror_t);
+static inline int64_t derivative_report__report_load_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t out, double mirror, directional_rate mirror_t, bool rolling);
+static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, directional_rate mirror_t);
+static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t out, double mirror, directional_rate mirror_t, bool rolling);
+static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t out, double mirror, directional_rate mirror_t, bool rolling);
+static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t out, double yield_shear, directional_rate yield_shear_t, bool rolling);
+static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_directional_rate_1d work_t, int64_t out, int64_t vector, double plane, directional_rate plane_t, double across, directional_rate across_t);
+static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t outline, int64_t stations, bool with_creep);
+static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, bool requested);
+static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t worn, bool with_creep);
 
 /* derivative_residuals.py */
-static inline void derivative_residuals__permitted_approach_t(double* approach_out, lanes* approach_t_out, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t);
-static inline int64_t derivative_residuals__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t);
+static inline void derivative_residuals__permitted_approach_t(double* approach_out, directional_rate* approach_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t support, int64_t side, double height, directional_rate height_t);
+static inline int64_t derivative_residuals__balance_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double force, directional_rate force_t, double height, directional_rate height_t);
 
 /* derivative_rigid.py */
-static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
+static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double roll, directional_rate roll_t);
 
 /* derivative_roll.py */
-static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t);
-static inline int64_t derivative_roll__roll_rails_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t);
-static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
-static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t place);
+static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t inputs, double roll, directional_rate roll_t);
+static inline int64_t derivative_roll__roll_rails_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t inputs, double roll, directional_rate roll_t);
+static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_directional_rate_1d work_t, double roll, directional_rate roll_t);
+static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_directional_rate_1d work_t, int64_t place);
 
 /* derivative_rolled_rails.py */
-static inline int64_t derivative_rolled_rails__set_reference_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t);
+static inline int64_t derivative_rolled_rails__set_reference_t(array_double_1d work, array_directional_rate_1d work_t, double height, directional_rate height_t);
 
 /* derivative_rolling_contact.py */
-static inline int64_t derivative_rolling_contact__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_rolling_contact__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_rolling_contact__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_rolling_contact__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
-static inline int64_t derivative_rolling_contact__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_rolling_contact__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
-static inline int64_t derivative_rolling_contact__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch);
-static inline void derivative_rolling_contact__strip_shear_t(double* shear_out, lanes* shear_t_out, array_double_1d work, array_lanes_1d work_t, int64_t strip);
-static inline void derivative_rolling_contact__strip_slip_t(double* slip_out, lanes* slip_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
-static inline void derivative_rolling_contact__strip_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
-static inline int64_t derivative_rolling_contact__solve_creep_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_rolling_contact__solve_side_creep_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_rolling_contact__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
-static inline void derivative_rolling_contact__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_rolling_contact__solve_wheel_creep_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline void derivative_rolling_contact__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t);
-static inline int64_t derivative_rolling_contact__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
+static inline int64_t derivative_rolling_contact__open_given_motion_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_rolling_contact__move_wheelset_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_rolling_contact__move_patches_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_rolling_contact__move_side_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side);
+static inline int64_t derivative_rolling_contact__constrain_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline int64_t derivative_rolling_contact__write_wear_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side, int64_t stations);
+static inline int64_t derivative_rolling_contact__write_patch_wear_t(array_double_1d work, array_directional_rate_1d work_t, int64_t outline, int64_t stations, int64_t patch);
+static inline void derivative_rolling_contact__strip_shear_t(double* shear_out, directional_rate* shear_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t strip);
+static inline void derivative_rolling_contact__strip_slip_t(double* slip_out, directional_rate* slip_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip);
+static inline void derivative_rolling_contact__strip_power_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip);
+static inline int64_t derivative_rolling_contact__solve_creep_forces_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_rolling_contact__solve_side_creep_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline int64_t derivative_rolling_contact__write_side_wear_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side);
+static inline void derivative_rolling_contact__side_friction_t(double* friction_out, directional_rate* friction_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline int64_t derivative_rolling_contact__solve_wheel_creep_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline void derivative_rolling_contact__open_rolling_t(double* factor_out, directional_rate* factor_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch, double friction, directional_rate friction_t);
+static inline int64_t derivative_rolling_contact__close_rolling_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double factor, directional_rate factor_t);
 
 /* derivative_rolling_strips.py */
-static inline int64_t derivative_rolling_strips__divide_into_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_rolling_strips__clear_creep_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_rolling_strips__describe_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_rolling_strips__divide_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double start, lanes start_t, double stop, lanes stop_t);
-static inline int64_t derivative_rolling_strips__divide_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_rolling_strips__divide_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_rolling_strips__add_piece_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t at, double low, lanes low_t, double low_square, lanes low_square_t, double low_load, lanes low_load_t, double high, lanes high_t, double high_square, lanes high_square_t, double high_load, lanes high_load_t);
-static inline int64_t derivative_rolling_strips__finish_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_rolling_strips__plane_slips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__divide_into_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__clear_creep_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__describe_ellipse_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__divide_patch_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, double start, directional_rate start_t, double stop, directional_rate stop_t);
+static inline int64_t derivative_rolling_strips__divide_ellipse_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__divide_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__add_piece_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t at, double low, directional_rate low_t, double low_square, directional_rate low_square_t, double low_load, directional_rate low_load_t, double high, directional_rate high_t, double high_square, directional_rate high_square_t, double high_load, directional_rate high_load_t);
+static inline int64_t derivative_rolling_strips__finish_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_rolling_strips__plane_slips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
 
 /* derivative_separation.py */
-static inline void derivative_separation__vertical_rise_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
-static inline void derivative_separation__equidistant_rise_t(double* out_0, lanes* out_1, double* rate_out, lanes* rate_t_out, double* out_4, lanes* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t);
-static inline void derivative_separation__depth_lost_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
-static inline void derivative_separation__moved_separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind);
-static inline void derivative_separation__separation_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
-static inline void derivative_separation__separation_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, double* curvature_out, lanes* curvature_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
+static inline void derivative_separation__vertical_rise_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t);
+static inline void derivative_separation__equidistant_rise_t(double* out_0, directional_rate* out_1, double* rate_out, directional_rate* rate_t_out, double* out_4, directional_rate* out_5, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t);
+static inline void derivative_separation__depth_lost_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair);
+static inline void derivative_separation__moved_separation_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, int64_t kind);
+static inline void derivative_separation__separation_jet_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t);
+static inline void derivative_separation__separation_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, double* curvature_out, directional_rate* curvature_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t);
 
 /* derivative_side.py */
-static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t);
-static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
-static inline void derivative_side__load_side_t(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t);
-static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t);
-static inline int64_t derivative_side__find_points_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, lanes height_t);
-static inline void derivative_side__side_lever_t(double* lever_out, lanes* lever_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, int64_t count);
+static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double y, directional_rate y_t, double aside, directional_rate aside_t, double shift, directional_rate shift_t);
+static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_directional_rate_1d work_t, int64_t side);
+static inline void derivative_side__load_side_t(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t);
+static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double force, directional_rate force_t);
+static inline int64_t derivative_side__lower_wheel_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double approach, directional_rate approach_t);
+static inline int64_t derivative_side__find_points_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, directional_rate height_t);
+static inline void derivative_side__side_lever_t(double* lever_out, directional_rate* lever_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, int64_t count);
 
 /* derivative_springs.py */
-static inline void derivative_springs__damper_stiffness_t(double* stiffness_out, lanes* stiffness_t_out, double damping, lanes damping_t, double time_step, lanes time_step_t);
-static inline int64_t derivative_springs__open_equilibrium_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
-static inline void derivative_springs__spring_residual_t(double* residual_out, lanes* residual_t_out, double stiffness, lanes stiffness_t, double rest, lanes rest_t, double deflection, lanes deflection_t, double force, lanes force_t);
-static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
+static inline void derivative_springs__damper_stiffness_t(double* stiffness_out, directional_rate* stiffness_t_out, double damping, directional_rate damping_t, double time_step, directional_rate time_step_t);
+static inline int64_t derivative_springs__open_equilibrium_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
+static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_directional_rate_1d work_t, int64_t index, double lateral, directional_rate lateral_t, double vertical, directional_rate vertical_t);
+static inline void derivative_springs__spring_residual_t(double* residual_out, directional_rate* residual_t_out, double stiffness, directional_rate stiffness_t, double rest, directional_rate rest_t, double deflection, directional_rate deflection_t, double force, directional_rate force_t);
+static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t index, double height, directional_rate height_t);
 
 /* derivative_stiffness.py */
-static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline int64_t derivative_stiffness__renew_shift_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table);
-static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t i, int64_t j, double near, lanes near_t, double far, lanes far_t);
-static inline void derivative_stiffness__reaches_t(double* v6_out, lanes* v6_t_out, double* v7_out, lanes* v7_t_out, double* v8_out, lanes* v8_t_out, array_double_1d tables, int64_t table, double distance, lanes distance_t);
-static inline void derivative_stiffness__reach_cubic_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double u, lanes u_t);
-static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t sides);
-static inline int64_t derivative_stiffness__substitute_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t side);
-static inline void derivative_stiffness__creepage_shift_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t);
-static inline void derivative_stiffness__mean_share_t(double* share_out, lanes* share_t_out, double ratio, lanes ratio_t);
-static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, int64_t blocks, double share, lanes share_t);
-static inline void derivative_stiffness__not_below_t(double* value_out, lanes* value_t_out, double value, lanes value_t, double least, lanes least_t);
-static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double* turning_out, lanes* turning_t_out, array_double_1d work, array_lanes_1d work_t, int64_t blocks, int64_t index, double station, lanes station_t);
+static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_stiffness__renew_shift_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table);
+static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t i, int64_t j, double near, directional_rate near_t, double far, directional_rate far_t);
+static inline void derivative_stiffness__reaches_t(double* v6_out, directional_rate* v6_t_out, double* v7_out, directional_rate* v7_t_out, double* v8_out, directional_rate* v8_t_out, array_double_1d tables, int64_t table, double distance, directional_rate distance_t);
+static inline void derivative_stiffness__reach_cubic_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double u, directional_rate u_t);
+static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_directional_rate_1d work_t, int64_t equations, int64_t sides);
+static inline int64_t derivative_stiffness__substitute_t(array_double_1d work, array_directional_rate_1d work_t, int64_t equations, int64_t side);
+static inline void derivative_stiffness__creepage_shift_t(double* v3_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t);
+static inline void derivative_stiffness__mean_share_t(double* share_out, directional_rate* share_t_out, double ratio, directional_rate ratio_t);
+static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_directional_rate_1d work_t, int64_t blocks, double share, directional_rate share_t);
+static inline void derivative_stiffness__not_below_t(double* value_out, directional_rate* value_t_out, double value, directional_rate value_t, double least, directional_rate least_t);
+static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, directional_rate* along_t_out, double* across_out, directional_rate* across_t_out, double* turning_out, directional_rate* turning_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t blocks, int64_t index, double station, directional_rate station_t);
 
 /* derivative_strip_contact.py */
-static inline void derivative_strip_contact__strip_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
-static inline void derivative_strip_contact__sink_strips_t(double* v4_out, lanes* v4_t_out, int64_t* count_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double estimate, lanes estimate_t, bool by_penetration);
-static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t);
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
-static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
-static inline void derivative_strip_contact__sweep_strips_t(double* found_out, lanes* found_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t sweeps, double force, lanes force_t, bool by_penetration);
+static inline void derivative_strip_contact__strip_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double prescribed, directional_rate prescribed_t);
+static inline void derivative_strip_contact__sink_strips_t(double* v4_out, directional_rate* v4_t_out, int64_t* count_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side, double force, directional_rate force_t, double estimate, directional_rate estimate_t, bool by_penetration);
+static inline void derivative_strip_contact__coarse_contact_t(double* penetration_out, directional_rate* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double force, directional_rate force_t);
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair);
+static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair);
+static inline void derivative_strip_contact__sweep_strips_t(double* found_out, directional_rate* found_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t sweeps, double force, directional_rate force_t, bool by_penetration);
 
 /* derivative_strip_lengths.py */
-static inline void derivative_strip_lengths__corrected_t(double* v3_out, lanes* out_1, double ratio, lanes ratio_t, double power, lanes power_t);
-static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, lanes penetration_t, bool yawed);
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double penetration, lanes penetration_t, bool yawed, double share, lanes share_t);
-static inline int64_t derivative_strip_lengths__limit_axis_t(array_double_1d work, array_lanes_1d work_t, int64_t before, int64_t strip, int64_t after);
-static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t inner, int64_t second);
-static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t first, double share, lanes share_t);
-static inline void derivative_strip_lengths__edge_move_t(double* move_out, lanes* move_t_out, double half, lanes half_t, double away, lanes away_t, double before, lanes before_t);
-static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k);
+static inline void derivative_strip_lengths__corrected_t(double* v3_out, directional_rate* out_1, double ratio, directional_rate ratio_t, double power, directional_rate power_t);
+static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, directional_rate penetration_t, bool yawed);
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, double penetration, directional_rate penetration_t, bool yawed, double share, directional_rate share_t);
+static inline int64_t derivative_strip_lengths__limit_axis_t(array_double_1d work, array_directional_rate_1d work_t, int64_t before, int64_t strip, int64_t after);
+static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_directional_rate_1d work_t, int64_t strip, int64_t inner, int64_t second);
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t run, int64_t first, double share, directional_rate share_t);
+static inline void derivative_strip_lengths__edge_move_t(double* move_out, directional_rate* move_t_out, double half, directional_rate half_t, double away, directional_rate away_t, double before, directional_rate before_t);
+static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t k);
 
 /* derivative_strip_levels.py */
-static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves);
-static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, lanes* rise_t_out, array_double_1d work, array_lanes_1d work_t, double force, lanes force_t);
-static inline int64_t derivative_strip_levels__begin_curve_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high);
-static inline void derivative_strip_levels__level_end_t(double* station_out, lanes* station_t_out, array_double_1d work, array_lanes_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high);
-static inline void derivative_strip_levels__level_length_t(double* v8_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t);
+static inline int64_t derivative_strip_levels__begin_runs_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves);
+static inline void derivative_strip_levels__deepen_levels_t(double* rise_out, directional_rate* rise_t_out, array_double_1d work, array_directional_rate_1d work_t, double force, directional_rate force_t);
+static inline int64_t derivative_strip_levels__begin_curve_t(array_double_1d work, array_directional_rate_1d work_t, int64_t low, int64_t high);
+static inline void derivative_strip_levels__level_end_t(double* station_out, directional_rate* station_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high);
+static inline void derivative_strip_levels__level_length_t(double* v8_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t j, double station, directional_rate station_t);
 
 /* derivative_strip_patches.py */
-static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t count);
-static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t k);
-static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k);
-static inline int64_t derivative_strip_patches__limit_spike_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t inner);
-static inline void derivative_strip_patches__roughness_t(double* total_out, lanes* total_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t g);
-static inline void derivative_strip_patches__largest_square_t(double* largest_out, lanes* largest_t_out, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, bool pressures);
-static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t index);
-static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t index, double station, lanes station_t, double x, lanes x_t);
-static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count);
+static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side, int64_t count);
+static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t side, int64_t k);
+static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t k);
+static inline int64_t derivative_strip_patches__limit_spike_t(array_double_1d work, array_directional_rate_1d work_t, int64_t strip, int64_t inner);
+static inline void derivative_strip_patches__roughness_t(double* total_out, directional_rate* total_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t run, int64_t g);
+static inline void derivative_strip_patches__largest_square_t(double* largest_out, directional_rate* largest_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t last, bool pressures);
+static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, int64_t index);
+static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t index, double station, directional_rate station_t, double x, directional_rate x_t);
+static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t count);
 
 /* derivative_strip_pressures.py */
-static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_lanes_1d work_t, int64_t size);
-static inline void derivative_strip_pressures__nearness_t(double* v5_out, lanes* v5_t_out, double distance, lanes distance_t, double half_length, lanes half_length_t);
-static inline void derivative_strip_pressures__apartness_t(double* out_0, lanes* out_1, double apart, lanes apart_t, double square, lanes square_t);
-static inline void derivative_strip_pressures__middle_influence_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double x, lanes x_t);
-static inline void derivative_strip_pressures__influence_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double x, lanes x_t, double along, lanes along_t);
-static inline void derivative_strip_pressures__spacing_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t first, double slender, lanes slender_t);
-static inline void derivative_strip_pressures__own_influence_t(double* out_0, lanes* out_1, array_double_1d tables, double slender, lanes slender_t, int64_t i, double height, lanes height_t, double constant, lanes constant_t, int64_t first);
-static inline int64_t derivative_strip_pressures__fill_rows_t(array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, bool yawed);
-static inline void derivative_strip_pressures__local_displacement_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t first, int64_t own);
-static inline void derivative_strip_pressures__tested_displacements_t(double* front_out, lanes* front_t_out, double* back_out, lanes* back_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t i, double away, lanes away_t, bool yawed);
-static inline void derivative_strip_pressures__solve_pressures_t(double* penetration_out, lanes* penetration_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t, bool by_penetration, bool yawed);
-static inline void derivative_strip_pressures__equilibrium_penetration_t(double* v6_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t);
+static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_directional_rate_1d work_t, int64_t size);
+static inline void derivative_strip_pressures__nearness_t(double* v5_out, directional_rate* v5_t_out, double distance, directional_rate distance_t, double half_length, directional_rate half_length_t);
+static inline void derivative_strip_pressures__apartness_t(double* out_0, directional_rate* out_1, double apart, directional_rate apart_t, double square, directional_rate square_t);
+static inline void derivative_strip_pressures__middle_influence_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double x, directional_rate x_t);
+static inline void derivative_strip_pressures__influence_at_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t at, double x, directional_rate x_t, double along, directional_rate along_t);
+static inline void derivative_strip_pressures__spacing_at_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t first, double slender, directional_rate slender_t);
+static inline void derivative_strip_pressures__own_influence_t(double* out_0, directional_rate* out_1, array_double_1d tables, double slender, directional_rate slender_t, int64_t i, double height, directional_rate height_t, double constant, directional_rate constant_t, int64_t first);
+static inline int64_t derivative_strip_pressures__fill_rows_t(array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, bool yawed);
+static inline void derivative_strip_pressures__local_displacement_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t first, int64_t own);
+static inline void derivative_strip_pressures__tested_displacements_t(double* front_out, directional_rate* front_t_out, double* back_out, directional_rate* back_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t i, double away, directional_rate away_t, bool yawed);
+static inline void derivative_strip_pressures__solve_pressures_t(double* penetration_out, directional_rate* penetration_t_out, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, double force, directional_rate force_t, bool by_penetration, bool yawed);
+static inline void derivative_strip_pressures__equilibrium_penetration_t(double* v6_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, double force, directional_rate force_t);
 
 /* derivative_strip_runs.py */
-static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count);
-static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t);
-static inline bool derivative_strip_runs__has_room_t(array_double_1d work, array_lanes_1d work_t, double width, lanes width_t);
-static inline void derivative_strip_runs__run_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t run);
-static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_lanes_1d work_t);
-static inline void derivative_strip_runs__run_station_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t run, double cosine, lanes cosine_t);
-static inline void derivative_strip_runs__gap_beside_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t strip, double x, lanes x_t);
-static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, bool smooth);
-static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t first);
-static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t low, int64_t high, double u, lanes u_t);
-static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves);
-static inline int64_t derivative_strip_runs__keep_run_t(array_double_1d work, array_lanes_1d work_t, int64_t k);
-static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, double largest, lanes largest_t);
-static inline void derivative_strip_runs__pressed_end_t(double* station_out, lanes* station_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward);
-static inline void derivative_strip_runs__sample_strips_t(double* v4_out, lanes* v4_t_out, double* v5_out, lanes* v5_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t low, double station, lanes station_t);
+static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t count);
+static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_directional_rate_1d work_t, int64_t low, int64_t high, double start, directional_rate start_t, double stop, directional_rate stop_t);
+static inline bool derivative_strip_runs__has_room_t(array_double_1d work, array_directional_rate_1d work_t, double width, directional_rate width_t);
+static inline void derivative_strip_runs__run_width_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t run);
+static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_directional_rate_1d work_t);
+static inline void derivative_strip_runs__run_station_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t run, double cosine, directional_rate cosine_t);
+static inline void derivative_strip_runs__gap_beside_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t strip, double x, directional_rate x_t);
+static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, bool smooth);
+static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t run, int64_t first);
+static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_directional_rate_1d work_t, int64_t strip, int64_t low, int64_t high, double u, directional_rate u_t);
+static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves);
+static inline int64_t derivative_strip_runs__keep_run_t(array_double_1d work, array_directional_rate_1d work_t, int64_t k);
+static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t k, double largest, directional_rate largest_t);
+static inline void derivative_strip_runs__pressed_end_t(double* station_out, directional_rate* station_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward);
+static inline void derivative_strip_runs__sample_strips_t(double* v4_out, directional_rate* v4_t_out, double* v5_out, directional_rate* v5_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t low, double station, directional_rate station_t);
 
 /* derivative_strip_surfaces.py */
-static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double deepest, lanes deepest_t);
-static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, lanes deepest_t);
-static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t zone, double A, lanes A_t, int64_t first, bool yawed);
-static inline void derivative_strip_surfaces__zone_curvature_t(double* B_out, lanes* B_t_out, double depth, lanes depth_t, double width, lanes width_t, double A, lanes A_t);
-static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count);
-static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t at);
-static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place);
-static inline void derivative_strip_surfaces__profile_within_t(double* z_out, lanes* z_t_out, array_double_1d tables, int64_t pair, double y, lanes y_t);
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t at, double away, lanes away_t);
-static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t at);
-static inline void derivative_strip_surfaces__way_through_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t);
-static inline void derivative_strip_surfaces__between_t(double* out_0, lanes* out_1, double low, lanes low_t, double high, lanes high_t, double u, lanes u_t);
-static inline void derivative_strip_surfaces__rest_gap_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t);
-static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count, double deepest, directional_rate deepest_t);
+static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, directional_rate deepest_t);
+static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t zone, double A, directional_rate A_t, int64_t first, bool yawed);
+static inline void derivative_strip_surfaces__zone_curvature_t(double* B_out, directional_rate* B_t_out, double depth, directional_rate depth_t, double width, directional_rate width_t, double A, directional_rate A_t);
+static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t count);
+static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, int64_t at);
+static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place);
+static inline void derivative_strip_surfaces__profile_within_t(double* z_out, directional_rate* z_t_out, array_double_1d tables, int64_t pair, double y, directional_rate y_t);
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t place, int64_t at, double away, directional_rate away_t);
+static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t at);
+static inline void derivative_strip_surfaces__way_through_t(double* v3_out, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t j, double station, directional_rate station_t);
+static inline void derivative_strip_surfaces__between_t(double* out_0, directional_rate* out_1, double low, directional_rate low_t, double high, directional_rate high_t, double u, directional_rate u_t);
+static inline void derivative_strip_surfaces__rest_gap_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t j, double station, directional_rate station_t);
+static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d work, array_directional_rate_1d work_t);
 
 /* derivative_tables.py */
-static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* out_1, lanes* place_t_out, double u, lanes u_t, double last, lanes last_t);
-static inline void derivative_tables__read_cubic_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, double at, lanes at_t);
-static inline void derivative_tables__read_cubic_jet_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, int64_t table, double at, lanes at_t);
-static inline void derivative_tables__height_slope_t(double* out_0, lanes* out_1, double* slope_out, lanes* slope_t_out, array_double_1d tables, int64_t profile, double y, lanes y_t);
-static inline void derivative_tables__height_slope_bend_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d tables, int64_t profile, double y, lanes y_t);
+static inline void derivative_tables__table_cell_t(int64_t* cell_out, double* out_1, directional_rate* place_t_out, double u, directional_rate u_t, double last, directional_rate last_t);
+static inline void derivative_tables__read_cubic_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, double at, directional_rate at_t);
+static inline void derivative_tables__read_cubic_jet_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, int64_t table, double at, directional_rate at_t);
+static inline void derivative_tables__height_slope_t(double* out_0, directional_rate* out_1, double* slope_out, directional_rate* slope_t_out, array_double_1d tables, int64_t profile, double y, directional_rate y_t);
+static inline void derivative_tables__height_slope_bend_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* out_4, directional_rate* out_5, array_double_1d tables, int64_t profile, double y, directional_rate y_t);
 
 /* derivative_traces.py */
-static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_lanes_1d work_t, double station, lanes station_t, double abscissa, lanes abscissa_t, double y, lanes y_t);
-static inline void derivative_traces__first_abscissa_t(double* u_out, lanes* u_t_out, array_double_1d work, array_lanes_1d work_t, int64_t trace, double away, lanes away_t);
-static inline void derivative_traces__trace_profile_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, double* out_6, lanes* out_7, double* out_8, lanes* out_9, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t);
-static inline void derivative_traces__trace_rail_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
-static inline void derivative_traces__trace_wheel_t(double* ordinate_out, lanes* ordinate_t_out, double* rate_out, lanes* rate_t_out, double* bend_out, lanes* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
-static inline int64_t derivative_traces__note_point_t(array_double_1d work, array_lanes_1d work_t, int64_t meeting, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t);
-static inline void derivative_traces__trace_outline_t(double* ordinate_out, lanes* ordinate_t_out, double* out_2, lanes* out_3, double* ordinate_bend_out, lanes* ordinate_bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
+static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_directional_rate_1d work_t, double station, directional_rate station_t, double abscissa, directional_rate abscissa_t, double y, directional_rate y_t);
+static inline void derivative_traces__first_abscissa_t(double* u_out, directional_rate* u_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t trace, double away, directional_rate away_t);
+static inline void derivative_traces__trace_profile_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, double* ordinate_bend_out, directional_rate* ordinate_bend_t_out, double* out_6, directional_rate* out_7, double* out_8, directional_rate* out_9, double* bend_out, directional_rate* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t);
+static inline void derivative_traces__trace_rail_t(double* ordinate_out, directional_rate* ordinate_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t);
+static inline void derivative_traces__trace_wheel_t(double* ordinate_out, directional_rate* ordinate_t_out, double* rate_out, directional_rate* rate_t_out, double* bend_out, directional_rate* bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t);
+static inline int64_t derivative_traces__note_point_t(array_double_1d work, array_directional_rate_1d work_t, int64_t meeting, double y, directional_rate y_t, double z, directional_rate z_t, double slope, directional_rate slope_t, double bend, directional_rate bend_t);
+static inline void derivative_traces__trace_outline_t(double* ordinate_out, directional_rate* ordinate_t_out, double* out_2, directional_rate* out_3, double* ordinate_bend_out, directional_rate* ordinate_bend_t_out, bool* exists_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, double station, directional_rate station_t, double tolerance, directional_rate tolerance_t);
 
 /* derivative_traction_integration.py */
-static inline int64_t derivative_traction_integration__open_integrations_t(array_double_1d work, array_lanes_1d work_t, double ratio, lanes ratio_t);
-static inline int64_t derivative_traction_integration__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t integration, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t);
-static inline int64_t derivative_traction_integration__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t integration, int64_t number);
-static inline int64_t derivative_traction_integration__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t integration, int64_t number, int64_t last);
-static inline int64_t derivative_traction_integration__integrate_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls);
-static inline int64_t derivative_traction_integration__integrate_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t);
-static inline int64_t derivative_traction_integration__integrate_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t);
-static inline int64_t derivative_traction_integration__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t);
-static inline int64_t derivative_traction_integration__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t);
-static inline void derivative_traction_integration__stepped_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t);
-static inline void derivative_traction_integration__slip_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t);
-static inline int64_t derivative_traction_integration__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t);
-static inline void derivative_traction_integration__sqrt_of_t(double* root_out, lanes* root_t_out, double value, lanes value_t);
+static inline int64_t derivative_traction_integration__open_integrations_t(array_double_1d work, array_directional_rate_1d work_t, double ratio, directional_rate ratio_t);
+static inline int64_t derivative_traction_integration__set_pushes_t(array_double_1d work, array_directional_rate_1d work_t, int64_t integration, int64_t number, double plane, directional_rate plane_t, double spinning, directional_rate spinning_t, double ratio, directional_rate ratio_t);
+static inline int64_t derivative_traction_integration__set_stick_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t integration, int64_t number);
+static inline int64_t derivative_traction_integration__add_beyond_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, int64_t integration, int64_t number, int64_t last);
+static inline int64_t derivative_traction_integration__integrate_strips_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t table, bool falls);
+static inline int64_t derivative_traction_integration__integrate_first_t(array_double_1d work, array_directional_rate_1d work_t, double x, directional_rate x_t, double bound, directional_rate bound_t, double step, directional_rate step_t);
+static inline int64_t derivative_traction_integration__integrate_second_t(array_double_1d work, array_directional_rate_1d work_t, double x, directional_rate x_t, double bound, directional_rate bound_t, double step, directional_rate step_t);
+static inline int64_t derivative_traction_integration__reach_edge_t(array_double_1d work, array_directional_rate_1d work_t, int64_t i, double before, directional_rate before_t, double x, directional_rate x_t, double bound, directional_rate bound_t);
+static inline int64_t derivative_traction_integration__leave_edge_t(array_double_1d work, array_directional_rate_1d work_t, int64_t i, double x, directional_rate x_t, double bound, directional_rate bound_t, double friction, directional_rate friction_t);
+static inline void derivative_traction_integration__stepped_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t i, double p_x, directional_rate p_x_t, double p_y, directional_rate p_y_t, double x, directional_rate x_t, double step, directional_rate step_t);
+static inline void derivative_traction_integration__slip_traction_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t i, double bound, directional_rate bound_t);
+static inline int64_t derivative_traction_integration__note_largest_t(array_double_1d work, array_directional_rate_1d work_t, int64_t i, double p_x, directional_rate p_x_t, double p_y, directional_rate p_y_t);
+static inline void derivative_traction_integration__sqrt_of_t(double* root_out, directional_rate* root_t_out, double value, directional_rate value_t);
 
 /* derivative_tractions.py */
-static inline void derivative_tractions__shape_place_t(double* out_0, lanes* out_1, double axis_ratio, lanes axis_ratio_t);
-static inline void derivative_tractions__shape_value_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t column, double place, lanes place_t);
-static inline void derivative_tractions__kalker_coefficients_t(double* v3_out, lanes* out_1, double* v5_out, lanes* out_3, double* v7_out, lanes* out_5, array_double_1d tables, int64_t table, double axis_ratio, lanes axis_ratio_t);
-static inline void derivative_tractions__bound_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
-static inline void derivative_tractions__cut_to_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double along, lanes along_t, double across, lanes across_t, double bound, lanes bound_t);
-static inline int64_t derivative_tractions__add_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double across, lanes across_t, double moment, lanes moment_t);
-static inline void derivative_tractions__patch_area_t(double* area_out, lanes* area_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch);
-static inline void derivative_tractions__point_weight_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t strip);
+static inline void derivative_tractions__shape_place_t(double* out_0, directional_rate* out_1, double axis_ratio, directional_rate axis_ratio_t);
+static inline void derivative_tractions__shape_value_t(double* out_0, directional_rate* out_1, array_double_1d tables, int64_t table, int64_t column, double place, directional_rate place_t);
+static inline void derivative_tractions__kalker_coefficients_t(double* v3_out, directional_rate* out_1, double* v5_out, directional_rate* out_3, double* v7_out, directional_rate* out_5, array_double_1d tables, int64_t table, double axis_ratio, directional_rate axis_ratio_t);
+static inline void derivative_tractions__bound_rate_t(double* rate_out, directional_rate* rate_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip);
+static inline void derivative_tractions__cut_to_t(double* along_out, directional_rate* along_t_out, double* across_out, directional_rate* across_t_out, double along, directional_rate along_t, double across, directional_rate across_t, double bound, directional_rate bound_t);
+static inline int64_t derivative_tractions__add_strip_t(array_double_1d work, array_directional_rate_1d work_t, int64_t patch, int64_t strip, double along, directional_rate along_t, double across, directional_rate across_t, double moment, directional_rate moment_t);
+static inline void derivative_tractions__patch_area_t(double* area_out, directional_rate* area_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t patch);
+static inline void derivative_tractions__point_weight_t(double* out_0, directional_rate* out_1, array_double_1d work, array_directional_rate_1d work_t, int64_t strip);
 
 /* derivative_turning_rules.py */
-static inline bool derivative_turning_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline bool derivative_turning_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last);
-static inline void derivative_turning_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t);
+static inline bool derivative_turning_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline bool derivative_turning_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t last);
+static inline void derivative_turning_rules__follow_torque_t(double* torque_out, directional_rate* torque_t_out, double* scale_out, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t last, double rate, directional_rate rate_t);
 
 /* derivative_vertical_load.py */
-static inline void derivative_vertical_load__carried_share_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline void derivative_vertical_load__carried_share_t(double* share_out, directional_rate* share_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t index);
 
 /* derivative_wear_places.py */
-static inline int64_t derivative_wear_places__place_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side);
-static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch, int64_t worn);
-static inline void derivative_wear_places__profile_places_t(double* rail_out, lanes* rail_t_out, double* wheel_out, lanes* wheel_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double station, lanes station_t);
+static inline int64_t derivative_wear_places__place_wear_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t side);
+static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t patch, int64_t worn);
+static inline void derivative_wear_places__profile_places_t(double* rail_out, directional_rate* rail_t_out, double* wheel_out, directional_rate* wheel_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double station, directional_rate station_t);
 
 /* derivative_wheelset_rules.py */
-static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
-static inline void derivative_wheelset_rules__follow_roll_on_rolled_rails_t(double* roll_out, lanes* roll_rate_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
-static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline void derivative_wheelset_rules__follow_roll_t(double* roll_out, directional_rate* out_1, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline void derivative_wheelset_rules__follow_gaps_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double roll, directional_rate roll_t, double height, directional_rate height_t);
+static inline void derivative_wheelset_rules__follow_roll_on_rolled_rails_t(double* roll_out, directional_rate* roll_rate_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, double roll, directional_rate roll_t, double height, directional_rate height_t);
+static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
+static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t);
 
 /* derivative_widths.py */
-static inline void derivative_widths__width_limit_t(double* limit_out, lanes* limit_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t);
-static inline void derivative_widths__width_tolerance_t(double* tolerance_out, lanes* tolerance_t_out, double estimate, lanes estimate_t);
-static inline void derivative_widths__zone_width_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t);
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region);
-static inline int64_t derivative_widths__begin_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t known, int64_t region);
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t region);
-static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double local_penetration, lanes local_penetration_t);
-static inline void derivative_widths__side_curvature_t(double* curvature_out, lanes* curvature_t_out, double reached, lanes reached_t, double own, lanes own_t, double mean, lanes mean_t);
-static inline void derivative_widths__width_rule_t(double* width_out, lanes* width_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t);
-static inline void derivative_widths__width_jet_t(double* gap_out, lanes* gap_t_out, double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double width, lanes width_t, double tolerance, lanes tolerance_t);
+static inline void derivative_widths__width_limit_t(double* limit_out, directional_rate* limit_t_out, array_double_1d work, array_directional_rate_1d work_t, int64_t region, double direction, directional_rate direction_t);
+static inline void derivative_widths__width_tolerance_t(double* tolerance_out, directional_rate* tolerance_t_out, double estimate, directional_rate estimate_t);
+static inline void derivative_widths__zone_width_t(double* width_out, directional_rate* width_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double direction, directional_rate direction_t, double level, directional_rate level_t, double estimate, directional_rate estimate_t);
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t region);
+static inline int64_t derivative_widths__begin_widths_t(array_double_1d work, array_directional_rate_1d work_t, int64_t known, int64_t region);
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_directional_rate_1d work_t, int64_t first, int64_t region);
+static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double local_penetration, directional_rate local_penetration_t);
+static inline void derivative_widths__side_curvature_t(double* curvature_out, directional_rate* curvature_t_out, double reached, directional_rate reached_t, double own, directional_rate own_t, double mean, directional_rate mean_t);
+static inline void derivative_widths__width_rule_t(double* width_out, directional_rate* width_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double direction, directional_rate direction_t, double level, directional_rate level_t, double estimate, directional_rate estimate_t);
+static inline void derivative_widths__width_jet_t(double* gap_out, directional_rate* gap_t_out, double* rate_out, directional_rate* rate_t_out, array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t pair, int64_t region, double direction, directional_rate direction_t, double width, directional_rate width_t, double tolerance, directional_rate tolerance_t);
 
 #endif

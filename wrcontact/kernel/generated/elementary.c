@@ -13,6 +13,9 @@ static inline void circle__arc_parts(double* base_out, double* out_1, double x, 
 static inline double circle__atan2(double up, double along);
 static inline double circle__quotient_rest(double up, double quotient, double along);
 
+/* elementary/pair.py */
+static inline void pair__solve_pair(double* determinant_out, double* x_out, double* y_out, double first, double second, double first_x, double first_y, double second_x, double second_y);
+
 /* elementary/powers.py */
 static inline double powers__exp(double x);
 static ALWAYS_INLINE double powers__grown(double x, double n);
@@ -281,6 +284,31 @@ static inline double circle__quotient_rest(double up, double quotient, double al
     q_rest = quotient - q;
     a_rest = along - a;
     return (up - q * a - q * a_rest - q_rest * a - q_rest * a_rest) / along;
+}
+
+
+/* ---- From elementary/pair.py; change that one.
+ *
+ * Two linear equations with two unknowns.
+ */
+
+/* Determinant of the derivatives of two residuals, ``first`` and ``second``, by x and y, and the moves of
+ * x and y that let both vanish (Cramer's rule); no moves where the determinant is 0.
+ */
+static inline void pair__solve_pair(double* determinant_out, double* x_out, double* y_out, double first, double second, double first_x, double first_y, double second_x, double second_y)
+{
+    double determinant, x, y;
+    determinant = first_x * second_y - second_x * first_y;
+    x = 0.0;
+    y = 0.0;
+    if (determinant != 0.0)
+    {
+        x = (second * first_y - first * second_y) / determinant;
+        y = (first * second_x - second * first_x) / determinant;
+    }
+    *determinant_out = determinant;
+    *x_out = x;
+    *y_out = y;
 }
 
 

@@ -10,6 +10,8 @@ static inline double bounds__above_rail_end(array_double_1d tables, array_double
 static inline double bounds__rail_place(array_double_1d tables, int64_t scan, double abscissa);
 static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, double u);
 static inline double bounds__largest_fall(double slope, double bend, double length, double stretch);
+static ALWAYS_INLINE void bounds__bend_shares(double* least_stretch_out, double* stretch_per_bend_out, double* share_out, array_double_1d work, int64_t at);
+static ALWAYS_INLINE void bounds__stretch_bounds(double* length_out, double* stretch_out, double* bend_out, int64_t* cell_out, int64_t* reach_out, array_double_1d tables, int64_t scan, int64_t node, int64_t direction, double u, int64_t exponent, double least_stretch, double stretch_per_bend, double share);
 static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
 static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, double y, int64_t direction, double abscissa);
 static inline void bounds__bend_bounds(double* least_out, double* most_out, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t cell, double abscissa);
@@ -211,17 +213,12 @@ static inline double bounds__largest_fall(double slope, double bend, double leng
     return fall;
 }
 
-/* The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than
- * ``excess`` [m] over the 2^exponent cells from ``node`` on; -1 if there is none.
- *
- * abscissa : of the node on the rail [m].
- * slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
+/* By which share a stretch of the outline is stretched at least, and per steepest bend of the wheel [m];
+ * by which share its own bends change.
  */
-static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent)
+static ALWAYS_INLINE void bounds__bend_shares(double* least_stretch_out, double* stretch_per_bend_out, double* share_out, array_double_1d work, int64_t at)
 {
-    double u, roll, least_stretch, share, stretch_per_bend, square, stretch, length, edge, bend, wheel;
-    int64_t cells, first, begin, rail, reach;
-    u = bounds__rail_place(tables, scan, abscissa);
+    double roll, least_stretch, share, stretch_per_bend, square;
     roll = fabs(AT(work, at + layout__PLACE_SIN_ROLL));
     least_stretch = bounds__ROLL_STRETCH * roll;
     share = bounds__ROLL_BEND * roll;
@@ -233,41 +230,79 @@ static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, arra
         share += bounds__YAW_BEND * square;
         stretch_per_bend = bounds__BEND_STRETCH * square * AT(work, at + layout__PLACE_RADIUS);
     }
+    *least_stretch_out = least_stretch;
+    *stretch_per_bend_out = stretch_per_bend;
+    *share_out = share;
+}
+
+/* Length [m] of the 2^exponent cells from ``node`` on in ``direction``, by which share they are stretched,
+ * WIDEST or more if nothing is known of them, and by how much the slope difference rises there at least
+ * [1/m]; the cell of the rail and the exponent whose bounds hold for the rail below them.
+ *
+ * u : of the node in the raster of the rail, in cells.
+ */
+static ALWAYS_INLINE void bounds__stretch_bounds(double* length_out, double* stretch_out, double* bend_out, int64_t* cell_out, int64_t* reach_out, array_double_1d tables, int64_t scan, int64_t node, int64_t direction, double u, int64_t exponent, double least_stretch, double stretch_per_bend, double share)
+{
+    double length, stretch, bend, edge, wheel;
+    int64_t cell, reach, cells, first, begin;
+    length = 0.0;
+    stretch = bounds__WIDEST;
+    bend = 0.0;
+    cell = 0;
+    reach = exponent;
+    cells = INT64_C(1) << exponent;
+    first = node;
+    if (direction < 0)
+    {
+        first = node - cells;
+    }
+    if (first >= 0 && first + cells < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
+    {
+        begin = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first;
+        stretch = least_stretch + stretch_per_bend * AT(tables, begin + layout__SCAN_NODE_STEEPEST_BENDS + exponent);
+        if (stretch < bounds__WIDEST)
+        {
+            length = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (first + cells) + layout__SCAN_NODE_Y) - AT(tables, begin + layout__SCAN_NODE_Y);
+            edge = u;
+            if (direction < 0)
+            {
+                edge -= (1.0 + bounds__WIDEST) * AT(tables, scan + layout__SCAN_RAIL_PER_METRE) * length;
+            }
+            cell = bounds__rail_index(tables, scan, edge);
+            if (length > bounds__FINE_CELL * (double)cells)
+            {
+                reach += 1;
+            }
+            bend = AT(tables, scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * cell + layout__RAIL_CELL_LEAST_BENDS + reach);
+            wheel = AT(tables, begin + layout__SCAN_NODE_MOST_BENDS + exponent);
+            bend -= stretch * fabs(bend) + wheel + share * fabs(wheel);
+        }
+    }
+    *length_out = length;
+    *stretch_out = stretch;
+    *bend_out = bend;
+    *cell_out = cell;
+    *reach_out = reach;
+}
+
+/* The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than
+ * ``excess`` [m] over the 2^exponent cells from ``node`` on; -1 if there is none.
+ *
+ * abscissa : of the node on the rail [m].
+ * slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
+ */
+static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent)
+{
+    double u, least_stretch, stretch_per_bend, share, length, stretch, bend;
+    int64_t cell, reach;
+    u = bounds__rail_place(tables, scan, abscissa);
+    bounds__bend_shares(&least_stretch, &stretch_per_bend, &share, work, at);
     while (exponent >= 0)
     {
-        cells = INT64_C(1) << exponent;
-        first = node;
-        if (direction < 0)
+        bounds__stretch_bounds(&length, &stretch, &bend, &cell, &reach, tables, scan, node, direction, u, exponent, least_stretch, stretch_per_bend, share);
+        if (stretch < bounds__WIDEST && bounds__largest_fall(slope, bend, length, stretch) <= excess)
         {
-            first = node - cells;
-        }
-        if (first >= 0 && first + cells < (int64_t)AT(tables, scan + layout__SCAN_COUNT))
-        {
-            begin = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first;
-            stretch = least_stretch + stretch_per_bend * AT(tables, begin + layout__SCAN_NODE_STEEPEST_BENDS + exponent);
-            if (stretch < bounds__WIDEST)
-            {
-                length = AT(tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (first + cells) + layout__SCAN_NODE_Y) - AT(tables, begin + layout__SCAN_NODE_Y);
-                edge = u;
-                if (direction < 0)
-                {
-                    edge -= (1.0 + bounds__WIDEST) * AT(tables, scan + layout__SCAN_RAIL_PER_METRE) * length;
-                }
-                rail = scan + (int64_t)AT(tables, scan + layout__SCAN_RAIL) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, edge);
-                reach = exponent;
-                if (length > bounds__FINE_CELL * (double)cells)
-                {
-                    reach += 1;
-                }
-                /* by how much the slope difference rises at least */
-                bend = AT(tables, rail + layout__RAIL_CELL_LEAST_BENDS + reach);
-                wheel = AT(tables, begin + layout__SCAN_NODE_MOST_BENDS + exponent);
-                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel);
-                if (bounds__largest_fall(slope, bend, length, stretch) <= excess)
-                {
-                    return exponent;
-                }
-            }
+            return exponent;
         }
         exponent -= 1;
     }
@@ -372,7 +407,7 @@ static inline double bounds__least_slope(double least, double most, double width
  * settle it, the way is halved.
  */
 
-/* Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
+/* Roll [rad] of the wheelset and status; the smallest gaps of both sides are known at it.
  *
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
  * no roll does not decide that. The roll and both places of contact depend on the inputs alone, to the last bit.
@@ -721,7 +756,7 @@ static inline bool first_root__has_no_root(array_double_1d work, array_double_1d
     return meet >= width || at_near + least * meet > 0.0;
 }
 
-/* The first root [rad] of D from zero roll, and the outcome; D has a root at ``roll``. */
+/* The first root [rad] of D from zero roll, and the status; D has a root at ``roll``. */
 static inline void first_root__first_root(double* roll_out, int64_t* status_out, array_double_1d work, array_double_1d tables, double roll)
 {
     double sign, first, last, width, middle;
@@ -807,7 +842,7 @@ static inline void first_root__first_root(double* roll_out, int64_t* status_out,
 }
 
 /* A root [rad] of D between the rolls ``near``, where D has the sign of ``sign``, and ``middle``, where
- * it has not; and the outcome.
+ * it has not; and the status.
  */
 static inline void first_root__root_before(double* out_0, int64_t* out_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign)
 {
@@ -1172,7 +1207,7 @@ static inline int64_t roll__keep_known(array_double_1d work, int64_t side, doubl
     return 0;
 }
 
-/* A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the outcome;
+/* A roll [rad] between ``first`` and ``last`` at which both smallest gaps are equal, and the status;
  * both gaps are known at it. D has to be positive at ``first`` and negative at ``last``.
  *
  * With ``known`` = 1 the sides hold local minima that are equal at ``roll``.
@@ -1281,7 +1316,7 @@ static inline void roll__roll_between(double* roll_out, int64_t* status_out, arr
     *status_out = status;
 }
 
-/* A roll [rad] at which both smallest gaps are equal, and the outcome; both gaps are known at it.
+/* A roll [rad] at which both smallest gaps are equal, and the status; both gaps are known at it.
  *
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
  */

@@ -3,9 +3,9 @@
 
 /* sections/section_bounds.py */
 static inline int64_t section_bounds__across_cell(array_double_1d tables, int64_t sections, double y);
-static inline int64_t section_bounds__empty(array_double_1d work);
-static inline int64_t section_bounds__widen(array_double_1d tables, array_double_1d work, int64_t cell);
-static inline int64_t section_bounds__section_bounds(array_double_1d tables, array_double_1d work, int64_t sections, double u_low, double u_high, double y_low, double y_high);
+static inline int64_t section_bounds__empty(array_double_1d work, int64_t found);
+static inline int64_t section_bounds__widen(array_double_1d tables, array_double_1d work, int64_t found, int64_t cell);
+static inline int64_t section_bounds__section_bounds(array_double_1d tables, array_double_1d work, int64_t sections, int64_t found, double u_low, double u_high, double y_low, double y_high);
 
 /* sections/section_gap.py */
 static inline void section_gap__turned_back(double* out_0, double* out_1, double* out_2, array_double_1d work, int64_t place, double along, double slope);
@@ -30,7 +30,7 @@ static inline bool section_search__narrow_box(array_double_1d tables, array_doub
 static inline int64_t section_search__keep_angles(array_double_1d work, int64_t place, int64_t box, double least_lean, double most_lean);
 static inline int64_t section_search__find_below(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t box);
 static inline int64_t section_search__read_bounds(array_double_1d tables, array_double_1d work, int64_t pair);
-static inline void section_search__wheel_place(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double angle);
+static inline void section_search__wheel_place(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double rotation, double y, double angle);
 static inline int64_t section_search__judge_box(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t box, int64_t other);
 static inline void section_search__largest_fall(double* fall_out, double* by_angle_out, double* by_place_out, array_double_1d work, double half, double turn);
 static inline bool section_search__slopes_away(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box);
@@ -43,15 +43,17 @@ static inline void section_spread__scaled(double* out_0, double* out_1, double f
 static inline void section_spread__product(double* out_0, double* out_1, double low, double high, double other_low, double other_high);
 static inline void section_spread__square(double* least_out, double* most_out, double low, double high);
 static inline int64_t section_spread__spread_wheel(array_double_1d tables, array_double_1d work, int64_t pair, double low, double high);
+static inline int64_t section_spread__spread_deviation(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box);
 static inline void section_spread__angles_of_normals(double* out_0, double* out_1, array_double_1d work, int64_t place, double least_lean, double most_lean);
 static inline double section_spread__lowest_angle(array_double_1d work, int64_t place, double top, double best, double low, double high);
 static inline int64_t section_spread__spread_angles(array_double_1d work, double back, double ahead);
 static inline void section_spread__spread_reach(double* out_0, double* out_1, array_double_1d work, int64_t place, double half, double angle);
-static inline void section_spread__form(double* out_0, double* out_1, array_double_1d work, double x_low, double x_high, double y_low, double y_high);
-static inline int64_t section_spread__spread_slopes(array_double_1d work, int64_t place);
-static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t place);
+static inline void section_spread__form(double* out_0, double* out_1, array_double_1d work, int64_t bounds, double x_low, double x_high, double y_low, double y_high);
+static inline int64_t section_spread__spread_slopes(array_double_1d work, int64_t place, int64_t bounds);
+static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t place, int64_t bounds);
+static inline int64_t section_spread__add_deviation(array_double_1d work);
 static inline void section_spread__tangent(double* out_0, double* out_1, double* out_2, double* out_3, array_double_1d work, int64_t place, double low, double high, double level_low, double level_high);
-static inline double section_spread__mixed(array_double_1d work, double xy_low, double xy_high, double xf_low, double xf_high, double yy_low, double yy_high, double yf_low, double yf_high);
+static inline double section_spread__mixed(array_double_1d work, int64_t bounds, double xy_low, double xy_high, double xf_low, double xf_high, double yy_low, double yy_high, double yf_low, double yf_high);
 
 /* sections/section_surface.py */
 static inline int64_t section_surface__break_below(array_double_1d tables, int64_t breaks, int64_t count, double u);
@@ -64,6 +66,11 @@ static inline void section_surface__section_jet(double* z_out, double* z_u_out, 
 static inline void section_surface__straight_jet(double* out_0, double* out_1, double* s_out, double* out_3, double* s_u_out, double* out_5, array_double_1d tables, int64_t knot, double t, double y);
 static inline void section_surface__quintic_jet(double* out_0, double* out_1, double* out_2, double* out_3, double* out_4, double* out_5, array_double_1d tables, int64_t before, int64_t behind, double t, double y);
 static inline double section_surface__section_ruling(array_double_1d tables, int64_t sections, double u, double y);
+
+/* sections/wheel_radius.py */
+static inline double wheel_radius__within_turn(double rotation);
+static inline void wheel_radius__radius_jet(double* r_out, double* r_y_out, double* r_yy_out, double* r_f_out, double* r_fy_out, double* r_ff_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double rotation, double y, double angle);
+static inline void wheel_radius__wheel_bends(double* out_0, double* out_1, double* out_2, array_double_1d work, int64_t place, double sine, double cosine, double r, double r_y, double r_yy, double r_f, double r_fy, double r_ff);
 
 
 /* ---- From sections/section_bounds.py; change that one.
@@ -83,38 +90,38 @@ static inline int64_t section_bounds__across_cell(array_double_1d tables, int64_
 }
 
 /* Make bounds those of nothing. */
-static inline int64_t section_bounds__empty(array_double_1d work)
+static inline int64_t section_bounds__empty(array_double_1d work, int64_t found)
 {
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ALONG) = INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ALONG) = -INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ACROSS) = INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ACROSS) = -INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ALONG) = INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ALONG) = -INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_TWIST) = INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_TWIST) = -INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS) = INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ACROSS) = -INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_LEAN) = INFINITY;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_LEAN) = -INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_ALONG) = INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_MOST_ALONG) = -INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_ACROSS) = INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_MOST_ACROSS) = -INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_BEND_ALONG) = INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_MOST_BEND_ALONG) = -INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_TWIST) = INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_MOST_TWIST) = -INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS) = INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_MOST_BEND_ACROSS) = -INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_LEAN) = INFINITY;
+    AT(work, found + layout__SECTION_BOUNDS_MOST_LEAN) = -INFINITY;
     return 0;
 }
 
 /* Let bounds hold for a cell, too. */
-static inline int64_t section_bounds__widen(array_double_1d tables, array_double_1d work, int64_t cell)
+static inline int64_t section_bounds__widen(array_double_1d tables, array_double_1d work, int64_t found, int64_t cell)
 {
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ALONG) = double_min(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ALONG), AT(tables, cell + layout__SECTION_CELL_LEAST_ALONG));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ALONG) = double_max(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ALONG), AT(tables, cell + layout__SECTION_CELL_MOST_ALONG));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ACROSS) = double_min(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(tables, cell + layout__SECTION_CELL_LEAST_ACROSS));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ACROSS) = double_max(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ACROSS), AT(tables, cell + layout__SECTION_CELL_MOST_ACROSS));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ALONG) = double_min(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ALONG), AT(tables, cell + layout__SECTION_CELL_LEAST_BEND_ALONG));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ALONG) = double_max(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ALONG), AT(tables, cell + layout__SECTION_CELL_MOST_BEND_ALONG));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_TWIST) = double_min(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_TWIST), AT(tables, cell + layout__SECTION_CELL_LEAST_TWIST));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_TWIST) = double_max(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_TWIST), AT(tables, cell + layout__SECTION_CELL_MOST_TWIST));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS) = double_min(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS), AT(tables, cell + layout__SECTION_CELL_LEAST_BEND_ACROSS));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ACROSS) = double_max(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ACROSS), AT(tables, cell + layout__SECTION_CELL_MOST_BEND_ACROSS));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_LEAN) = double_min(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_LEAN), AT(tables, cell + layout__SECTION_CELL_LEAST_LEAN));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_LEAN) = double_max(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_LEAN), AT(tables, cell + layout__SECTION_CELL_MOST_LEAN));
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_ALONG) = double_min(AT(work, found + layout__SECTION_BOUNDS_LEAST_ALONG), AT(tables, cell + layout__SECTION_CELL_LEAST_ALONG));
+    AT(work, found + layout__SECTION_BOUNDS_MOST_ALONG) = double_max(AT(work, found + layout__SECTION_BOUNDS_MOST_ALONG), AT(tables, cell + layout__SECTION_CELL_MOST_ALONG));
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_ACROSS) = double_min(AT(work, found + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(tables, cell + layout__SECTION_CELL_LEAST_ACROSS));
+    AT(work, found + layout__SECTION_BOUNDS_MOST_ACROSS) = double_max(AT(work, found + layout__SECTION_BOUNDS_MOST_ACROSS), AT(tables, cell + layout__SECTION_CELL_MOST_ACROSS));
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_BEND_ALONG) = double_min(AT(work, found + layout__SECTION_BOUNDS_LEAST_BEND_ALONG), AT(tables, cell + layout__SECTION_CELL_LEAST_BEND_ALONG));
+    AT(work, found + layout__SECTION_BOUNDS_MOST_BEND_ALONG) = double_max(AT(work, found + layout__SECTION_BOUNDS_MOST_BEND_ALONG), AT(tables, cell + layout__SECTION_CELL_MOST_BEND_ALONG));
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_TWIST) = double_min(AT(work, found + layout__SECTION_BOUNDS_LEAST_TWIST), AT(tables, cell + layout__SECTION_CELL_LEAST_TWIST));
+    AT(work, found + layout__SECTION_BOUNDS_MOST_TWIST) = double_max(AT(work, found + layout__SECTION_BOUNDS_MOST_TWIST), AT(tables, cell + layout__SECTION_CELL_MOST_TWIST));
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS) = double_min(AT(work, found + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS), AT(tables, cell + layout__SECTION_CELL_LEAST_BEND_ACROSS));
+    AT(work, found + layout__SECTION_BOUNDS_MOST_BEND_ACROSS) = double_max(AT(work, found + layout__SECTION_BOUNDS_MOST_BEND_ACROSS), AT(tables, cell + layout__SECTION_CELL_MOST_BEND_ACROSS));
+    AT(work, found + layout__SECTION_BOUNDS_LEAST_LEAN) = double_min(AT(work, found + layout__SECTION_BOUNDS_LEAST_LEAN), AT(tables, cell + layout__SECTION_CELL_LEAST_LEAN));
+    AT(work, found + layout__SECTION_BOUNDS_MOST_LEAN) = double_max(AT(work, found + layout__SECTION_BOUNDS_MOST_LEAN), AT(tables, cell + layout__SECTION_CELL_MOST_LEAN));
     return 0;
 }
 
@@ -123,7 +130,7 @@ static inline int64_t section_bounds__widen(array_double_1d tables, array_double
  * Beyond both ends along the track the surface is that of its ends; beside the cells across the track the bounds are
  * those of the last ones.
  */
-static inline int64_t section_bounds__section_bounds(array_double_1d tables, array_double_1d work, int64_t sections, double u_low, double u_high, double y_low, double y_high)
+static inline int64_t section_bounds__section_bounds(array_double_1d tables, array_double_1d work, int64_t sections, int64_t found, double u_low, double u_high, double y_low, double y_high)
 {
     int64_t first, last, low, high, width, level, base, row, at, column;
     bool covered;
@@ -139,7 +146,7 @@ static inline int64_t section_bounds__section_bounds(array_double_1d tables, arr
         level += 1;
     }
     base = level * (int64_t)AT(tables, sections + layout__SECTIONS_ALONG_COUNT);
-    section_bounds__empty(work);
+    section_bounds__empty(work, found);
     row = first;
     covered = false;
     while (!covered)
@@ -153,7 +160,7 @@ static inline int64_t section_bounds__section_bounds(array_double_1d tables, arr
         at = (base + row) * (int64_t)AT(tables, sections + layout__SECTIONS_ACROSS_COUNT);
         for (column = low; column < high + 1; column += 1)
         {
-            section_bounds__widen(tables, work, sections + (int64_t)AT(tables, sections + layout__SECTIONS_CELLS) + layout__SECTION_CELL_SIZE * (at + column));
+            section_bounds__widen(tables, work, found, sections + (int64_t)AT(tables, sections + layout__SECTIONS_CELLS) + layout__SECTION_CELL_SIZE * (at + column));
         }
         row += width;
     }
@@ -166,12 +173,14 @@ static inline int64_t section_bounds__section_bounds(array_double_1d tables, arr
  * The gap of a wheel over a rail whose section changes, by the abscissa y on the wheel and the angle phi around it.
  *
  * A point of the placed wheel is P = R (r sin phi, arm + y, r cos phi) + (0, shift, -height), with R = Rz(yaw) Rx(roll), and
- * the gap is F = z(u + P_x, P_y) - P_z. With g = (z_u, z_y, -1) and G = R^T g
+ * the gap is F = z(u + P_x, P_y) - P_z. With g = (z_u, z_y, -1), G = R^T g, O = G_1 sin phi + G_3 cos phi and
+ * A = G_1 cos phi - G_3 sin phi,
  *
- *     F_y = r' (G_1 sin phi + G_3 cos phi) + G_2,  F_phi = r (G_1 cos phi - G_3 sin phi),
+ *     F_y = r_y O + G_2,  F_phi = r_phi O + r A,
  *
- * and second derivatives have in addition the quadratic form of the rail's second derivatives between the tangents.
- * Where the gap is smallest for an abscissa, the normals of wheel and rail have the same x component l:
+ * and second derivatives have r_yy O, r_phiy O + r_y A, and (r_phiphi - r) O + 2 r_phi A, and in addition the quadratic form of the
+ * rail's second derivatives between the tangents.
+ * Where the gap of a round wheel is smallest for an abscissa, the normals of wheel and rail have the same x component l:
  *
  *     cos(yaw) sin phi + sin(yaw) (cos(roll) r' + sin(roll) cos phi) = l sqrt(1 + r'^2).                         (A1)
  */
@@ -189,11 +198,10 @@ static inline void section_gap__turned_back(double* out_0, double* out_1, double
 /* Write the gap at ``y`` [m] and ``angle`` [rad], and its derivatives, to ``search.at``. */
 static inline int64_t section_gap__compute_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double angle)
 {
-    double sine, cosine, z, r_y, r_yy, r, arm, across, down, height, z_u, z_y, z_uu, z_uy, z_yy, g1, g2, g3, outward, around, level, x_y, y_y, x_f, y_f;
+    double sine, cosine, r, r_y, r_yy, r_f, r_fy, r_ff, arm, across, down, height, z_u, z_y, z_uu, z_uy, z_yy, g1, g2, g3, outward, around, level, x_y, y_y, ahead, x_f, y_f;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_GAP_COUNT) += 1.0;
     circle__sine_cosine(&sine, &cosine, angle);
-    tables__height_slope_bend(&z, &r_y, &r_yy, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
-    r = AT(work, place + layout__PLACE_RADIUS) + z;
+    wheel_radius__radius_jet(&r, &r_y, &r_yy, &r_f, &r_fy, &r_ff, tables, work, pair, place, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ROTATION), y, angle);
     arm = AT(work, place + layout__PLACE_ARM) + y;
     across = arm * AT(work, place + layout__PLACE_COS_ROLL) - r * cosine * AT(work, place + layout__PLACE_SIN_ROLL);
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_X) = AT(work, place + layout__PLACE_COS_YAW) * r * sine - AT(work, place + layout__PLACE_SIN_YAW) * across;
@@ -207,15 +215,17 @@ static inline int64_t section_gap__compute_gap(array_double_1d tables, array_dou
     level = AT(work, place + layout__PLACE_COS_ROLL) - AT(work, place + layout__PLACE_SIN_ROLL) * r_y * cosine;
     x_y = AT(work, place + layout__PLACE_COS_YAW) * r_y * sine - AT(work, place + layout__PLACE_SIN_YAW) * level;
     y_y = AT(work, place + layout__PLACE_SIN_YAW) * r_y * sine + AT(work, place + layout__PLACE_COS_YAW) * level;
-    level = AT(work, place + layout__PLACE_SIN_ROLL) * r * sine;
-    x_f = AT(work, place + layout__PLACE_COS_YAW) * r * cosine - AT(work, place + layout__PLACE_SIN_YAW) * level;
-    y_f = AT(work, place + layout__PLACE_SIN_YAW) * r * cosine + AT(work, place + layout__PLACE_COS_YAW) * level;
+    ahead = r_f * sine + r * cosine;
+    level = AT(work, place + layout__PLACE_SIN_ROLL) * (r * sine - r_f * cosine);
+    x_f = AT(work, place + layout__PLACE_COS_YAW) * ahead - AT(work, place + layout__PLACE_SIN_YAW) * level;
+    y_f = AT(work, place + layout__PLACE_SIN_YAW) * ahead + AT(work, place + layout__PLACE_COS_YAW) * level;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_GAP) = height - down;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ACROSS) = r_y * outward + g2;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND) = r * around;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_AROUND) = r_f * outward + r * around;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_BEND_ACROSS) = z_uu * x_y * x_y + 2.0 * z_uy * x_y * y_y + z_yy * y_y * y_y + r_yy * outward;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_TWIST) = z_uu * x_y * x_f + z_uy * (x_y * y_f + y_y * x_f) + z_yy * y_y * y_f + r_y * around;
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_BEND_AROUND) = z_uu * x_f * x_f + 2.0 * z_uy * x_f * y_f + z_yy * y_f * y_f - r * outward;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_TWIST) = z_uu * x_y * x_f + z_uy * (x_y * y_f + y_y * x_f) + z_yy * y_y * y_f + r_fy * outward + r_y * around;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_BEND_AROUND) = z_uu * x_f * x_f + 2.0 * z_uy * x_f * y_f + z_yy * y_f * y_f;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_BEND_AROUND) += (r_ff - r) * outward + 2.0 * r_f * around;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_ALONG) = z_u;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AT + layout__SECTION_GAP_SLOPE) = z_y;
     return 0;
@@ -262,6 +272,7 @@ static inline bool section_pose__search_at(array_double_1d work, array_double_1d
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     locus__place_wheelset(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_PLACE, AT(pose, 1), AT(pose, 2), AT(pose, 3), AT(tables, pair + layout__PAIR_RADIUS), AT(tables, layout__TABLES_HEIGHT), AT(tables, layout__TABLES_ARM));
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_POSITION) = AT(pose, 0);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ROTATION) = 0.0;
     return section_search__search_sections(tables, work, pair, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_PLACE);
 }
 
@@ -372,6 +383,12 @@ static inline bool section_search__above_surface(array_double_1d tables, int64_t
 static inline int64_t section_search__try_first(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y)
 {
     double angle;
+    if (AT(tables, pair + layout__PAIR_OUT_OF_ROUND) == 1.0)
+    {
+        /* Newton's method may be led away where the wheel is nearly as hollow as it is round */
+        section_gap__compute_gap(tables, work, pair, place, y, 0.0);
+        section_search__keep_gap(tables, work, pair, y, 0.0);
+    }
     angle = section_gap__settled_angle(tables, work, pair, place, y, 0.0, -section_search__STEEPEST_ANGLE, section_search__STEEPEST_ANGLE);
     section_search__keep_gap(tables, work, pair, y, angle);
     return 0;
@@ -478,12 +495,18 @@ static inline bool section_search__narrow_box(array_double_1d tables, array_doub
     double reach, width;
     sections = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS);
     section_spread__spread_wheel(tables, work, pair, AT(work, box + layout__SECTION_BOX_LOW), AT(work, box + layout__SECTION_BOX_HIGH));
+    section_spread__spread_deviation(tables, work, pair, box);
     reach = section_spread__lowest_angle(work, place, AT(tables, sections + layout__SECTIONS_TOP), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BEST), AT(work, box + layout__SECTION_BOX_LOW), AT(work, box + layout__SECTION_BOX_HIGH));
     AT(work, box + layout__SECTION_BOX_BACK) = double_max(AT(work, box + layout__SECTION_BOX_BACK), -reach);
     AT(work, box + layout__SECTION_BOX_AHEAD) = double_min(AT(work, box + layout__SECTION_BOX_AHEAD), reach);
     if (!(AT(work, box + layout__SECTION_BOX_BACK) <= AT(work, box + layout__SECTION_BOX_AHEAD)) || reach < 0.0)
     {
         return false;
+    }
+    if (AT(tables, pair + layout__PAIR_OUT_OF_ROUND) == 1.0)
+    {
+        section_spread__spread_wheel(tables, work, pair, AT(work, box + layout__SECTION_BOX_LOW), AT(work, box + layout__SECTION_BOX_HIGH));
+        section_spread__spread_deviation(tables, work, pair, box);
     }
     section_search__find_below(tables, work, pair, place, box);
     if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_INSIDE) == 1.0)
@@ -515,6 +538,11 @@ static inline bool section_search__narrow_box(array_double_1d tables, array_doub
         }
         if (AT(work, box + layout__SECTION_BOX_AHEAD) - AT(work, box + layout__SECTION_BOX_BACK) < section_search__NARROWED * width)
         {
+            if (AT(tables, pair + layout__PAIR_OUT_OF_ROUND) == 1.0)
+            {
+                section_spread__spread_wheel(tables, work, pair, AT(work, box + layout__SECTION_BOX_LOW), AT(work, box + layout__SECTION_BOX_HIGH));
+                section_spread__spread_deviation(tables, work, pair, box);
+            }
             section_search__find_below(tables, work, pair, place, box);
             section_search__read_bounds(tables, work, pair);
         }
@@ -537,7 +565,7 @@ static inline int64_t section_search__find_below(array_double_1d tables, array_d
 {
     double x, y, ahead, aside;
     section_spread__spread_angles(work, AT(work, box + layout__SECTION_BOX_BACK), AT(work, box + layout__SECTION_BOX_AHEAD));
-    section_search__wheel_place(&x, &y, tables, work, pair, place, 0.5 * (AT(work, box + layout__SECTION_BOX_LOW) + AT(work, box + layout__SECTION_BOX_HIGH)), 0.5 * (AT(work, box + layout__SECTION_BOX_BACK) + AT(work, box + layout__SECTION_BOX_AHEAD)));
+    section_search__wheel_place(&x, &y, tables, work, pair, place, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ROTATION), 0.5 * (AT(work, box + layout__SECTION_BOX_LOW) + AT(work, box + layout__SECTION_BOX_HIGH)), 0.5 * (AT(work, box + layout__SECTION_BOX_BACK) + AT(work, box + layout__SECTION_BOX_AHEAD)));
     section_spread__spread_reach(&ahead, &aside, work, place, 0.5 * (AT(work, box + layout__SECTION_BOX_HIGH) - AT(work, box + layout__SECTION_BOX_LOW)), 0.5 * (AT(work, box + layout__SECTION_BOX_AHEAD) - AT(work, box + layout__SECTION_BOX_BACK)));
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_U) = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_POSITION) + x;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ABSCISSA) = y - AT(tables, pair + layout__PAIR_RAIL_Y);
@@ -550,17 +578,16 @@ static inline int64_t section_search__find_below(array_double_1d tables, array_d
 /* Read the bounds of the rail below a box. */
 static inline int64_t section_search__read_bounds(array_double_1d tables, array_double_1d work, int64_t pair)
 {
-    section_bounds__section_bounds(tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_U) - AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AHEAD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_U) + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AHEAD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ABSCISSA) - AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ASIDE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ABSCISSA) + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ASIDE));
+    section_bounds__section_bounds(tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_U) - AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AHEAD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_U) + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_AHEAD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ABSCISSA) - AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ASIDE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ABSCISSA) + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ASIDE));
     return 0;
 }
 
 /* Track coordinates x, from the middle of the wheelset, and y [m] of a place on the wheel. */
-static inline void section_search__wheel_place(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double angle)
+static inline void section_search__wheel_place(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double rotation, double y, double angle)
 {
-    double sine, cosine, z, slope, r, across;
+    double sine, cosine, r, r_y, r_yy, r_f, r_fy, r_ff, across;
     circle__sine_cosine(&sine, &cosine, angle);
-    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
-    r = AT(work, place + layout__PLACE_RADIUS) + z;
+    wheel_radius__radius_jet(&r, &r_y, &r_yy, &r_f, &r_fy, &r_ff, tables, work, pair, place, rotation, y, angle);
     across = (AT(work, place + layout__PLACE_ARM) + y) * AT(work, place + layout__PLACE_COS_ROLL) - r * cosine * AT(work, place + layout__PLACE_SIN_ROLL);
     *out_0 = AT(work, place + layout__PLACE_COS_YAW) * r * sine - AT(work, place + layout__PLACE_SIN_YAW) * across;
     *out_1 = AT(work, place + layout__PLACE_SHIFT) + AT(work, place + layout__PLACE_SIN_YAW) * r * sine + AT(work, place + layout__PLACE_COS_YAW) * across;
@@ -575,14 +602,14 @@ static inline int64_t section_search__judge_box(array_double_1d tables, array_do
     bool sloping;
     y = 0.5 * (AT(work, box + layout__SECTION_BOX_LOW) + AT(work, box + layout__SECTION_BOX_HIGH));
     half = 0.5 * (AT(work, box + layout__SECTION_BOX_HIGH) - AT(work, box + layout__SECTION_BOX_LOW));
-    section_spread__spread_slopes(work, place);
+    section_spread__spread_slopes(work, place, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS);
     if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_INSIDE) == 1.0 && section_search__slopes_away(tables, work, pair, box))
     {
         return 0;
     }
     angle = section_gap__settled_angle(tables, work, pair, place, y, 0.5 * (AT(work, box + layout__SECTION_BOX_BACK) + AT(work, box + layout__SECTION_BOX_AHEAD)), AT(work, box + layout__SECTION_BOX_BACK), AT(work, box + layout__SECTION_BOX_AHEAD));
     section_search__keep_gap(tables, work, pair, y, angle);
-    section_spread__spread_bends(work, place);
+    section_spread__spread_bends(work, place, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS);
     turn = double_max(AT(work, box + layout__SECTION_BOX_AHEAD) - angle, angle - AT(work, box + layout__SECTION_BOX_BACK));
     m = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_AROUND);
     c = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST);
@@ -784,25 +811,67 @@ static inline int64_t section_spread__spread_wheel(array_double_1d tables, array
     away = half * double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE)));
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS) = AT(tables, pair + layout__PAIR_RADIUS) + z - away;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS) = AT(tables, pair + layout__PAIR_RADIUS) + z + away;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_OUT_OF_ROUND) = (double)false;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_LEAD) = 0.0;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_LEAD) = 0.0;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_LEAD_COSINE) = 1.0;
+    return 0;
+}
+
+/* Widen these ranges by how far a wheel is out of round in a box, and write how fast its radius changes around it. */
+static inline int64_t section_spread__spread_deviation(array_double_1d tables, array_double_1d work, int64_t pair, int64_t box)
+{
+    double back, ahead, d, d_f, d_y, d_ff, d_fy, d_yy, away, low, high, largest;
+    if (!(AT(tables, pair + layout__PAIR_OUT_OF_ROUND) == 1.0))
+    {
+        return 0;
+    }
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_OUT_OF_ROUND) = (double)true;
+    back = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ROTATION) + AT(work, box + layout__SECTION_BOX_BACK);
+    ahead = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_ROTATION) + AT(work, box + layout__SECTION_BOX_AHEAD);
+    section_bounds__section_bounds(tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_DEVIATION), layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION, back, ahead, AT(work, box + layout__SECTION_BOX_LOW), AT(work, box + layout__SECTION_BOX_HIGH));
+    section_surface__section_jet(&d, &d_f, &d_y, &d_ff, &d_fy, &d_yy, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_DEVIATION), 0.5 * (back + ahead), 0.5 * (AT(work, box + layout__SECTION_BOX_LOW) + AT(work, box + layout__SECTION_BOX_HIGH)));
+    away = 0.5 * (ahead - back) * double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_LEAST_ALONG)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_MOST_ALONG)));
+    away += 0.5 * (AT(work, box + layout__SECTION_BOX_HIGH) - AT(work, box + layout__SECTION_BOX_LOW)) * double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_LEAST_ACROSS)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_MOST_ACROSS)));
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS) += d - away;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS) += d + away;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE) += AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_LEAST_ACROSS);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE) += AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_MOST_ACROSS);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_BEND) += AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_BEND) += AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_MOST_BEND_ACROSS);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RATE) = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_LEAST_ALONG);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE) = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_MOST_ALONG);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RATE_BEND) = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_LEAST_BEND_ALONG);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE_BEND) = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_MOST_BEND_ALONG);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE_TWIST) = double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_LEAST_TWIST)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_MOST_TWIST)));
+    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_LEAST_ALONG), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_DEVIATION + layout__SECTION_BOUNDS_MOST_ALONG), 1.0 / AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), 1.0 / AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS));
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_LEAD) = circle__atan(low);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_LEAD) = circle__atan(high);
+    largest = double_max(low * low, high * high);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_LEAD_COSINE) = 1.0 / sqrt(1.0 + largest);
     return 0;
 }
 
 /* The angles [rad] at which the normals of the wheel can have an x component of ``least_lean`` ... ``most_lean``, by
  * (A1).
+ *
+ * Where the wheel is not round its normal is that of a round one at the angle less its lead, atan(r_phi / r), with the slope
+ * times the lead's cosine.
  */
 static inline void section_spread__angles_of_normals(double* out_0, double* out_1, array_double_1d work, int64_t place, double least_lean, double most_lean)
 {
-    double least, most, low, high, yawed_low, yawed_high, tilt, size, away;
-    section_spread__square(&least, &most, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE));
+    double slope_low, slope_high, least, most, low, high, yawed_low, yawed_high, tilt, size, away;
+    section_spread__product(&slope_low, &slope_high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_LEAD_COSINE), 1.0);
+    section_spread__square(&least, &most, slope_low, slope_high);
     section_spread__product(&low, &high, least_lean, most_lean, sqrt(1.0 + least), sqrt(1.0 + most));
-    section_spread__scaled(&yawed_low, &yawed_high, -AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_COS_ROLL), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE));
+    section_spread__scaled(&yawed_low, &yawed_high, -AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_COS_ROLL), slope_low, slope_high);
     tilt = AT(work, place + layout__PLACE_SIN_YAW) * AT(work, place + layout__PLACE_SIN_ROLL);
     size = sqrt(AT(work, place + layout__PLACE_COS_YAW) * AT(work, place + layout__PLACE_COS_YAW) + tilt * tilt);
     low = double_min(double_max((low + yawed_low) / size, -1.0), 1.0);
     high = double_min(double_max((high + yawed_high) / size, -1.0), 1.0);
     away = circle__atan(tilt / AT(work, place + layout__PLACE_COS_YAW));
-    *out_0 = circle__atan2(low, sqrt(1.0 - low * low)) - away - section_spread__ANGLE_ROUNDING;
-    *out_1 = circle__atan2(high, sqrt(1.0 - high * high)) - away + section_spread__ANGLE_ROUNDING;
+    *out_0 = circle__atan2(low, sqrt(1.0 - low * low)) - away + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_LEAD) - section_spread__ANGLE_ROUNDING;
+    *out_1 = circle__atan2(high, sqrt(1.0 - high * high)) - away + AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_LEAD) + section_spread__ANGLE_ROUNDING;
 }
 
 /* The largest absolute angle [rad] at which a gap can be smaller than ``best``, above a rail that is nowhere higher
@@ -851,35 +920,39 @@ static inline void section_spread__spread_reach(double* out_0, double* out_1, ar
     yaw = fabs(AT(work, place + layout__PLACE_SIN_YAW));
     roll = fabs(AT(work, place + layout__PLACE_SIN_ROLL));
     turn = AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS) * angle;
+    if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_OUT_OF_ROUND) == 1.0)
+    {
+        turn += double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RATE)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE))) * angle;
+    }
     *out_0 = half * (slope * sine + yaw * (1.0 + roll * slope)) + turn * (1.0 + yaw * roll * sine);
     *out_1 = half * (yaw * slope * sine + 1.0 + roll * slope) + turn * (yaw + roll * sine);
 }
 
 /* Range of the quadratic form of the rail's second derivatives for tangents in these ranges. */
-static inline void section_spread__form(double* out_0, double* out_1, array_double_1d work, double x_low, double x_high, double y_low, double y_high)
+static inline void section_spread__form(double* out_0, double* out_1, array_double_1d work, int64_t bounds, double x_low, double x_high, double y_low, double y_high)
 {
     double least, most, along, most_along, across, most_across, twist, most_twist;
     section_spread__square(&least, &most, x_low, x_high);
-    section_spread__product(&along, &most_along, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ALONG), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ALONG), least, most);
+    section_spread__product(&along, &most_along, AT(work, bounds + layout__SECTION_BOUNDS_LEAST_BEND_ALONG), AT(work, bounds + layout__SECTION_BOUNDS_MOST_BEND_ALONG), least, most);
     section_spread__square(&least, &most, y_low, y_high);
-    section_spread__product(&across, &most_across, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ACROSS), least, most);
+    section_spread__product(&across, &most_across, AT(work, bounds + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS), AT(work, bounds + layout__SECTION_BOUNDS_MOST_BEND_ACROSS), least, most);
     section_spread__product(&least, &most, x_low, x_high, y_low, y_high);
-    section_spread__product(&twist, &most_twist, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_TWIST), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_TWIST), least, most);
+    section_spread__product(&twist, &most_twist, AT(work, bounds + layout__SECTION_BOUNDS_LEAST_TWIST), AT(work, bounds + layout__SECTION_BOUNDS_MOST_TWIST), least, most);
     *out_0 = along + 2.0 * twist + across;
     *out_1 = most_along + 2.0 * most_twist + most_across;
 }
 
 /* Ranges of the gap's first derivatives over a box, from those of wheel and rail. */
-static inline int64_t section_spread__spread_slopes(array_double_1d work, int64_t place)
+static inline int64_t section_spread__spread_slopes(array_double_1d work, int64_t place, int64_t bounds)
 {
     double low, high, least, most, g1_low, g1_high, level, most_level, g2_low, g2_high, g3_low, g3_high, kept, kept_2;
     /* components of G: ahead, to the side, down */
-    section_spread__scaled(&low, &high, AT(work, place + layout__PLACE_COS_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ALONG), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ALONG));
-    section_spread__scaled(&least, &most, AT(work, place + layout__PLACE_SIN_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ACROSS));
+    section_spread__scaled(&low, &high, AT(work, place + layout__PLACE_COS_YAW), AT(work, bounds + layout__SECTION_BOUNDS_LEAST_ALONG), AT(work, bounds + layout__SECTION_BOUNDS_MOST_ALONG));
+    section_spread__scaled(&least, &most, AT(work, place + layout__PLACE_SIN_YAW), AT(work, bounds + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(work, bounds + layout__SECTION_BOUNDS_MOST_ACROSS));
     g1_low = low + least;
     g1_high = high + most;
-    section_spread__scaled(&low, &high, -AT(work, place + layout__PLACE_SIN_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ALONG), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ALONG));
-    section_spread__scaled(&least, &most, AT(work, place + layout__PLACE_COS_YAW), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_ACROSS));
+    section_spread__scaled(&low, &high, -AT(work, place + layout__PLACE_SIN_YAW), AT(work, bounds + layout__SECTION_BOUNDS_LEAST_ALONG), AT(work, bounds + layout__SECTION_BOUNDS_MOST_ALONG));
+    section_spread__scaled(&least, &most, AT(work, place + layout__PLACE_COS_YAW), AT(work, bounds + layout__SECTION_BOUNDS_LEAST_ACROSS), AT(work, bounds + layout__SECTION_BOUNDS_MOST_ACROSS));
     level = low + least;
     most_level = high + most;
     section_spread__scaled(&g2_low, &g2_high, AT(work, place + layout__PLACE_COS_ROLL), level, most_level);
@@ -900,13 +973,19 @@ static inline int64_t section_spread__spread_slopes(array_double_1d work, int64_
     section_spread__product(&kept, &kept_2, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_ASIDE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ASIDE));
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_TURN) = kept;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_TURN) = kept_2;
+    if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_OUT_OF_ROUND) == 1.0)
+    {
+        section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RATE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD));
+        AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_TURN) += low;
+        AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_TURN) += high;
+    }
     return 0;
 }
 
 /* Bounds of the gap's second derivatives over a box, from those of wheel and rail, where its first ones are known. */
-static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t place)
+static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t place, int64_t bounds)
 {
-    double low, high, least, most, xy_low, xy_high, yy_low, yy_high, xf_low, xf_high, yf_low, yf_high;
+    double low, high, least, most, xy_low, xy_high, yy_low, yy_high, first, last, xf_low, xf_high, yf_low, yf_high;
     /* tangents by y and by the angle */
     section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SINE));
     section_spread__product(&least, &most, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_COSINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_COSINE));
@@ -915,18 +994,46 @@ static inline int64_t section_spread__spread_bends(array_double_1d work, int64_t
     section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_COSINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_COSINE));
     section_spread__product(&least, &most, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SINE));
     section_spread__scaled(&least, &most, AT(work, place + layout__PLACE_SIN_ROLL), least, most);
+    if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_OUT_OF_ROUND) == 1.0)
+    {
+        section_spread__product(&first, &last, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RATE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SINE));
+        low += first;
+        high += last;
+        section_spread__product(&first, &last, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RATE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_COSINE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_COSINE));
+        section_spread__scaled(&first, &last, -AT(work, place + layout__PLACE_SIN_ROLL), first, last);
+        least += first;
+        most += last;
+    }
     section_spread__tangent(&xf_low, &xf_high, &yf_low, &yf_high, work, place, low, high, least, most);
     section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_BEND), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_BEND), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD));
-    section_spread__form(&least, &most, work, xy_low, xy_high, yy_low, yy_high);
+    section_spread__form(&least, &most, work, bounds, xy_low, xy_high, yy_low, yy_high);
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_ACROSS) = least + low;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ACROSS) = double_max(fabs(least + low), fabs(most + high));
     section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RADIUS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD));
-    section_spread__form(&least, &most, work, xf_low, xf_high, yf_low, yf_high);
+    section_spread__form(&least, &most, work, bounds, xf_low, xf_high, yf_low, yf_high);
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_AROUND) = least - high;
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_AROUND) = double_max(fabs(least - high), fabs(most - low));
-    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) = section_spread__mixed(work, xy_low, xy_high, xf_low, xf_high, yy_low, yy_high, yf_low, yf_high);
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) = section_spread__mixed(work, bounds, xy_low, xy_high, xf_low, xf_high, yy_low, yy_high, yf_low, yf_high);
     section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_SLOPE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_ASIDE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ASIDE));
     AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) += double_max(fabs(low), fabs(high));
+    if (AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_OUT_OF_ROUND) == 1.0)
+    {
+        section_spread__add_deviation(work);
+    }
+    return 0;
+}
+
+/* Add what a wheel that is not round has in these bounds: (r_phiphi) O + 2 r_phi A, and r_phiy O. */
+static inline int64_t section_spread__add_deviation(array_double_1d work)
+{
+    double low, high, least, most;
+    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RATE_BEND), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE_BEND), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD));
+    section_spread__product(&least, &most, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_RATE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_ASIDE), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_ASIDE));
+    low += 2.0 * least;
+    high += 2.0 * most;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_BEND_AROUND) += low;
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_AROUND) += double_max(fabs(low), fabs(high));
+    AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_TWIST) += AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_RATE_TWIST) * double_max(fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_LEAST_OUTWARD)), fabs(AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_SPREAD + layout__SECTION_SPREAD_MOST_OUTWARD)));
     return 0;
 }
 
@@ -948,18 +1055,18 @@ static inline void section_spread__tangent(double* out_0, double* out_1, double*
  *
  * Many arguments because two tangents with two components are eight ends of intervals.
  */
-static inline double section_spread__mixed(array_double_1d work, double xy_low, double xy_high, double xf_low, double xf_high, double yy_low, double yy_high, double yf_low, double yf_high)
+static inline double section_spread__mixed(array_double_1d work, int64_t bounds, double xy_low, double xy_high, double xf_low, double xf_high, double yy_low, double yy_high, double yf_low, double yf_high)
 {
     double least, most, low, high, largest, first, last;
     section_spread__product(&least, &most, xy_low, xy_high, xf_low, xf_high);
-    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ALONG), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ALONG), least, most);
+    section_spread__product(&low, &high, AT(work, bounds + layout__SECTION_BOUNDS_LEAST_BEND_ALONG), AT(work, bounds + layout__SECTION_BOUNDS_MOST_BEND_ALONG), least, most);
     largest = double_max(fabs(low), fabs(high));
     section_spread__product(&least, &most, xy_low, xy_high, yf_low, yf_high);
     section_spread__product(&first, &last, yy_low, yy_high, xf_low, xf_high);
-    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_TWIST), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_TWIST), least + first, most + last);
+    section_spread__product(&low, &high, AT(work, bounds + layout__SECTION_BOUNDS_LEAST_TWIST), AT(work, bounds + layout__SECTION_BOUNDS_MOST_TWIST), least + first, most + last);
     largest += double_max(fabs(low), fabs(high));
     section_spread__product(&least, &most, yy_low, yy_high, yf_low, yf_high);
-    section_spread__product(&low, &high, AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS), AT(work, layout__WORK_SECTION_SEARCH + layout__SECTION_SEARCH_BOUNDS + layout__SECTION_BOUNDS_MOST_BEND_ACROSS), least, most);
+    section_spread__product(&low, &high, AT(work, bounds + layout__SECTION_BOUNDS_LEAST_BEND_ACROSS), AT(work, bounds + layout__SECTION_BOUNDS_MOST_BEND_ACROSS), least, most);
     return largest + double_max(fabs(low), fabs(high));
 }
 
@@ -1170,4 +1277,76 @@ static inline double section_surface__section_ruling(array_double_1d tables, int
     section_surface__cubic_jet(&other, &other_rate, &bend, tables, sections + (int64_t)AT(tables, sections + layout__SECTIONS_KNOTS) + layout__SECTION_KNOT_SIZE * (low + 1) + layout__SECTION_KNOT_PLACE, t);
     share = double_min(double_max((y - place) / (other - place), 0.0), 1.0);
     return rate + share * (other_rate - rate);
+}
+
+
+/* ---- From sections/wheel_radius.py; change that one.
+ *
+ * The radius of a wheel over its abscissa y and the angle around it: that of its profile, and how far it is out of round.
+ *
+ * A wheel that has turned by chi has at the angle phi, forward from its lowest point, the radius
+ *
+ *     r = r_0 + z(y) + d(phi + chi, y),
+ *
+ * with the deviation d from a table as that of a rail whose section changes, over angles instead of positions.
+ */
+
+/* The rotation of a wheel [rad] without whole turns. */
+static inline double wheel_radius__within_turn(double rotation)
+{
+    return rotation - 2.0 * circle__STRAIGHT * whole__nearest_whole(rotation / (2.0 * circle__STRAIGHT));
+}
+
+/* r [m] at ``y`` [m] and ``angle`` [rad] of a wheel that is turned by ``rotation`` [rad], r_y [-], r_yy [1/m], r_phi [m],
+ * r_phiy [-] and r_phiphi [m].
+ */
+static inline void wheel_radius__radius_jet(double* r_out, double* r_y_out, double* r_yy_out, double* r_f_out, double* r_fy_out, double* r_ff_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double rotation, double y, double angle)
+{
+    double z, r_y, r_yy, r, r_f, r_fy, r_ff, d, d_y, d_yy;
+    tables__height_slope_bend(&z, &r_y, &r_yy, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_WHEEL), y);
+    r = AT(work, place + layout__PLACE_RADIUS) + z;
+    r_f = 0.0;
+    r_fy = 0.0;
+    r_ff = 0.0;
+    if (AT(tables, pair + layout__PAIR_OUT_OF_ROUND) == 1.0)
+    {
+        section_surface__section_jet(&d, &r_f, &d_y, &r_ff, &r_fy, &d_yy, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_DEVIATION), rotation + angle, y);
+        r += d;
+        r_y += d_y;
+        r_yy += d_yy;
+    }
+    *r_out = r;
+    *r_y_out = r_y;
+    *r_yy_out = r_yy;
+    *r_f_out = r_f;
+    *r_fy_out = r_fy;
+    *r_ff_out = r_ff;
+}
+
+/* Second derivatives [1/m] of the height of the placed wheel over x, x and y, and y, at a place of it.
+ *
+ * With the normal N = (sin phi - r_phi cos phi / r, -r_y, cos phi + r_phi sin phi / r) in the wheelset's frame, N P_yy = r_yy,
+ * N P_yphi = r_phiy - r_y r_phi / r, and N P_phiphi = r_phiphi - r - 2 r_phi^2 / r.
+ */
+static inline void wheel_radius__wheel_bends(double* out_0, double* out_1, double* out_2, array_double_1d work, int64_t place, double sine, double cosine, double r, double r_y, double r_yy, double r_f, double r_fy, double r_ff)
+{
+    double lead, across, twist, around, down, level_y, level_f, ahead_f, x_y, y_y, x_f, y_f, normal, scale;
+    lead = r_f / r;
+    across = r_yy;
+    twist = r_fy - r_y * lead;
+    around = r_ff - r - 2.0 * r_f * lead;
+    down = cosine + lead * sine;
+    level_y = AT(work, place + layout__PLACE_COS_ROLL) - AT(work, place + layout__PLACE_SIN_ROLL) * r_y * cosine;
+    level_f = -AT(work, place + layout__PLACE_SIN_ROLL) * (r_f * cosine - r * sine);
+    ahead_f = r_f * sine + r * cosine;
+    x_y = AT(work, place + layout__PLACE_COS_YAW) * r_y * sine - AT(work, place + layout__PLACE_SIN_YAW) * level_y;
+    y_y = AT(work, place + layout__PLACE_SIN_YAW) * r_y * sine + AT(work, place + layout__PLACE_COS_YAW) * level_y;
+    x_f = AT(work, place + layout__PLACE_COS_YAW) * ahead_f - AT(work, place + layout__PLACE_SIN_YAW) * level_f;
+    y_f = AT(work, place + layout__PLACE_SIN_YAW) * ahead_f + AT(work, place + layout__PLACE_COS_YAW) * level_f;
+    normal = -r_y * AT(work, place + layout__PLACE_SIN_ROLL) + down * AT(work, place + layout__PLACE_COS_ROLL);
+    scale = x_y * y_f - y_y * x_f;
+    scale = 1.0 / (scale * scale * normal);
+    *out_0 = scale * (across * y_f * y_f - 2.0 * twist * y_y * y_f + around * y_y * y_y);
+    *out_1 = scale * (-across * x_f * y_f + twist * (x_y * y_f + x_f * y_y) - around * x_y * y_y);
+    *out_2 = scale * (across * x_f * x_f - 2.0 * twist * x_y * x_f + around * x_y * x_y);
 }

@@ -3,6 +3,8 @@
 
 /* wheelset/brackets.py */
 static OUT_OF_LINE double brackets__next_in_bracket(array_double_1d work, int64_t bracket, int64_t i);
+static OUT_OF_LINE int64_t brackets__open_bracket(array_double_1d work, int64_t bracket, double place, double value);
+static OUT_OF_LINE bool brackets__is_within(array_double_1d work, int64_t bracket, double place);
 static OUT_OF_LINE int64_t brackets__narrow_bracket(array_double_1d work, int64_t bracket, double place, double value);
 static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t count);
 static OUT_OF_LINE void brackets__height_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
@@ -47,6 +49,7 @@ static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, doub
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right, bool near);
 static OUT_OF_LINE void elastic__renewed(double* out_0, double* out_1, array_double_1d work, double by_height, double by_roll, double change, bool near);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate);
+static OUT_OF_LINE void elastic__solve_residuals(double* out_0, double* out_1, double* out_2, array_double_1d work);
 
 /* wheelset/enclosing.py */
 static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height);
@@ -70,6 +73,9 @@ static inline int64_t forces__sum_forces(array_double_1d tables, array_double_1d
 static inline int64_t forces__sum_side(array_double_1d work, int64_t side, bool with_creep);
 static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch);
 static inline int64_t forces__add_creep_force(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t forces__turn_creep_force(array_double_1d work, int64_t motion, int64_t patch, double moment_x, double moment_y, double moment_z, double missing);
+static inline int64_t forces__add_leaning_force(array_double_1d work, int64_t motion, int64_t leaning, int64_t patch);
+static inline void forces__add_traction(double* moment_x_out, double* moment_y_out, double* moment_z_out, double* out_3, array_double_1d work, int64_t motion, int64_t at, int64_t forces, double ahead, double across);
 static inline double forces__about_axle(array_double_1d work, int64_t motion, double moment_x, double moment_y, double moment_z);
 static inline int64_t forces__add_forces(array_double_1d work, int64_t total, int64_t part, double mirror);
 static inline int64_t forces__add_vector(array_double_1d work, int64_t total, int64_t part, double plane, double across);
@@ -98,8 +104,8 @@ static inline double input_checks__side_force(array_double_1d work, int64_t inde
 static inline double input_checks__wanted_force(array_double_1d work, int64_t inputs, int64_t index);
 static inline bool input_checks__is_requested(array_double_1d tables, int64_t index);
 static inline bool input_checks__is_needed(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
-static inline int64_t input_checks__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t outcome);
-static inline int64_t input_checks__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
+static inline int64_t input_checks__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t side_status);
+static inline int64_t input_checks__requested_status(array_double_1d tables, array_double_1d work, int64_t status);
 static inline bool input_checks__is_free(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
 static inline double input_checks__outer_torque(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
 static inline bool input_checks__is_driven(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
@@ -115,11 +121,19 @@ static OUT_OF_LINE int64_t jumps__narrow_jump(array_double_1d tables, array_doub
 static OUT_OF_LINE int64_t jumps__compare_pattern(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE int64_t jumps__compare_load(array_double_1d tables, array_double_1d work, int64_t index, double force, double height);
 
+/* wheelset/leaning_wheel.py */
+static inline int64_t leaning_wheel__leaning_place(int64_t index, int64_t number);
+static inline int64_t leaning_wheel__move_wheel(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t leaning_wheel__enclose_wheel(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t leaning_wheel__move_one(array_double_1d tables, array_double_1d work, int64_t index, int64_t number);
+static inline int64_t leaning_wheel__force_one(array_double_1d tables, array_double_1d work, int64_t index, int64_t number);
+
 /* wheelset/prescribed_height.py */
 static OUT_OF_LINE bool prescribed_height__search_near(array_double_1d tables, array_double_1d work, int64_t index, int64_t row);
 static OUT_OF_LINE int64_t prescribed_height__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE bool prescribed_height__is_damped(array_double_1d tables);
 static OUT_OF_LINE int64_t prescribed_height__damp_patches(array_double_1d work, array_double_1d tables, int64_t side);
+static OUT_OF_LINE double prescribed_height__damping_factor(array_double_1d tables, double approach);
 static OUT_OF_LINE double prescribed_height__pressing_power(array_double_1d work, int64_t motion, int64_t patch);
 static OUT_OF_LINE int64_t prescribed_height__damp_patch(array_double_1d work, int64_t patch, double factor);
 
@@ -139,7 +153,6 @@ static OUT_OF_LINE double rail_deflection_brackets__nearer_end(array_double_1d w
 static OUT_OF_LINE double rail_deflection_brackets__vertical_slope(array_double_1d tables, array_double_1d work, int64_t index);
 static OUT_OF_LINE double rail_deflection_brackets__corrected_slope(double slope, double change, double move);
 static OUT_OF_LINE int64_t rail_deflection_brackets__bracket_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, bool exact, double reach);
-static OUT_OF_LINE bool rail_deflection_brackets__is_within(array_double_1d work, int64_t bracket, double place);
 static OUT_OF_LINE int64_t rail_deflection_brackets__open_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral);
 static OUT_OF_LINE bool rail_deflection_brackets__is_level(array_double_1d work, int64_t side, bool exact);
 static OUT_OF_LINE bool rail_deflection_brackets__is_narrow(array_double_1d work, int64_t bracket, double vertical, double lateral, bool exact);
@@ -174,6 +187,7 @@ static OUT_OF_LINE int64_t rail_deflection_slopes__hold_rigid(array_double_1d wo
 static OUT_OF_LINE int64_t rail_deflection_slopes__add_rates(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE bool rail_deflection_slopes__weigh_anew(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE bool rail_deflection_slopes__find_equilibrium_of_rail(array_double_1d tables, array_double_1d work, int64_t index, double height);
+static OUT_OF_LINE void rail_deflection_slopes__solve_deflections(double* out_0, double* out_1, double* out_2, array_double_1d work);
 static OUT_OF_LINE int64_t rail_deflection_slopes__update_slopes(array_double_1d work, double before_lateral, double before_vertical);
 
 /* wheelset/report.py */
@@ -200,7 +214,7 @@ static OUT_OF_LINE int64_t residuals__balance_side(array_double_1d tables, array
 static OUT_OF_LINE int64_t residuals__balance_both(array_double_1d tables, array_double_1d work, double left, double right, double height);
 static OUT_OF_LINE bool residuals__turn_to(array_double_1d tables, array_double_1d work, double roll);
 static OUT_OF_LINE bool residuals__turn_near(array_double_1d tables, array_double_1d work, double roll);
-static OUT_OF_LINE int64_t residuals__depth_outcome(array_double_1d work, int64_t status);
+static OUT_OF_LINE int64_t residuals__depth_status(array_double_1d work, int64_t status);
 
 /* wheelset/rigid.py */
 static inline void rigid__find_roll(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, array_double_1d state);
@@ -235,10 +249,15 @@ static inline int64_t rolling_contact__solve_wheel_creep(array_double_1d tables,
 static inline double rolling_contact__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, double friction);
 static inline int64_t rolling_contact__close_rolling(array_double_1d work, int64_t patch, double factor);
 
+/* wheelset/rows.py */
+static inline bool rows__open_row(array_double_1d workspace, array_double_1d inputs, int64_t row);
+static inline int64_t rows__keep_row(array_double_1d tables, array_double_1d workspace, array_double_1d outputs, int64_t row, int64_t status);
+
 /* wheelset/side.py */
 static inline bool side__describe_contact(array_double_1d tables, array_double_1d work, int64_t index, double y, double aside, double shift);
 static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
 static inline int64_t side__clear_side(array_double_1d work, int64_t side);
+static inline int64_t side__begin_trial(array_double_1d work, bool filling, bool coarse, bool following);
 static inline void side__load_side(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed);
 static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, int64_t index, double force);
@@ -275,6 +294,7 @@ static inline bool vertical_load__is_load_met(array_double_1d work);
 static inline bool vertical_load__is_load_lost(array_double_1d work);
 static inline bool vertical_load__is_jump(array_double_1d work, int64_t support, double share);
 static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support);
+static inline bool vertical_load__is_doubtful(array_double_1d work, int64_t support, double share);
 static inline int64_t vertical_load__share_load(array_double_1d work);
 static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t support, double share);
 static inline double vertical_load__next_load(array_double_1d work, int64_t support, double share);
@@ -311,6 +331,22 @@ static OUT_OF_LINE double brackets__next_in_bracket(array_double_1d work, int64_
     return place;
 }
 
+/* Let both ends of the bracket be at ``place``, with this ``value``. */
+static OUT_OF_LINE int64_t brackets__open_bracket(array_double_1d work, int64_t bracket, double place, double value)
+{
+    AT(work, bracket + layout__BRACKET_LOW) = place;
+    AT(work, bracket + layout__BRACKET_HIGH) = place;
+    AT(work, bracket + layout__BRACKET_AT_LOW) = value;
+    AT(work, bracket + layout__BRACKET_AT_HIGH) = value;
+    return 0;
+}
+
+/* Whether a place lies between both ends of a bracket. */
+static OUT_OF_LINE bool brackets__is_within(array_double_1d work, int64_t bracket, double place)
+{
+    return place > AT(work, bracket + layout__BRACKET_LOW) && place < AT(work, bracket + layout__BRACKET_HIGH);
+}
+
 /* Let ``place`` be an end of the bracket: the low one if its ``value`` is positive, else the high one. */
 static OUT_OF_LINE int64_t brackets__narrow_bracket(array_double_1d work, int64_t bracket, double place, double value)
 {
@@ -342,7 +378,7 @@ static OUT_OF_LINE double brackets__carried_load(array_double_1d work, int64_t c
 }
 
 /* How much lower than ``height`` [m] a side carries ``force`` [N], with regions and nodes as they are
- * there [m]; whether they can carry it; and the outcome.
+ * there [m]; whether they can carry it; and the status.
  *
  * The nodes of a deep wheel may carry more than the force at every approach, or less; then what they carry
  * at ``height`` shows whether that is too low or too high, and the residual counts as the whole approach.
@@ -382,7 +418,7 @@ static OUT_OF_LINE void brackets__height_residual(double* residual_out, bool* sa
 }
 
 /* Find the height at which a side carries ``force`` [N] with regions and nodes as they
- * are just there; the outcome.
+ * are just there; the status.
  *
  * The residual is positive where the side is too high, negative where it is too low. Where its load jumps
  * past the force as it comes down, since a region comes or goes, the height of the jump is taken, with the
@@ -470,7 +506,7 @@ static OUT_OF_LINE int64_t brackets__flatter_side(array_double_1d work)
 
 /* Let side ``flat`` carry its load at ``roll``, and move the other one to this height;
  * how much lower the right one carries its load than the left one [m], whether both can carry
- * their loads, and the outcome.
+ * their loads, and the status.
  */
 static OUT_OF_LINE void brackets__roll_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat)
 {
@@ -500,11 +536,11 @@ static OUT_OF_LINE void brackets__roll_residual(double* residual_out, bool* sati
 }
 
 /* Let side ``flat`` carry ``flat_force`` [N], and move the other one to this height; how much lower the
- * other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the outcome.
+ * other one carries ``steep_force`` [N] [m], whether both can carry their loads, and the status.
  */
 static OUT_OF_LINE void brackets__level_residual(double* residual_out, bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t flat, double flat_force, double steep_force)
 {
-    int64_t status, outcome;
+    int64_t status, side_status;
     double height, residual;
     bool satisfied;
     status = brackets__bracket_height(tables, work, flat, flat_force);
@@ -516,15 +552,15 @@ static OUT_OF_LINE void brackets__level_residual(double* residual_out, bool* sat
         return;
     }
     height = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * flat + layout__SUPPORT_HEIGHT);
-    brackets__height_residual(&residual, &satisfied, &outcome, tables, work, 1 - flat, steep_force, height);
+    brackets__height_residual(&residual, &satisfied, &side_status, tables, work, 1 - flat, steep_force, height);
     AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * (1 - flat) + layout__SUPPORT_HEIGHT) = height;
-    status = int64_max(status, outcome);
+    status = int64_max(status, side_status);
     *residual_out = residual;
     *satisfied_out = satisfied;
     *status_out = status;
 }
 
-/* Bracket the roll in equilibrium by looking further and further from ``roll`` on; the outcome,
+/* Bracket the roll in equilibrium by looking further and further from ``roll`` on; the status,
  * NOT_CONVERGED if there is none within ROLL_LIMIT.
  */
 static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_double_1d work, double roll, double left, double right, int64_t flat)
@@ -537,10 +573,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_
     {
         return status;
     }
-    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = roll;
-    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = roll;
-    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = residual;
-    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = residual;
+    brackets__open_bracket(work, layout__WORK_ROLL_BRACKET, roll, residual);
     reach = brackets__FIRST_REACH;
     while (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) * AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) > 0.0)
     {
@@ -573,7 +606,7 @@ static OUT_OF_LINE int64_t brackets__enclose_roll(array_double_1d tables, array_
     return status;
 }
 
-/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome,
+/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status,
  * from the rigid ``roll``.
  */
 static OUT_OF_LINE void brackets__bracket_roll(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right)
@@ -638,7 +671,7 @@ static OUT_OF_LINE void brackets__bracket_roll(double* roll_out, int64_t* status
         {
             status = layout__NOT_CONVERGED;
         }
-        status = residuals__depth_outcome(work, status);
+        status = residuals__depth_status(work, status);
     }
     *roll_out = roll;
     *status_out = status;
@@ -651,11 +684,11 @@ static OUT_OF_LINE void brackets__bracket_roll(double* roll_out, int64_t* status
  * it is in its rail (prescribed_height.py), which may stand on springs (springs.py).
  */
 
-/* The requested sides of the wheelset at the height and roll of the inputs; the outcome. */
+/* The requested sides of the wheelset at the height and roll of the inputs; the status. */
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work)
 {
     double roll, height;
-    int64_t status, index, outcome;
+    int64_t status, index, side_status;
     roll = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL);
     height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
     rolled_rails__set_reference(work, height);
@@ -682,8 +715,8 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     {
         if (input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
-            outcome = compliant__load_standing(tables, work, index, height);
-            status = input_checks__counted_outcome(tables, index, status, outcome);
+            side_status = compliant__load_standing(tables, work, index, height);
+            status = input_checks__counted_outcome(tables, index, status, side_status);
         }
     }
     return status;
@@ -710,7 +743,7 @@ static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, arra
 }
 
 /* The load of a requested side at ``height`` [m], whose rail is rigid or has settled on its springs; its
- * outcome.
+ * status.
  */
 static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
@@ -722,7 +755,7 @@ static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, arra
 }
 
 /* A side of the wheelset that is solved, with its wheel turning at another rate: its rail on springs
- * settles again; the outcome.
+ * settles again; the status.
  */
 static OUT_OF_LINE int64_t compliant__turn_compliant(array_double_1d tables, array_double_1d work, int64_t index)
 {
@@ -741,7 +774,7 @@ static OUT_OF_LINE int64_t compliant__turn_compliant(array_double_1d tables, arr
     return status;
 }
 
-/* A side of the wheelset that is solved, whose rail settles on its springs from rest on; the outcome. */
+/* A side of the wheelset that is solved, whose rail settles on its springs from rest on; the status. */
 static OUT_OF_LINE int64_t compliant__equilibrate_anew(array_double_1d tables, array_double_1d work, int64_t index)
 {
     springs__rest_rail(tables, work, index);
@@ -754,7 +787,7 @@ static OUT_OF_LINE int64_t compliant__equilibrate_anew(array_double_1d tables, a
 }
 
 /* Let the rails of the sides ``first`` ... ``last`` that stand at a jump of their forces settle from rest on,
- * since with other creep forces they may stand elsewhere in balance; whether there were any, and the outcome.
+ * since with other creep forces they may stand elsewhere in balance; whether there were any, and the status.
  */
 static OUT_OF_LINE void compliant__leave_jumps(bool* left_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
 {
@@ -910,8 +943,7 @@ static OUT_OF_LINE bool depth_rates__displace(array_double_1d tables, array_doub
     height = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) + time * vertical;
     rolled_rails__set_reference(work, height);
     roll__place_both(work, tables, layout__WORK_DISPLACED, AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) + time * roll_rate);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)true;
+    side__begin_trial(work, false, false, true);
     found = true;
     for (index = 0; index < 2; index += 1)
     {
@@ -921,8 +953,7 @@ static OUT_OF_LINE bool depth_rates__displace(array_double_1d tables, array_doub
             found = residuals__balance_side(tables, work, index, force, height) <= layout__UNLOADED;
         }
     }
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
+    side__begin_trial(work, true, false, false);
     return found;
 }
 
@@ -1176,7 +1207,7 @@ static OUT_OF_LINE double distributed_power__own_share(array_double_1d work, int
  * nothing, brackets do (brackets.py).
  */
 
-/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
+/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status; outputs
  * are those of the two sides. Starts at the rigid ``roll``, whose smallest gaps are known.
  */
 static OUT_OF_LINE void elastic__solve_elastic(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right)
@@ -1204,9 +1235,7 @@ static OUT_OF_LINE void elastic__solve_elastic(double* roll_out, int64_t* status
         return;
     }
     elastic__iterate(&roll, &status, tables, work, roll, height, left, right);
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)false;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
+    side__begin_trial(work, true, false, false);
     if (status == layout__NOT_CONVERGED)
     {
         enclosing__enclose_equilibrium(&roll, &status, tables, work, AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_ROLL), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_HEIGHT), left, right);
@@ -1242,7 +1271,7 @@ static OUT_OF_LINE void elastic__first_estimate(double* height_out, double* move
     *move_out = move;
 }
 
-/* Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the outcome;
+/* Roll [rad] in equilibrium by Broyden's method from ``roll`` and ``height`` on, and the status;
  * NOT_CONVERGED where it finds nothing.
  */
 static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
@@ -1312,7 +1341,7 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
                     AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT) = height + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT);
                 }
                 *roll_out = roll + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) / arm;
-                *NOT_CONVERGED_out = residuals__depth_outcome(work, status);
+                *NOT_CONVERGED_out = residuals__depth_status(work, status);
                 return;
             }
             /* the same place again, with patches, or with the smaller gap that was found */
@@ -1422,20 +1451,26 @@ static OUT_OF_LINE void elastic__renewed(double* out_0, double* out_1, array_dou
 /* The move of height and roll that lets the residuals vanish; whether there is one. */
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate)
 {
-    double determinant;
-    determinant = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL);
+    double determinant, height, roll;
+    elastic__solve_residuals(&determinant, &height, &roll, work);
     if (!(fabs(determinant) > elastic__SINGULAR))
     {
         elastic__begin_derivatives(work, arm, rate);
-        determinant = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL);
+        elastic__solve_residuals(&determinant, &height, &roll, work);
         if (!(fabs(determinant) > elastic__SINGULAR))
         {
             return false;
         }
     }
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = (AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) / determinant;
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = (AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) / determinant;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = height;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = roll;
     return true;
+}
+
+/* Determinant of the residuals' derivatives [-], and the moves of height and roll that they ask for [m]. */
+static OUT_OF_LINE void elastic__solve_residuals(double* out_0, double* out_1, double* out_2, array_double_1d work)
+{
+    pair__solve_pair(out_0, out_1, out_2, AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL));
 }
 
 
@@ -1453,33 +1488,33 @@ static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, dou
  */
 
 /* Press both wheels at ``height`` [m]; whether both can carry ``left`` and ``right`` [N], and the
- * outcome. How much lower they do is in their supports.
+ * status. How much lower they do is in their supports.
  */
 static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height)
 {
     double residual;
     bool satisfied, also;
-    int64_t status, outcome;
+    int64_t status, side_status;
     AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_ROLL_COUNT) += 1.0;
     brackets__height_residual(&residual, &satisfied, &status, tables, work, 0, left, height);
     if (status <= layout__UNLOADED)
     {
-        brackets__height_residual(&residual, &also, &outcome, tables, work, 1, right, height);
+        brackets__height_residual(&residual, &also, &side_status, tables, work, 1, right, height);
         satisfied = satisfied && also;
-        status = int64_max(status, outcome);
+        status = int64_max(status, side_status);
     }
     *satisfied_out = satisfied;
     *status_out = status;
 }
 
-/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome, from
+/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status, from
  * ``roll`` and ``height`` on; NOT_CONVERGED where none is found.
  */
 static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
 {
     double rate, before, move, moved, lack_left, lack_right, apart, slope, lack, following, sink, share;
     int64_t trial, status, steady;
-    bool satisfied, near, enclosed, inside, cut;
+    bool satisfied, near, enclosed, inside, slow, cut, astray;
     rate = normal_contact__residual_rate(tables);
     before = 0.0;
     move = 0.0;
@@ -1522,20 +1557,23 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
         }
         following = roll - apart / slope;
         inside = following > AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) && following < AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
-        cut = near && (AT(work, layout__WORK_JUMP + layout__JUMP_FOUND) == 1.0 || !inside || fabs(apart) > enclosing__REDUCED * fabs(before));
+        slow = fabs(apart) > enclosing__REDUCED * fabs(before);
+        cut = near && (AT(work, layout__WORK_JUMP + layout__JUMP_FOUND) == 1.0 || !inside || slow);
+        astray = !near && move != 0.0 && slow;
         if (enclosed && cut)
         {
             following = enclosing__cut_bracket(tables, work, steady, left, right, roll, fabs(lack));
         }
-        else if (enclosed && !inside)
+        else if ((enclosed && !inside) || (astray && !enclosed))
         {
-            /* the same roll again, nearer to where the wheels carry their loads */
+            /* the same roll again, nearer to where the wheels carry their loads: Newton's method alternates */
+            /* between two rolls where it trusts D far from there */
             following = roll;
         }
         before = apart;
         move = penetrated__limited(following - roll, enclosing__LONGEST_MOVE / AT(tables, layout__TABLES_ARM));
         sink = lack + (double)(2 * steady - 1) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_LEVER) * move;
-        if (!enclosed)
+        if (!enclosed && !astray)
         {
             /* in one order for a wheelset and its mirror image */
             sink = 0.5 * (lack_left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) * move + (lack_right + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER) * move));
@@ -1553,7 +1591,7 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
             {
                 enclosing__set_heights(work, height + sink);
                 *roll_out = roll + move;
-                *NOT_CONVERGED_out = residuals__depth_outcome(work, status);
+                *NOT_CONVERGED_out = residuals__depth_status(work, status);
                 return;
             }
             enclosing__begin_cuts(work);
@@ -1665,7 +1703,7 @@ static OUT_OF_LINE double enclosing__slope_apart(array_double_1d work, double mo
 
 /* Stand at the jump that the bracket encloses, at the end at which the wheel that jumps carries no less
  * than its load, the one that is not ``steady``, or at the other end if it cannot; roll [rad] and
- * outcome.
+ * status.
  */
 static OUT_OF_LINE void enclosing__stand_at_jump(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t steady, double left, double right)
 {
@@ -1693,7 +1731,7 @@ static OUT_OF_LINE void enclosing__stand_at_jump(double* roll_out, int64_t* stat
 }
 
 /* Stand at the ``roll`` of one end of a jump, near ``height``, where the ``steady`` wheel carries its
- * load; the outcome.
+ * load; the status.
  */
 static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double height)
 {
@@ -1710,7 +1748,7 @@ static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array
         status = layout__NOT_CONVERGED;
     }
     enclosing__set_heights(work, height);
-    return residuals__depth_outcome(work, status);
+    return residuals__depth_status(work, status);
 }
 
 /* Both wheels carry their loads at ``height`` [m]. */
@@ -1927,6 +1965,17 @@ static inline int64_t forces__add_creep_force(array_double_1d work, int64_t moti
     AT(work, forces + layout__FORCES_FORCE + 0) += AT(work, patch + layout__PATCH_CREEP_X);
     AT(work, forces + layout__FORCES_FORCE + 1) += force_y + across;
     AT(work, forces + layout__FORCES_FORCE + 2) += force_z + down;
+    forces__turn_creep_force(work, motion, patch, moment_x, moment_y, moment_z, missing);
+    return 0;
+}
+
+/* Add to the forces of a patch the moment of its creep force about the wheelset's centre [N m], which is ``missing`` so
+ * much about the axle, and what else follows from that force.
+ */
+static inline int64_t forces__turn_creep_force(array_double_1d work, int64_t motion, int64_t patch, double moment_x, double moment_y, double moment_z, double missing)
+{
+    int64_t forces;
+    forces = patch + layout__PATCH_FORCES;
     AT(work, forces + layout__FORCES_MOMENT + 0) += moment_x + missing * AT(work, motion + layout__MOTION_AXLE_X);
     AT(work, forces + layout__FORCES_MOMENT + 1) += moment_y + missing * AT(work, motion + layout__MOTION_AXLE_Y);
     AT(work, forces + layout__FORCES_MOMENT + 2) += moment_z + missing * AT(work, motion + layout__MOTION_AXLE_Z);
@@ -1934,6 +1983,69 @@ static inline int64_t forces__add_creep_force(array_double_1d work, int64_t moti
     AT(work, forces + layout__FORCES_FRICTION_POWER) = -AT(work, patch + layout__PATCH_SPEED) * friction__creep_gain(work, patch);
     AT(work, forces + layout__FORCES_WEAR_NUMBER) = fabs(AT(work, patch + layout__PATCH_CREEP_X) * AT(work, patch + layout__PATCH_CREEPAGE_X)) + fabs(AT(work, patch + layout__PATCH_CREEP_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y));
     return 0;
+}
+
+/* Add the creep force of a patch on a rail that changes to its forces: as add_creep_force, with planes that lean
+ * along the track, too.
+ */
+static inline int64_t forces__add_leaning_force(array_double_1d work, int64_t motion, int64_t leaning, int64_t patch)
+{
+    int64_t forces, i, strip;
+    double rest_x, rest_y, turning, moment_x, moment_y, moment_z, missing, ahead, across, spinning, part_x, part_y, part_z, about;
+    forces = patch + layout__PATCH_FORCES;
+    rest_x = AT(work, patch + layout__PATCH_CREEP_X);
+    rest_y = AT(work, patch + layout__PATCH_CREEP_Y);
+    turning = AT(work, patch + layout__PATCH_CREEP_MOMENT);
+    moment_x = 0.0;
+    moment_y = 0.0;
+    moment_z = 0.0;
+    missing = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        ahead = AT(work, strip + layout__ROLLING_STRIP_FORCE_X) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        across = AT(work, strip + layout__ROLLING_STRIP_FORCE_Y) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        spinning = AT(work, strip + layout__ROLLING_STRIP_MOMENT) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        rest_x -= ahead;
+        rest_y -= across;
+        turning += AT(work, strip + layout__ROLLING_STRIP_Y) * ahead - spinning;
+        forces__add_traction(&part_x, &part_y, &part_z, &about, work, motion, leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * i, forces, ahead, across);
+        spinning -= AT(work, strip + layout__ROLLING_STRIP_X) * across;
+        moment_x += part_x + AT(work, leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * i + layout__LEANING_DOWN + 0) * spinning;
+        moment_y += part_y + AT(work, leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * i + layout__LEANING_DOWN + 1) * spinning;
+        moment_z += part_z + AT(work, leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * i + layout__LEANING_DOWN + 2) * spinning;
+        missing += (AT(work, strip + layout__ROLLING_STRIP_RADIUS_SHARE) - 1.0) * about;
+    }
+    forces__add_traction(&part_x, &part_y, &part_z, &about, work, motion, leaning + layout__LEANING_PATCH_OWN, forces, rest_x, rest_y);
+    moment_x += part_x + AT(work, leaning + layout__LEANING_PATCH_OWN + layout__LEANING_DOWN + 0) * turning;
+    moment_y += part_y + AT(work, leaning + layout__LEANING_PATCH_OWN + layout__LEANING_DOWN + 1) * turning;
+    moment_z += part_z + AT(work, leaning + layout__LEANING_PATCH_OWN + layout__LEANING_DOWN + 2) * turning;
+    missing += (AT(work, patch + layout__PATCH_RADIUS_SHARE) - 1.0) * about;
+    forces__turn_creep_force(work, motion, patch, moment_x, moment_y, moment_z, missing);
+    return 0;
+}
+
+/* Add a force in the plane of a place [N] to the ``forces`` of its patch; its moment about the wheelset's centre, and the
+ * part of that about the axle [N m].
+ */
+static inline void forces__add_traction(double* moment_x_out, double* moment_y_out, double* moment_z_out, double* out_3, array_double_1d work, int64_t motion, int64_t at, int64_t forces, double ahead, double across)
+{
+    double x, y, z, away_y, away_z, moment_x, moment_y, moment_z;
+    x = AT(work, at + layout__LEANING_AHEAD + 0) * ahead + AT(work, at + layout__LEANING_ASIDE + 0) * across;
+    y = AT(work, at + layout__LEANING_AHEAD + 1) * ahead + AT(work, at + layout__LEANING_ASIDE + 1) * across;
+    z = AT(work, at + layout__LEANING_AHEAD + 2) * ahead + AT(work, at + layout__LEANING_ASIDE + 2) * across;
+    AT(work, forces + layout__FORCES_FORCE + 0) += x;
+    AT(work, forces + layout__FORCES_FORCE + 1) += y;
+    AT(work, forces + layout__FORCES_FORCE + 2) += z;
+    away_y = AT(work, at + layout__LEANING_Y) - AT(work, motion + layout__MOTION_CENTRE_Y);
+    away_z = AT(work, at + layout__LEANING_Z) - AT(work, motion + layout__MOTION_CENTRE_Z);
+    moment_x = away_y * z - away_z * y;
+    moment_y = away_z * x - AT(work, at + layout__LEANING_X) * z;
+    moment_z = AT(work, at + layout__LEANING_X) * y - away_y * x;
+    *moment_x_out = moment_x;
+    *moment_y_out = moment_y;
+    *moment_z_out = moment_z;
+    *out_3 = forces__about_axle(work, motion, moment_x, moment_y, moment_z);
 }
 
 /* The part about the axle of a moment about the wheelset's centre. */
@@ -2023,22 +2135,22 @@ static inline bool free_rolling__turns_freely(array_double_1d tables, array_doub
  */
 static inline int64_t free_rolling__roll_freely(array_double_1d tables, array_double_1d work)
 {
-    int64_t status, index, outcome;
+    int64_t status, index, side_status;
     if (motion__are_independent(tables))
     {
         status = layout__VALID;
         for (index = 0; index < 2; index += 1)
         {
-            outcome = layout__VALID;
+            side_status = layout__VALID;
             if (input_checks__is_free(work, tables, layout__WORK_INPUTS, index))
             {
-                outcome = free_rolling__turn(tables, work, index, index);
+                side_status = free_rolling__turn(tables, work, index, index);
             }
             else
             {
                 free_rolling__solve_creep_at(tables, work, index, index, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE));
             }
-            status = int64_max(status, outcome);
+            status = int64_max(status, side_status);
         }
     }
     else
@@ -2054,11 +2166,11 @@ static inline int64_t free_rolling__roll_freely(array_double_1d tables, array_do
     return status;
 }
 
-/* Find the rotation of the wheels ``first`` ... ``last``, with their creep forces; the outcome. */
+/* Find the rotation of the wheels ``first`` ... ``last``, with their creep forces; the status. */
 static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
 {
     bool found, left;
-    int64_t status, outcome;
+    int64_t status, contact_status;
     double torque, start;
     found = free_rolling__open_turning(tables, work, first, last);
     if (!found)
@@ -2068,8 +2180,8 @@ static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d
         {
             status = layout__BEYOND_ADHESION;
         }
-        free_rolling__torque_at(&torque, &outcome, tables, work, first, last, free_rolling__nominal_rate(tables, work, first));
-        return int64_max(status, outcome);
+        free_rolling__torque_at(&torque, &contact_status, tables, work, first, last, free_rolling__nominal_rate(tables, work, first));
+        return int64_max(status, contact_status);
     }
     start = turning__stand_in_rate(work);
     if (AT(work, layout__WORK_TURNING + layout__TURNING_SOUGHT) == 1.0 && AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first) > AT(work, layout__WORK_TURNING + layout__TURNING_LOW) && AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first) < AT(work, layout__WORK_TURNING + layout__TURNING_HIGH))
@@ -2114,17 +2226,12 @@ static inline bool free_rolling__is_known_model(array_double_1d tables)
 /* Enclosure and stand-in of the wheels ``first`` ... ``last``; whether any friction turns them. */
 static inline bool free_rolling__open_turning(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
 {
-    int64_t index, side, number, patch, number_end, number_end_2;
+    int64_t index, side, number, patch, number_end;
     double middle;
     turning__begin_turning(work, input_checks__outer_torque(work, tables, layout__WORK_INPUTS, first), AT(work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
     for (index = first; index < last + 1; index += 1)
     {
-        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
-        for (number = 0; number < number_end; number += 1)
-        {
-            turning__enclose_rates(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
-        }
+        leaning_wheel__enclose_wheel(tables, work, index);
     }
     AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)0;
     middle = 0.5 * (AT(work, layout__WORK_TURNING + layout__TURNING_LOW) + AT(work, layout__WORK_TURNING + layout__TURNING_HIGH));
@@ -2132,11 +2239,15 @@ static inline bool free_rolling__open_turning(array_double_1d tables, array_doub
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = middle;
-        number_end_2 = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
-        for (number = 0; number < number_end_2; number += 1)
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
         {
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
             friction__set_friction(work, tables, patch, rolling_contact__side_friction(work, index), true);
+            if (AT(work, patch + layout__PATCH_HALF_WIDTH) > 0.0 && AT(work, patch + layout__PATCH_HALF_LENGTH) > 0.0)
+            {
+                leaning_wheel__move_one(tables, work, index, number);
+            }
             turning__add_stand_in(work, tables, side + layout__SIDE_SEARCH_MOTION, patch, AT(work, patch + layout__PATCH_FRICTION));
         }
     }
@@ -2146,11 +2257,11 @@ static inline bool free_rolling__open_turning(array_double_1d tables, array_doub
 }
 
 /* Torque of the creep forces about the axle [N m] of the wheels ``first`` ... ``last`` at ``rate``
- * [rad/s], and the outcome of their contact, which changes with it on springs.
+ * [rad/s], and the status of their contact, which changes with it on springs.
  */
 static inline void free_rolling__torque_at(double* out_0, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
 {
-    int64_t index, outcome;
+    int64_t index, status;
     for (index = first; index < last + 1; index += 1)
     {
         AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
@@ -2159,11 +2270,11 @@ static inline void free_rolling__torque_at(double* out_0, int64_t* VALID_out, ar
     {
         for (index = first; index < last + 1; index += 1)
         {
-            outcome = compliant__turn_compliant(tables, work, index);
-            if (outcome > layout__UNLOADED)
+            status = compliant__turn_compliant(tables, work, index);
+            if (status > layout__UNLOADED)
             {
                 *out_0 = 0.0;
-                *VALID_out = outcome;
+                *VALID_out = status;
                 return;
             }
         }
@@ -2185,13 +2296,13 @@ static inline double free_rolling__solve_creep_at(array_double_1d tables, array_
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
-        rolling_contact__move_side(work, tables, side);
+        leaning_wheel__move_wheel(tables, work, index);
         own = 0.0;
         rolling_contact__solve_wheel_creep(tables, work, index);
         number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
         for (number = 0; number < number_end; number += 1)
         {
-            forces__add_creep_force(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+            leaning_wheel__force_one(tables, work, index, number);
             own += AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
         }
         torque += own;
@@ -2199,7 +2310,7 @@ static inline double free_rolling__solve_creep_at(array_double_1d tables, array_
     return torque;
 }
 
-/* Seek the rate within the enclosure from ``start`` on; the outcome. */
+/* Seek the rate within the enclosure from ``start`` on; the status. */
 static inline int64_t free_rolling__seek(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start)
 {
     double rate, torque;
@@ -2227,7 +2338,7 @@ static inline int64_t free_rolling__seek(array_double_1d tables, array_double_1d
     return layout__NOT_CONVERGED;
 }
 
-/* Try a rate and keep its torque; the outcome of the contact. */
+/* Try a rate and keep its torque; the status of the contact. */
 static inline int64_t free_rolling__try_rate(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
 {
     double torque;
@@ -2241,7 +2352,7 @@ static inline int64_t free_rolling__try_rate(array_double_1d tables, array_doubl
     return status;
 }
 
-/* Seek the rate with falling friction, from the one with the friction of rest; the outcome. */
+/* Seek the rate with falling friction, from the one with the friction of rest; the status. */
 static inline int64_t free_rolling__seek_falling(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
 {
     double rate;
@@ -2255,7 +2366,7 @@ static inline int64_t free_rolling__seek_falling(array_double_1d tables, array_d
 }
 
 /* Seek the first rate beyond ``start`` at which falling friction carries a torque from outside; the
- * outcome, BEYOND_ADHESION where it carries less again.
+ * status, BEYOND_ADHESION where it carries less again.
  */
 static inline int64_t free_rolling__leave_rest(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start)
 {
@@ -2309,7 +2420,7 @@ static inline int64_t free_rolling__leave_rest(array_double_1d tables, array_dou
     return layout__NOT_CONVERGED;
 }
 
-/* Seek the rate between two that leave torques of opposite signs; the outcome. */
+/* Seek the rate between two that leave torques of opposite signs; the status. */
 static inline int64_t free_rolling__seek_between(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double one, double other)
 {
     AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = double_min(one, other);
@@ -2320,7 +2431,7 @@ static inline int64_t free_rolling__seek_between(array_double_1d tables, array_d
 }
 
 /* Seek the largest torque that falling friction carries, between two rates around it, by thirds: where it
- * is enough, the rate before it; the outcome.
+ * is enough, the rate before it; the status.
  */
 static inline int64_t free_rolling__seek_peak(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double near, double far)
 {
@@ -2484,35 +2595,35 @@ static inline bool input_checks__is_needed(array_double_1d work, array_double_1d
     return needed;
 }
 
-/* ``status`` with the ``outcome`` of side ``index``; a wheel that is needed and not requested may be
+/* ``status`` with the ``side_status`` of side ``index``; a wheel that is needed and not requested may be
  * without load.
  */
-static inline int64_t input_checks__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t outcome)
+static inline int64_t input_checks__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t side_status)
 {
     int64_t counted;
     counted = status;
-    if (outcome > layout__UNLOADED || input_checks__is_requested(tables, index))
+    if (side_status > layout__UNLOADED || input_checks__is_requested(tables, index))
     {
-        counted = int64_max(status, outcome);
+        counted = int64_max(status, side_status);
     }
     return counted;
 }
 
-/* The outcome of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
+/* The status of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
  * without load.
  */
-static inline int64_t input_checks__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status)
+static inline int64_t input_checks__requested_status(array_double_1d tables, array_double_1d work, int64_t status)
 {
-    int64_t outcome;
-    outcome = status;
+    int64_t requested;
+    requested = status;
     if (status == layout__UNLOADED && (int64_t)AT(tables, layout__TABLES_SIDES) != layout__SIDES_BOTH)
     {
         if (input_checks__side_force(work, (int64_t)AT(tables, layout__TABLES_SIDES) - layout__SIDES_LEFT) > 0.0)
         {
-            outcome = layout__VALID;
+            requested = layout__VALID;
         }
     }
-    return outcome;
+    return requested;
 }
 
 /* Whether the rotation of the wheel of side ``index`` follows from the torque on it, where creep forces
@@ -2681,7 +2792,7 @@ static OUT_OF_LINE int64_t jumps__narrow_jump(array_double_1d tables, array_doub
 {
     double near, far, lost, step, share;
     bool jumps;
-    int64_t i, outcome;
+    int64_t i, compared;
     near = 0.0;
     far = 1.0;
     lost = 1.0;
@@ -2697,18 +2808,18 @@ static OUT_OF_LINE int64_t jumps__narrow_jump(array_double_1d tables, array_doub
         roll__turn_both(work, AT(work, layout__WORK_JUMP + layout__JUMP_ROLL) + share * AT(work, layout__WORK_JUMP + layout__JUMP_TURN));
         if ((int64_t)AT(work, layout__WORK_JUMP + layout__JUMP_PATTERN) >= 0)
         {
-            outcome = jumps__compare_pattern(tables, work, index, AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT) + share * AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB));
+            compared = jumps__compare_pattern(tables, work, index, AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT) + share * AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB));
         }
         else
         {
-            outcome = jumps__compare_load(tables, work, index, force, AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT) + share * AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB));
+            compared = jumps__compare_load(tables, work, index, force, AT(work, layout__WORK_JUMP + layout__JUMP_HEIGHT) + share * AT(work, layout__WORK_JUMP + layout__JUMP_CLIMB));
         }
-        if (outcome == jumps__LOST)
+        if (compared == jumps__LOST)
         {
             lost = share;
             step *= 0.5;
         }
-        else if (outcome == jumps__SAME)
+        else if (compared == jumps__SAME)
         {
             near = share;
             step = far - near;
@@ -2742,19 +2853,19 @@ static OUT_OF_LINE int64_t jumps__narrow_jump(array_double_1d tables, array_doub
  */
 static OUT_OF_LINE int64_t jumps__compare_pattern(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    int64_t pair, outcome;
+    int64_t pair, compared;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     if (penetration_maxima__follow_overlaps(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_CHANGING, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE, height) == 0)
     {
         return jumps__LOST;
     }
-    outcome = jumps__OTHER;
+    compared = jumps__OTHER;
     if (penetration_maxima__region_pattern(work, (int64_t)AT(tables, layout__TABLES_NORMAL_MODEL) == layout__MODEL_HERTZ) == (int64_t)AT(work, layout__WORK_JUMP + layout__JUMP_PATTERN))
     {
-        outcome = jumps__SAME;
+        compared = jumps__SAME;
         penetration_maxima__keep_points(work, layout__WORK_CONTACT + layout__CONTACT_CHANGING);
     }
-    return outcome;
+    return compared;
 }
 
 /* Whether side ``index`` carries more than ``force`` [N] at ``height`` [m], or less, as at the first end
@@ -2762,7 +2873,7 @@ static OUT_OF_LINE int64_t jumps__compare_pattern(array_double_1d tables, array_
  */
 static OUT_OF_LINE int64_t jumps__compare_load(array_double_1d tables, array_double_1d work, int64_t index, double force, double height)
 {
-    int64_t outcome;
+    int64_t compared;
     if (!roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index))
     {
         return jumps__LOST;
@@ -2771,12 +2882,101 @@ static OUT_OF_LINE int64_t jumps__compare_load(array_double_1d tables, array_dou
     {
         return jumps__LOST;
     }
-    outcome = jumps__OTHER;
+    compared = jumps__OTHER;
     if (AT(work, layout__WORK_JUMP + layout__JUMP_SIGN) * (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_HEIGHT) - height) > 0.0)
     {
-        outcome = jumps__SAME;
+        compared = jumps__SAME;
     }
-    return outcome;
+    return compared;
+}
+
+
+/* ---- From wheelset/leaning_wheel.py; change that one.
+ *
+ * Creepages and creep forces of the patches of one wheel, whose rail may change along the track (creep/leaning.py).
+ */
+
+/* Where the places of contact of patch ``number`` of side ``index`` are. */
+static inline int64_t leaning_wheel__leaning_place(int64_t index, int64_t number)
+{
+    return layout__SOLVED_PATCH_LIMIT * index + number;
+}
+
+/* Creepages of the patches of side ``index``, whose motion is known, and of their strips. */
+static inline int64_t leaning_wheel__move_wheel(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    int64_t side, number, patch, leaning, number_end;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    if (!(AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_CHANGING) == 1.0))
+    {
+        rolling_contact__move_side(work, tables, side);
+        return 0;
+    }
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        leaning = layout__WORK_LEANING + layout__LEANING_PATCH_SIZE * leaning_wheel__leaning_place(index, number);
+        leaning__move_leaning_patch(work, side + layout__SIDE_SEARCH_MOTION, leaning, patch);
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE)
+        {
+            leaning__move_leaning_strips(work, side + layout__SIDE_SEARCH_MOTION, leaning, patch);
+        }
+    }
+    return 0;
+}
+
+/* Let the enclosure of the rotation hold the rates of all strips of side ``index``. */
+static inline int64_t leaning_wheel__enclose_wheel(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    int64_t side, number, leaning, number_end;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        if (AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_CHANGING) == 1.0)
+        {
+            leaning = layout__WORK_LEANING + layout__LEANING_PATCH_SIZE * leaning_wheel__leaning_place(index, number);
+            leaning__enclose_leaning_rates(work, side + layout__SIDE_SEARCH_MOTION, leaning, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+        }
+        else
+        {
+            turning__enclose_rates(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+        }
+    }
+    return 0;
+}
+
+/* Creepages of patch ``number`` of side ``index``, but not of its strips. */
+static inline int64_t leaning_wheel__move_one(array_double_1d tables, array_double_1d work, int64_t index, int64_t number)
+{
+    int64_t side;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    if (AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_CHANGING) == 1.0)
+    {
+        leaning__move_leaning_patch(work, side + layout__SIDE_SEARCH_MOTION, layout__WORK_LEANING + layout__LEANING_PATCH_SIZE * leaning_wheel__leaning_place(index, number), side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+    }
+    else
+    {
+        creepage__move_patch(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+    }
+    return 0;
+}
+
+/* Add the creep force of patch ``number`` of side ``index`` to its forces. */
+static inline int64_t leaning_wheel__force_one(array_double_1d tables, array_double_1d work, int64_t index, int64_t number)
+{
+    int64_t side;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    if (AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_CHANGING) == 1.0)
+    {
+        forces__add_leaning_force(work, side + layout__SIDE_SEARCH_MOTION, layout__WORK_LEANING + layout__LEANING_PATCH_SIZE * leaning_wheel__leaning_place(index, number), side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+    }
+    else
+    {
+        forces__add_creep_force(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+    }
+    return 0;
 }
 
 
@@ -2814,7 +3014,7 @@ static OUT_OF_LINE bool prescribed_height__search_near(array_double_1d tables, a
 }
 
 /* The load of a side whose wheelset has the vertical shift ``height`` [m], if it is requested; its
- * outcome, UNLOADED if lifted.
+ * status, UNLOADED if lifted.
  */
 static OUT_OF_LINE int64_t prescribed_height__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
@@ -2860,12 +3060,18 @@ static OUT_OF_LINE int64_t prescribed_height__damp_patches(array_double_1d work,
     for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        factor = double_max(1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch), 0.0);
+        factor = prescribed_height__damping_factor(tables, creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch));
         AT(work, patch + layout__PATCH_DAMPING_POWER) = (factor - 1.0) * prescribed_height__pressing_power(work, side + layout__SIDE_SEARCH_MOTION, patch);
         prescribed_height__damp_patch(work, patch, factor);
     }
     filling__total_patches(work, side);
     return 0;
+}
+
+/* What the force of a patch is multiplied by whose wheel and rail ``approach`` each other [m/s]. */
+static OUT_OF_LINE double prescribed_height__damping_factor(array_double_1d tables, double approach)
+{
+    return double_max(1.0 + AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING) * approach, 0.0);
 }
 
 /* Power [W] that the pressures of a patch take from the motion of wheel and rail towards each other, all
@@ -2889,6 +3095,7 @@ static OUT_OF_LINE int64_t prescribed_height__damp_patch(array_double_1d work, i
     int64_t i, strip;
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) *= factor;
     AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT) *= factor;
+    AT(work, patch + layout__PATCH_NORMAL_X) *= factor;
     AT(work, patch + layout__PATCH_NORMAL_Y) *= factor;
     AT(work, patch + layout__PATCH_NORMAL_Z) *= factor;
     for (i = 0; i < 3; i += 1)
@@ -2912,7 +3119,7 @@ static OUT_OF_LINE int64_t prescribed_height__damp_patch(array_double_1d work, i
  */
 
 /* Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose
- * smallest gap is known; the outcome.
+ * smallest gap is known; the status.
  */
 static OUT_OF_LINE int64_t rail_deflection__equilibrate_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
@@ -2948,24 +3155,24 @@ static OUT_OF_LINE int64_t rail_deflection__equilibrate_rail(array_double_1d tab
 /* Keep how a rail that has settled follows its forces, and whether they balance. */
 static OUT_OF_LINE int64_t rail_deflection__keep_slopes(array_double_1d work, int64_t index)
 {
-    int64_t settled;
+    int64_t settled, i_1;
     settled = layout__WORK_SETTLED + layout__BALANCED_RAIL_SIZE * index;
     AT(work, settled + layout__BALANCED_RAIL_STANDING) = (double)(!springs__is_balanced(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED));
-    AT(work, settled + layout__BALANCED_RAIL_LATERAL_LATERAL) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL);
-    AT(work, settled + layout__BALANCED_RAIL_LATERAL_VERTICAL) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL);
-    AT(work, settled + layout__BALANCED_RAIL_VERTICAL_LATERAL) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL);
-    AT(work, settled + layout__BALANCED_RAIL_VERTICAL_VERTICAL) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL);
+    for (i_1 = 0; i_1 < layout__RAIL_SLOPES_SIZE; i_1 += 1)
+    {
+        AT(work, settled + layout__BALANCED_RAIL_SLOPES + i_1) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + i_1);
+    }
     return 0;
 }
 
 /* Let the rail of a side settle from where it has settled in this step, since its wheel turns at another
- * rate; the outcome, NOT_CONVERGED where it has to settle from rest on.
+ * rate; the status, NOT_CONVERGED where it has to settle from rest on.
  *
  * A rail that stands at a jump of the forces stays there (``leave_jumps``).
  */
 static OUT_OF_LINE int64_t rail_deflection__equilibrate_again(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    int64_t settled, deflection, status;
+    int64_t settled, deflection, i_1, status;
     settled = layout__WORK_SETTLED + layout__BALANCED_RAIL_SIZE * index;
     deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
     springs__open_equilibrium(tables, work, index);
@@ -2977,10 +3184,10 @@ static OUT_OF_LINE int64_t rail_deflection__equilibrate_again(array_double_1d ta
     {
         return rail_deflection_brackets__press_rail(tables, work, index, height, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL));
     }
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) = AT(work, settled + layout__BALANCED_RAIL_LATERAL_LATERAL);
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) = AT(work, settled + layout__BALANCED_RAIL_LATERAL_VERTICAL);
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) = AT(work, settled + layout__BALANCED_RAIL_VERTICAL_LATERAL);
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) = AT(work, settled + layout__BALANCED_RAIL_VERTICAL_VERTICAL);
+    for (i_1 = 0; i_1 < layout__RAIL_SLOPES_SIZE; i_1 += 1)
+    {
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + i_1) = AT(work, settled + layout__BALANCED_RAIL_SLOPES + i_1);
+    }
     status = rail_deflection__iterate_deflection(tables, work, index, height, AT(work, deflection + layout__DEFLECTION_LATERAL), AT(work, deflection + layout__DEFLECTION_VERTICAL), rail_deflection__AGAIN_TRIALS);
     if (status <= layout__UNLOADED)
     {
@@ -3072,7 +3279,7 @@ static OUT_OF_LINE void rail_deflection__one_contact(double* out_0, double* out_
     *out_1 = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST) + down * force;
 }
 
-/* Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the outcome,
+/* Settle the rail of a side by Broyden's method from ``lateral`` and ``vertical`` [m] on; the status,
  * NOT_CONVERGED where so many ``trials`` find nothing.  Fewer begin with the derivatives that are known.
  */
 static OUT_OF_LINE int64_t rail_deflection__iterate_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical, int64_t trials)
@@ -3148,7 +3355,7 @@ static OUT_OF_LINE bool rail_deflection_brackets__stand_on(array_double_1d table
     return smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side, known);
 }
 
-/* The side with its rail deflected: its load, and the residuals; the outcome. */
+/* The side with its rail deflected: its load, and the residuals; the status. */
 static OUT_OF_LINE int64_t rail_deflection_brackets__press_rail(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical)
 {
     if (!rail_deflection_brackets__stand_on(tables, work, index, lateral, vertical))
@@ -3220,7 +3427,7 @@ static OUT_OF_LINE double rail_deflection_brackets__corrected_slope(double slope
 }
 
 /* Let the rail of a side with this ``lateral`` deflection [m] settle vertically, by Newton's method from
- * where it stands, within a bracket that is halved where a step has not halved the residual; the outcome.
+ * where it stands, within a bracket that is halved where a step has not halved the residual; the status.
  *
  * exact : else the vertical residual that is left, or what the width of a jump leaves open, is small against
  *     the lateral residual.
@@ -3239,7 +3446,7 @@ static OUT_OF_LINE int64_t rail_deflection_brackets__bracket_vertical(array_doub
     }
     lowest = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW);
     vertical = near;
-    if (!(near > lowest && near < AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH)))
+    if (!brackets__is_within(work, layout__WORK_HEIGHT_BRACKET, near))
     {
         stiffness = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
         touching = AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST);
@@ -3293,7 +3500,7 @@ static OUT_OF_LINE int64_t rail_deflection_brackets__bracket_vertical(array_doub
             }
             following = double_max(following, lowest);
         }
-        else if (slow || !rail_deflection_brackets__is_within(work, layout__WORK_HEIGHT_BRACKET, following))
+        else if (slow || !brackets__is_within(work, layout__WORK_HEIGHT_BRACKET, following))
         {
             following = brackets__next_in_bracket(work, layout__WORK_HEIGHT_BRACKET, (int64_t)(AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) > rail_deflection_brackets__REDUCED * width));
         }
@@ -3309,23 +3516,14 @@ static OUT_OF_LINE int64_t rail_deflection_brackets__bracket_vertical(array_doub
     return status;
 }
 
-/* Whether a place lies between both ends of a bracket. */
-static OUT_OF_LINE bool rail_deflection_brackets__is_within(array_double_1d work, int64_t bracket, double place)
-{
-    return place > AT(work, bracket + layout__BRACKET_LOW) && place < AT(work, bracket + layout__BRACKET_HIGH);
-}
-
 /* Bracket the vertical deflection of a rail with this ``lateral`` one [m]: from where its wheel just
- * touches it down to where it is deepest; VALID, or the outcome if no vertical one is sought.
+ * touches it down to where it is deepest; VALID, or the status if no vertical one is sought.
  */
 static OUT_OF_LINE int64_t rail_deflection_brackets__open_vertical(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral)
 {
     double rest, approach;
     rest = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_REST);
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) = rest;
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH) = rest;
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_LOW) = 0.0;
-    AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_AT_HIGH) = 0.0;
+    brackets__open_bracket(work, layout__WORK_HEIGHT_BRACKET, rest, 0.0);
     approach = 0.0;
     if (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) > 0.0)
     {
@@ -3381,12 +3579,12 @@ static OUT_OF_LINE bool rail_deflection_brackets__ends_at_jump(array_double_1d w
     return AT(work, bracket + layout__BRACKET_AT_LOW) > 0.0 && AT(work, bracket + layout__BRACKET_AT_LOW) - AT(work, bracket + layout__BRACKET_AT_HIGH) > rail_deflection_brackets__STEEPEST_CONTACT * width;
 }
 
-/* Let a vertical deflection be an end of the bracket if it lies within; the outcome. */
+/* Let a vertical deflection be an end of the bracket if it lies within; the status. */
 static OUT_OF_LINE int64_t rail_deflection_brackets__narrow_beside(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical)
 {
     int64_t status;
     status = layout__UNLOADED;
-    if (vertical > AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_LOW) && vertical < AT(work, layout__WORK_HEIGHT_BRACKET + layout__BRACKET_HIGH))
+    if (brackets__is_within(work, layout__WORK_HEIGHT_BRACKET, vertical))
     {
         status = rail_deflection_brackets__press_rail(tables, work, index, height, lateral, vertical);
         if (status <= layout__UNLOADED)
@@ -3397,7 +3595,7 @@ static OUT_OF_LINE int64_t rail_deflection_brackets__narrow_beside(array_double_
     return status;
 }
 
-/* Let the rail of a side settle; the outcome. */
+/* Let the rail of a side settle; the status. */
 static OUT_OF_LINE int64_t rail_deflection_brackets__bracket_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
     double lateral, reach;
@@ -3410,10 +3608,7 @@ static OUT_OF_LINE int64_t rail_deflection_brackets__bracket_rail(array_double_1
     {
         return status;
     }
-    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = lateral;
-    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = lateral;
-    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = -AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL);
-    AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = -AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL);
+    brackets__open_bracket(work, layout__WORK_ROLL_BRACKET, lateral, -AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL));
     reach = rail_deflection_brackets__NEAR_END;
     if (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) > 0.0)
     {
@@ -3441,7 +3636,7 @@ static OUT_OF_LINE int64_t rail_deflection_brackets__bracket_rail(array_double_1
     return rail_deflection_brackets__narrow_lateral(tables, work, index, height);
 }
 
-/* Let the rail of a side settle within the bracket of its lateral deflection; the outcome. */
+/* Let the rail of a side settle within the bracket of its lateral deflection; the status. */
 static OUT_OF_LINE int64_t rail_deflection_brackets__narrow_lateral(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
     int64_t deflection, i, status;
@@ -3478,7 +3673,7 @@ static OUT_OF_LINE int64_t rail_deflection_brackets__narrow_lateral(array_double
         if (i > 0 && fabs(residual) < rail_deflection_brackets__REDUCED * fabs(before))
         {
             secant = lateral - residual * (lateral - place) / (residual - before);
-            if (rail_deflection_brackets__is_within(work, layout__WORK_ROLL_BRACKET, secant))
+            if (brackets__is_within(work, layout__WORK_ROLL_BRACKET, secant))
             {
                 following = secant;
             }
@@ -3508,7 +3703,7 @@ static OUT_OF_LINE int64_t rail_deflection_brackets__narrow_lateral(array_double
  * the place.
  */
 
-/* Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where nothing is
+/* Let the rail of a side settle from where it stands; the status, NOT_CONVERGED where nothing is
  * found.
  */
 static OUT_OF_LINE int64_t rail_deflection_enclosing__enclose_deflection(array_double_1d tables, array_double_1d work, int64_t index, double height)
@@ -3590,7 +3785,7 @@ static OUT_OF_LINE int64_t rail_deflection_enclosing__shorten_move(array_double_
     return 0;
 }
 
-/* Let the rail down until the wheel just touches it; the outcome. */
+/* Let the rail down until the wheel just touches it; the status. */
 static OUT_OF_LINE int64_t rail_deflection_enclosing__let_down(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
     double vertical;
@@ -3719,7 +3914,7 @@ static OUT_OF_LINE bool rail_deflection_enclosing__is_at_jump(array_double_1d wo
 }
 
 /* Stand on the side of a jump on which the wheel's force is nearer to that of the springs; the
- * outcome.
+ * status.
  */
 static OUT_OF_LINE int64_t rail_deflection_enclosing__stand_nearer(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
@@ -3736,7 +3931,7 @@ static OUT_OF_LINE int64_t rail_deflection_enclosing__stand_nearer(array_double_
     return rail_deflection_brackets__press_rail(tables, work, index, height, AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_ONE + layout__TRIED_DEFLECTION_LATERAL), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_ONE + layout__TRIED_DEFLECTION_VERTICAL));
 }
 
-/* Move the rail, less far where its wheel would stand too deep; the outcome. */
+/* Move the rail, less far where its wheel would stand too deep; the status. */
 static OUT_OF_LINE int64_t rail_deflection_enclosing__move_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
     int64_t deflection, status, i;
@@ -3768,7 +3963,7 @@ static OUT_OF_LINE int64_t rail_deflection_enclosing__move_rail(array_double_1d 
  * The derivatives of Broyden's method begin without how the normal turns as the contact goes along.
  */
 
-/* Let the rail of a side settle from where it stands; the outcome, NOT_CONVERGED where no part of a move
+/* Let the rail of a side settle from where it stands; the status, NOT_CONVERGED where no part of a move
  * reduces what is left.
  */
 static OUT_OF_LINE int64_t rail_deflection_newton__approach_balance(array_double_1d tables, array_double_1d work, int64_t index, double height)
@@ -3824,7 +4019,7 @@ static OUT_OF_LINE int64_t rail_deflection_newton__approach_balance(array_double
 }
 
 /* Move the rail from ``lateral`` and ``vertical`` [m], and less far until this reduces the residuals; the
- * outcome.
+ * status.
  */
 static OUT_OF_LINE int64_t rail_deflection_newton__move_part(array_double_1d tables, array_double_1d work, int64_t index, double height, double lateral, double vertical)
 {
@@ -3860,15 +4055,15 @@ static OUT_OF_LINE bool rail_deflection_newton__difference_slopes(array_double_1
     {
         status = rail_deflection_brackets__press_rail(tables, work, index, height, lateral + rail_deflection_newton__DIFFERENCE, vertical);
         found = status <= layout__UNLOADED;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - left_lateral) / rail_deflection_newton__DIFFERENCE;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - left_vertical) / rail_deflection_newton__DIFFERENCE;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_LATERAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - left_lateral) / rail_deflection_newton__DIFFERENCE;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_LATERAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - left_vertical) / rail_deflection_newton__DIFFERENCE;
     }
     if (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) > 0.0)
     {
         status = rail_deflection_brackets__press_rail(tables, work, index, height, lateral, vertical + rail_deflection_newton__DIFFERENCE);
         found = found && status <= layout__UNLOADED;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - left_lateral) / rail_deflection_newton__DIFFERENCE;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - left_vertical) / rail_deflection_newton__DIFFERENCE;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_VERTICAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - left_lateral) / rail_deflection_newton__DIFFERENCE;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_VERTICAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - left_vertical) / rail_deflection_newton__DIFFERENCE;
     }
     rail_deflection_slopes__hold_rigid(work);
     AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) = left_lateral;
@@ -3890,10 +4085,10 @@ static OUT_OF_LINE int64_t rail_deflection_slopes__begin_slopes(array_double_1d 
     int64_t side, number, patch, force, number_end;
     double stiffness;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS);
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) = 0.0;
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) = 0.0;
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_LATERAL) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS);
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_VERTICAL) = 0.0;
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_LATERAL) = 0.0;
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_VERTICAL) = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
     number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
     for (number = 0; number < number_end; number += 1)
     {
@@ -3902,10 +4097,10 @@ static OUT_OF_LINE int64_t rail_deflection_slopes__begin_slopes(array_double_1d 
         {
             stiffness = rail_deflection_slopes__GROWTH / (AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_PENETRATION));
             force = patch + layout__PATCH_FORCES + layout__FORCES_FORCE;
-            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Y);
-            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Z);
-            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Y);
-            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Z);
+            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_LATERAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Y);
+            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_VERTICAL) += stiffness * AT(work, force + 1) * AT(work, patch + layout__PATCH_NORMAL_Z);
+            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_LATERAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Y);
+            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_VERTICAL) += stiffness * AT(work, force + 2) * AT(work, patch + layout__PATCH_NORMAL_Z);
         }
     }
     if (AT(work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP) > 0.0 && (prescribed_height__is_damped(tables) || input_checks__has_creep_forces(tables, work)))
@@ -3921,13 +4116,13 @@ static OUT_OF_LINE int64_t rail_deflection_slopes__hold_rigid(array_double_1d wo
 {
     if (!(AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) > 0.0))
     {
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) = 1.0;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) = 0.0;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_LATERAL) = 1.0;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_VERTICAL) = 0.0;
     }
     if (!(AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS) > 0.0))
     {
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) = 0.0;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) = 1.0;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_LATERAL) = 0.0;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_VERTICAL) = 1.0;
     }
     return 0;
 }
@@ -3954,8 +4149,8 @@ static OUT_OF_LINE int64_t rail_deflection_slopes__add_rates(array_double_1d tab
         AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) += step;
         if (rail_deflection_slopes__weigh_anew(tables, work, index, height))
         {
-            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) += (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - lateral) * over;
-            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) += (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - vertical) * over;
+            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_LATERAL) += (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - lateral) * over;
+            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_LATERAL) += (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - vertical) * over;
         }
         AT(work, deflection + layout__DEFLECTION_LATERAL_RATE) -= step;
     }
@@ -3964,8 +4159,8 @@ static OUT_OF_LINE int64_t rail_deflection_slopes__add_rates(array_double_1d tab
         AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) += step;
         if (rail_deflection_slopes__weigh_anew(tables, work, index, height))
         {
-            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) += (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - lateral) * over;
-            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) += (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - vertical) * over;
+            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_VERTICAL) += (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - lateral) * over;
+            AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_VERTICAL) += (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - vertical) * over;
         }
         AT(work, deflection + layout__DEFLECTION_VERTICAL_RATE) -= step;
     }
@@ -3983,7 +4178,7 @@ static OUT_OF_LINE bool rail_deflection_slopes__weigh_anew(array_double_1d table
 /* The move that lets both residuals vanish; whether there is one. */
 static OUT_OF_LINE bool rail_deflection_slopes__find_equilibrium_of_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
-    double least, determinant;
+    double least, determinant, lateral, vertical;
     least = rail_deflection_slopes__SINGULAR_SPRINGS;
     if (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_STIFFNESS) > 0.0)
     {
@@ -3993,19 +4188,27 @@ static OUT_OF_LINE bool rail_deflection_slopes__find_equilibrium_of_rail(array_d
     {
         least *= AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_STIFFNESS);
     }
-    determinant = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) * AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) * AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL);
+    rail_deflection_slopes__solve_deflections(&determinant, &lateral, &vertical, work);
     if (!(determinant > least))
     {
         rail_deflection_slopes__begin_slopes(tables, work, index, height);
-        determinant = AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) * AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) * AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL);
+        rail_deflection_slopes__solve_deflections(&determinant, &lateral, &vertical, work);
         if (!(determinant > least))
         {
             return false;
         }
     }
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_MOVE_LATERAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) * AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) * AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL)) / determinant;
-    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_MOVE_VERTICAL) = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) * AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) * AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL)) / determinant;
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_MOVE_LATERAL) = lateral;
+    AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_MOVE_VERTICAL) = vertical;
     return true;
+}
+
+/* Determinant of the residuals' derivatives [N^2/m^2], and the moves of both deflections that they ask for
+ * [m].
+ */
+static OUT_OF_LINE void rail_deflection_slopes__solve_deflections(double* out_0, double* out_1, double* out_2, array_double_1d work)
+{
+    pair__solve_pair(out_0, out_1, out_2, AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_LATERAL), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_VERTICAL), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_LATERAL), AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_VERTICAL));
 }
 
 /* The derivatives that the last move has shown (Broyden 1965). */
@@ -4017,12 +4220,12 @@ static OUT_OF_LINE int64_t rail_deflection_slopes__update_slopes(array_double_1d
     size = lateral * lateral + vertical * vertical;
     if (size > 0.0)
     {
-        off_lateral = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - before_lateral - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) * lateral - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) * vertical) / size;
-        off_vertical = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - before_vertical - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) * lateral - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) * vertical) / size;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_LATERAL) += off_lateral * lateral;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL_VERTICAL) += off_lateral * vertical;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_LATERAL) += off_vertical * lateral;
-        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL_VERTICAL) += off_vertical * vertical;
+        off_lateral = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_LATERAL) - before_lateral - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_LATERAL) * lateral - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_VERTICAL) * vertical) / size;
+        off_vertical = (AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_VERTICAL) - before_vertical - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_LATERAL) * lateral - AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_VERTICAL) * vertical) / size;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_LATERAL) += off_lateral * lateral;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_LATERAL_VERTICAL) += off_lateral * vertical;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_LATERAL) += off_vertical * lateral;
+        AT(work, layout__WORK_EQUILIBRIUM + layout__RAIL_EQUILIBRIUM_SLOPES + layout__RAIL_SLOPES_VERTICAL_VERTICAL) += off_vertical * vertical;
     }
     return 0;
 }
@@ -4462,7 +4665,7 @@ static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t
  * vanishes in equilibrium.
  */
 
-/* Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the outcome. */
+/* Estimate how far a wheel under ``force`` [N] comes down below its smallest gap; the status. */
 static OUT_OF_LINE int64_t residuals__estimate_approach(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
     int64_t pair, support, status;
@@ -4492,7 +4695,7 @@ static OUT_OF_LINE double residuals__permitted_approach(array_double_1d work, in
 }
 
 /* Find the height at which a side carries ``force`` [N], with regions and nodes as they are at ``height``
- * [m]; its outcome. Patches are those of the side under this force.
+ * [m]; its status. Patches are those of the side under this force.
  */
 static OUT_OF_LINE int64_t residuals__balance_side(array_double_1d tables, array_double_1d work, int64_t index, double force, double height)
 {
@@ -4518,17 +4721,17 @@ static OUT_OF_LINE int64_t residuals__balance_side(array_double_1d tables, array
     return status;
 }
 
-/* ``balance_side`` for both, under ``left`` and ``right`` [N]; the worse outcome. */
+/* ``balance_side`` for both, under ``left`` and ``right`` [N]; the worse status. */
 static OUT_OF_LINE int64_t residuals__balance_both(array_double_1d tables, array_double_1d work, double left, double right, double height)
 {
-    int64_t status, outcome;
+    int64_t status, side_status;
     AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_ROLL_COUNT) += 1.0;
     AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_TRIALS) += 1.0;
     status = residuals__balance_side(tables, work, 0, left, height);
     if (status <= layout__UNLOADED)
     {
-        outcome = residuals__balance_side(tables, work, 1, right, height);
-        status = int64_max(status, outcome);
+        side_status = residuals__balance_side(tables, work, 1, right, height);
+        status = int64_max(status, side_status);
     }
     return status;
 }
@@ -4571,7 +4774,7 @@ static OUT_OF_LINE bool residuals__turn_near(array_double_1d tables, array_doubl
 /* ``status``, or OFF_PROFILE if a side carries its load deeper than DEEPEST, which the
  * compliant form refuses too.
  */
-static OUT_OF_LINE int64_t residuals__depth_outcome(array_double_1d work, int64_t status)
+static OUT_OF_LINE int64_t residuals__depth_status(array_double_1d work, int64_t status)
 {
     int64_t index;
     double best;
@@ -4592,7 +4795,7 @@ static OUT_OF_LINE int64_t residuals__depth_outcome(array_double_1d work, int64_
  * Rigid contact: the roll at which both wheels touch, and the load that each carries there.
  */
 
-/* Roll [rad] and outcome; starts at the given guess, or at the last roll and contacts if the wheelset has
+/* Roll [rad] and status; starts at the given guess, or at the last roll and contacts if the wheelset has
  * moved little, or at those known near its lateral shift.
  */
 static inline void rigid__find_roll(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, array_double_1d state)
@@ -4632,7 +4835,7 @@ static inline void rigid__find_roll(double* roll_out, int64_t* status_out, array
     *status_out = status;
 }
 
-/* Roll [rad] and outcome over rolled rails, from the ``roll`` that was found for a reference of zero
+/* Roll [rad] and status over rolled rails, from the ``roll`` that was found for a reference of zero
  * on: both are sought together with the vertical shift.
  */
 static inline void rigid__find_roll_on_rolled_rails(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll)
@@ -4662,10 +4865,10 @@ static inline void rigid__find_roll_on_rolled_rails(double* roll_out, int64_t* N
     *NOT_CONVERGED_out = layout__NOT_CONVERGED;
 }
 
-/* Both wheels touch at ``roll``, and each carries its load there; the outcome. */
+/* Both wheels touch at ``roll``, and each carries its load there; the status. */
 static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, double roll)
 {
-    int64_t status, index, outcome;
+    int64_t status, index, side_status;
     status = layout__VALID;
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST);
@@ -4675,8 +4878,8 @@ static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d
     {
         if (input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
-            outcome = side__solve_side(tables, work, index, input_checks__side_force(work, index));
-            status = input_checks__counted_outcome(tables, index, status, outcome);
+            side_status = side__solve_side(tables, work, index, input_checks__side_force(work, index));
+            status = input_checks__counted_outcome(tables, index, status, side_status);
         }
     }
     return status;
@@ -5133,6 +5336,47 @@ static inline int64_t rolling_contact__close_rolling(array_double_1d work, int64
 }
 
 
+/* ---- From wheelset/rows.py; change that one.
+ *
+ * A row of inputs becomes one of outputs: inputs as before are not evaluated again.
+ */
+
+/* Take row ``row`` of ``inputs``; whether it has to be evaluated. */
+static inline bool rows__open_row(array_double_1d workspace, array_double_1d inputs, int64_t row)
+{
+    bool changed;
+    int64_t i;
+    changed = !(AT(workspace, layout__WORK_KNOWN) == 1.0);
+    for (i = 0; i < layout__INPUT_COUNT; i += 1)
+    {
+        if (!(AT(workspace, layout__WORK_INPUTS + i) == AT(inputs, layout__INPUT_COUNT * row + i)))
+        {
+            changed = true;
+        }
+        AT(workspace, layout__WORK_INPUTS + i) = AT(inputs, layout__INPUT_COUNT * row + i);
+    }
+    if (changed)
+    {
+        AT(workspace, layout__WORK_KNOWN) = (double)false;
+    }
+    return changed;
+}
+
+/* Write row ``row`` of ``outputs``, unless the ``status`` is one without a result. */
+static inline int64_t rows__keep_row(array_double_1d tables, array_double_1d workspace, array_double_1d outputs, int64_t row, int64_t status)
+{
+    int64_t size;
+    if (status <= layout__UNLOADED)
+    {
+        AT(workspace, layout__WORK_KNOWN) = (double)true;
+        AT(workspace, layout__WORK_STATUS) = (double)status;
+        size = outline__row_size(tables);
+        runs__copy_run(workspace, layout__WORK_OUTPUTS, outputs, size * row, size);
+    }
+    return 0;
+}
+
+
 /* ---- From wheelset/side.py; change that one.
  *
  * One side of a wheelset, from where its wheel is to its patches.
@@ -5218,8 +5462,19 @@ static inline int64_t side__clear_side(array_double_1d work, int64_t side)
     return 0;
 }
 
+/* Say what the next contacts are for: whether their patches are filled in, whether an approximate penetration
+ * is enough, and whether deepest points may be followed from the contact before.
+ */
+static inline int64_t side__begin_trial(array_double_1d work, bool filling, bool coarse, bool following)
+{
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)filling;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)coarse;
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)following;
+    return 0;
+}
+
 /* Normal contact of the side whose frame is open, and its patches if they are filled in; number of its
- * regions and outcome.
+ * regions and status.
  */
 static inline void side__load_side(int64_t* count_out, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t index, double force, double prescribed)
 {
@@ -5269,7 +5524,7 @@ static inline void side__load_side(int64_t* count_out, int64_t* VALID_out, array
 }
 
 /* Describe the side whose wheel just touches, with the vertical shift of its smallest
- * gap; its outcome, UNLOADED.
+ * gap; its status, UNLOADED.
  */
 static inline int64_t side__touch_side(array_double_1d tables, array_double_1d work, int64_t index)
 {
@@ -5284,7 +5539,7 @@ static inline int64_t side__touch_side(array_double_1d tables, array_double_1d w
     return status;
 }
 
-/* Contact and patches of one side of a rigid wheelset, as far as they are requested; its outcome. */
+/* Contact and patches of one side of a rigid wheelset, as far as they are requested; its status. */
 static inline int64_t side__solve_side(array_double_1d tables, array_double_1d work, int64_t index, double force)
 {
     int64_t status, count;
@@ -5311,7 +5566,7 @@ static inline int64_t side__solve_side(array_double_1d tables, array_double_1d w
 }
 
 /* Describe the side whose wheel is ``approach`` [m] below its smallest gap, where it overlaps its
- * rail most; its outcome.
+ * rail most; its status.
  */
 static inline int64_t side__lower_wheel(array_double_1d tables, array_double_1d work, int64_t index, double approach)
 {
@@ -5489,7 +5744,7 @@ static inline double springs__spring_residual(double stiffness, double rest, dou
     return residual;
 }
 
-/* What the springs of a placed side carry more than its wheel at ``height`` [m] presses; the outcome. */
+/* What the springs of a placed side carry more than its wheel at ``height`` [m] presses; the status. */
 static inline int64_t springs__weigh_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
     int64_t status, side;
@@ -5569,20 +5824,19 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
  */
 static inline int64_t step__solve_with_friction(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t status)
 {
-    int64_t outcome, i;
-    outcome = status;
+    int64_t i;
     for (i = 0; i < vertical_load__LOAD_PASSES; i += 1)
     {
-        if (outcome > layout__UNLOADED || vertical_load__is_load_met(work))
+        if (status > layout__UNLOADED || vertical_load__is_load_met(work))
         {
-            return outcome;
+            return status;
         }
         if (vertical_load__is_load_lost(work))
         {
             return layout__NOT_CONVERGED;
         }
         vertical_load__share_load(work);
-        outcome = step__solve_wheelset(tables, work, state);
+        status = step__solve_wheelset(tables, work, state);
     }
     return layout__NOT_CONVERGED;
 }
@@ -5590,23 +5844,23 @@ static inline int64_t step__solve_with_friction(array_double_1d tables, array_do
 /* Contact of both wheels, their patches' creepages and creep forces, and all forces; the status. */
 static inline int64_t step__solve_wheelset(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
-    int64_t status, outcome;
+    int64_t status, rolling_status;
     status = step__stand(tables, work, state);
     if (status <= layout__UNLOADED)
     {
         rolling_contact__move_wheelset(tables, work);
         depth_rates__follow_depths(tables, work);
-        outcome = layout__VALID;
+        rolling_status = layout__VALID;
         if (free_rolling__turns_freely(tables, work))
         {
-            outcome = free_rolling__roll_freely(tables, work);
+            rolling_status = free_rolling__roll_freely(tables, work);
         }
         else
         {
             rolling_contact__move_patches(tables, work);
             rolling_contact__solve_creep_forces(tables, work);
         }
-        status = int64_max(status, outcome);
+        status = int64_max(status, rolling_status);
         forces__sum_forces(tables, work);
     }
     return status;
@@ -5617,9 +5871,7 @@ static inline int64_t step__stand(array_double_1d tables, array_double_1d work, 
 {
     double roll;
     int64_t status;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)false;
-    AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
+    side__begin_trial(work, true, false, false);
     if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_COMPLIANT)
     {
         return compliant__solve_compliant(tables, work);
@@ -5644,7 +5896,7 @@ static inline int64_t step__stand(array_double_1d tables, array_double_1d work, 
     return status;
 }
 
-/* Elastic contact: the height and roll at which both wheels carry their loads; the outcome. */
+/* Elastic contact: the height and roll at which both wheels carry their loads; the status. */
 static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_double_1d work, double rigid_roll)
 {
     double roll;
@@ -5656,7 +5908,7 @@ static inline int64_t step__elastic_from_rigid(array_double_1d tables, array_dou
     }
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = step__support_height(work);
-    return input_checks__requested_outcome(tables, work, status);
+    return input_checks__requested_status(tables, work, status);
 }
 
 /* The height of a wheelset in equilibrium [m]: both sides' mean, which differ by rounding. */
@@ -5665,7 +5917,7 @@ static inline double step__support_height(array_double_1d work)
     return 0.5 * (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT));
 }
 
-/* Roll [rad] and outcome in elastic equilibrium over rolled rails, sought together with the vertical
+/* Roll [rad] and status in elastic equilibrium over rolled rails, sought together with the vertical
  * shift; the equilibrium for the rigid height as reference is known.
  */
 static inline void step__meet_rolled_rails(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double rigid_roll)
@@ -5708,30 +5960,13 @@ static inline void step__meet_rolled_rails(double* roll_out, int64_t* NOT_CONVER
  */
 static inline int64_t step__step_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row)
 {
-    bool changed;
-    int64_t i, status, size;
-    changed = !(AT(workspace, layout__WORK_KNOWN) == 1.0);
-    for (i = 0; i < layout__INPUT_COUNT; i += 1)
-    {
-        if (!(AT(workspace, layout__WORK_INPUTS + i) == AT(inputs, layout__INPUT_COUNT * row + i)))
-        {
-            changed = true;
-        }
-        AT(workspace, layout__WORK_INPUTS + i) = AT(inputs, layout__INPUT_COUNT * row + i);
-    }
+    int64_t status;
     status = (int64_t)AT(workspace, layout__WORK_STATUS);
-    if (changed)
+    if (rows__open_row(workspace, inputs, row))
     {
-        AT(workspace, layout__WORK_KNOWN) = (double)false;
         status = step__evaluate(tables, workspace, state);
     }
-    if (status <= layout__UNLOADED)
-    {
-        AT(workspace, layout__WORK_KNOWN) = (double)true;
-        AT(workspace, layout__WORK_STATUS) = (double)status;
-        size = outline__row_size(tables);
-        runs__copy_run(workspace, layout__WORK_OUTPUTS, outputs, size * row, size);
-    }
+    rows__keep_row(tables, workspace, outputs, row, status);
     return status;
 }
 
@@ -5769,9 +6004,10 @@ static inline int64_t step__step_many(int64_t count, array_double_1d tables, arr
  * A steep flange on which friction acts downwards jams: the more it is loaded, the less it carries, until the
  * patch reaches the flange root.  There the load is met with a multiple of it as normal force.  A wheel without
  * load carries none, so that the loads tried enclose the one that is sought as soon as one of them carries too
- * much: until then they are doubled, and what secants do not find, halving does.  Where the vertical force jumps
- * past Q, the loads end at the jump, and there is no answer; nor is there one where the wheel would be deeper in
- * its rail than DEEPEST, or after so many passes or trials.
+ * much: until then they are doubled, and what secants do not find, halving does.  An end that stays is tried
+ * again now and then, since the other wheel may have moved the load past it.  Where the vertical force jumps past
+ * Q, the loads end at the jump, and there is no answer; nor is there one where the wheel would be deeper in its
+ * rail than DEEPEST, or after so many passes or trials.
  */
 
 /* Friction carries nothing yet. */
@@ -5881,6 +6117,14 @@ static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t supp
     return AT(work, support + layout__SUPPORT_HIGH_LOAD) - AT(work, support + layout__SUPPORT_LOW_LOAD) < vertical_load__AT_JUMP * AT(work, support + layout__SUPPORT_HIGH_LOAD);
 }
 
+/* Whether to try the far one of the loads that enclose the one that is sought again: the last two have given
+ * both too little or both too much, the last one ``share`` of what is wanted.
+ */
+static inline bool vertical_load__is_doubtful(array_double_1d work, int64_t support, double share)
+{
+    return AT(work, support + layout__SUPPORT_LOW_LOAD) > 0.0 && AT(work, support + layout__SUPPORT_TURNS) > vertical_load__LOAD_SECANTS - 0.5 && AT(work, support + layout__SUPPORT_TURNS) - vertical_load__DOUBTED * (int64_t)(AT(work, support + layout__SUPPORT_TURNS) / vertical_load__DOUBTED) < 0.5 && (share - 1.0) * (AT(work, support + layout__SUPPORT_SHARE_BEFORE) - 1.0) > 0.0;
+}
+
 /* Let the normal forces of both sides carry what friction leaves of the load, or adds to it. */
 static inline int64_t vertical_load__share_load(array_double_1d work)
 {
@@ -5959,6 +6203,14 @@ static inline double vertical_load__next_load(array_double_1d work, int64_t supp
         {
             following = AT(work, support + layout__SUPPORT_LOW_LOAD);
             if (load == following)
+            {
+                following = AT(work, support + layout__SUPPORT_HIGH_LOAD);
+            }
+        }
+        else if (vertical_load__is_doubtful(work, support, share))
+        {
+            following = AT(work, support + layout__SUPPORT_LOW_LOAD);
+            if (share < 1.0)
             {
                 following = AT(work, support + layout__SUPPORT_HIGH_LOAD);
             }
