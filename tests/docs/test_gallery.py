@@ -23,7 +23,7 @@ def test_pictures_are_there_small_and_saved_by_the_page(name):
 def test_every_function_of_one_axis_is_in_the_gallery():
     guides = ROOT / "docs" / "guides"
     own = "".join(
-        (guides / name).read_text(encoding="utf-8") for name in ("wear.md", "sections.md")
+        (guides / name).read_text(encoding="utf-8") for name in ("wear.md", "sections.md", "wheels.md")
     )  # have pictures
     shown = set(re.findall(r"plots\.(\w+)\(", PAGE + own))
     shown |= set(re.findall(r"`(?:wrcontact\.)?(?:plots\.)?(\w+)`", PAGE + own))

@@ -218,6 +218,7 @@ def test_declared_dependencies_hold(case):
         **dict.fromkeys(SPRUNG, 0.0),
         "free_rolling": 1.0,
         "track_position": 0.0,
+        "wheel_rotation": 0.0,
         **dict.fromkeys(ROLLING_CONTACT, 0.3),
     }
     changes = {
@@ -234,6 +235,7 @@ def test_declared_dependencies_hold(case):
         },
         "free_rolling": -1.0,
         "track_position": 0.1,  # these rails do not change
+        "wheel_rotation": 0.1,  # and these wheels are round
     }
     assert set(changes) == set(INPUT_NAMES)
     present = evaluated(pose, system.stepper())

@@ -20,6 +20,7 @@ POSE = {
     "yaw": "yaw",
     "roll_guess": "roll_guess",
     "track_position": "track_position",
+    "wheel_rotation": "wheel_rotation",
 }
 RAILS = {row.name: row.name for row in (*RAIL_INPUTS, TIME_STEP, *DEFLECTIONS)}
 MOTION = {row.name: row.name for row in (*MOTION_INPUTS, *RATES, *TORQUES)}

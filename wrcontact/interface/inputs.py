@@ -333,5 +333,5 @@ INPUT_UNITS = tuple(row.unit for row in INPUTS)
 INPUT_NOMINALS = tuple(row.nominal for row in INPUTS)
 #: What an output may depend on.  An FMU declares its dependencies once for all methods: in elastic contact
 #: all of these move everything, velocities and friction too where friction carries a part of a vertical load.
-#: Rails of FMUs do not change along the track.
-ANSWERED = tuple(row.name for row in INPUTS if not row.hint and row is not TRACK_POSITION)
+#: Rails of FMUs do not change along the track, and their wheels are round.
+ANSWERED = tuple(row.name for row in INPUTS if not row.hint and row not in (TRACK_POSITION, WHEEL_ROTATION))

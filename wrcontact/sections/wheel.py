@@ -45,8 +45,9 @@ class WheelSections:
     >>> wheel
     WheelSections('S1002, polygon of order 3')
     >>> system = wrcontact.ContactSystem(wheel=wheel)
-    >>> round(system.evaluate(wheel_rotation=0.0).vertical_shift * 1e3, 2)
-    -0.1
+    >>> crest, hollow = (system.evaluate(wheel_rotation=chi).vertical_shift for chi in (0.0, 1.0471975512))
+    >>> round(1e3 * (hollow - crest), 3)
+    0.2
     """
 
     #: What messages call it.

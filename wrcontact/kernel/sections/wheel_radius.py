@@ -52,6 +52,8 @@ def wheel_bends(
 
     With the normal N = (sin phi - r_phi cos phi / r, -r_y, cos phi + r_phi sin phi / r) in the wheelset's frame, N P_yy = r_yy,
     N P_yphi = r_phiy - r_y r_phi / r, and N P_phiphi = r_phiphi - r - 2 r_phi^2 / r.
+
+    Many arguments because a place on a surface has two slopes and three second derivatives.
     """
     lead = r_f / r
     across = r_yy

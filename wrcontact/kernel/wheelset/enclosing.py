@@ -67,7 +67,9 @@ def level_both(tables: Tables, work: Work, left: float, right: float, height: fl
 @seldom
 def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, left: float, right: float):
     """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status, from
-    ``roll`` and ``height`` on; NOT_CONVERGED where none is found."""
+    ``roll`` and ``height`` on; NOT_CONVERGED where none is found.
+
+    Long because each trial decides between four ways to go on."""
     bracket = work.roll_bracket
     supports = work.supports
     rate = residual_rate(tables)
