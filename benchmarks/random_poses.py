@@ -11,7 +11,6 @@ goes on where it was, a larger one only adds, and a changed model is compared an
 """
 
 import math
-import multiprocessing
 import os
 from functools import cache
 from math import radians
@@ -24,6 +23,7 @@ import data
 import wrcontact
 from wrcontact.methods import Analyn, Strip
 from wrcontact.progress import tracked
+from wrcontact.workers import process_pool, results
 
 SEED = 2014
 RAILS, INCLINATIONS = ("UIC60", "60E1", "54E1"), (1 / 40, 1 / 20)
@@ -36,7 +36,7 @@ COUNT = 1000  # poses that are stored
 SIDES, PATCH = ("left", "right"), ("penetration", "area", "max_pressure")
 PERCENTILES = (50, 95, 99, 100)
 WORST = 5
-CHUNK = 8  # poses that a process takes at a time
+WAITING = 2  # poses that are handed out for each process
 
 
 class Pose(NamedTuple):
@@ -100,12 +100,14 @@ def references(count, store=STORE, processes=None):
     missing = [index for index in range(count) if index not in known]
     if missing:
         store.write_text("".join(map(line, known.values())), encoding="utf-8")
+        workers = processes or os.cpu_count()
         with (
-            multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool,
+            process_pool(workers) as pool,
             open(store, "a", newline="", encoding="utf-8") as file,
         ):
-            solved = pool.imap_unordered(solve, missing, CHUNK)
-            for row in tracked(solved, "random poses with the half-space", len(missing)):
+            tasks = {index: (index,) for index in missing}
+            solved = results(pool, WAITING * workers, solve, tasks)
+            for _, row in tracked(solved, "random poses with the half-space", len(missing)):
                 file.write(line(row))
                 file.flush()
                 known[int(row[0])] = row

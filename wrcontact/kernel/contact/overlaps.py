@@ -1,9 +1,9 @@
 """Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
 
 Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
-point, which is located along the rail's normals (:mod:`pressed`).  Where more than one may lie between them,
+point, which is located along the rail's normals (:mod:`penetrated`).  Where more than one may lie between them,
 both samples say how many there are (:mod:`turning_cells`), or the stretch is searched.  Two with a low saddle
-between them are one region (deep_points.MERGE).
+between them are one region (penetration_maxima.MERGE).
 """
 
 from math import fabs, sqrt

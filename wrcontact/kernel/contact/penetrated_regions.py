@@ -68,23 +68,6 @@ def raise_wheel(frame: Frame, sunk: bool):
 
 
 @seldom
-def sink_deeper(frame: Frame, frames: KeptFrames, regions: Regions, count: int, penetration: float):
-    """Press a sunk wheel with ``count`` regions until its contact point is ``penetration`` [m] deep.
-
-    The regions stay: their deepest points move by less than what counts.
-    """
-    height = frame.shift + penetration / frame.plane.cos
-    lower_frame(frame, height, penetration, 0.0)
-    copy(frame, frames[REGION_LIMIT])
-    for index in range(count):
-        region = regions[index]
-        copy(frames[index], frame)
-        lower_frame(frame, height, region.alignment * penetration - region.gap, region.gap)
-        copy(frame, frames[index])
-    copy(frames[REGION_LIMIT], frame)
-
-
-@seldom
 def open_penetrated_region(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
     """Start a region at a deepest point, inclined as the rail there."""
     region.station = 0.0

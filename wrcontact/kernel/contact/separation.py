@@ -1,7 +1,7 @@
 """The undeformed distance over a region's stations, measured in one of four ways.
 
 normal        along the normal of the contact plane, :mod:`frame`; of a pressed wheel, along the
-              rail's, :mod:`pressed`;
+              rail's, :mod:`penetrated`;
 vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
 equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of
               their normals;

@@ -119,7 +119,7 @@ class Jump:
     turn: float  # to the other end [rad]
     climb: float  # [m]
     sign: float  # of how much lower the wheel carries its load than it stands, at the first end
-    pattern: int  # of its regions there (deep_points.region_pattern); -1 where its load is compared
+    pattern: int  # of its regions there (penetration_maxima.region_pattern); -1 where its load is compared
     near: float  # the jump lies between these shares of the way [-]
     far: float
     searched: float  # how wide the bracket was when a jump was sought last [m]

@@ -115,7 +115,7 @@ def counted_outcome(tables: Tables, index: int, status: int, side_status: int):
     return counted
 
 
-def requested_status(tables: Tables, work: Work, status: int):
+def requested_outcome(tables: Tables, work: Work, status: int):
     """The status of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
     without load."""
     requested = status

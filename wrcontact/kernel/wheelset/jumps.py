@@ -4,7 +4,7 @@ The difference of heights that is bracketed (enclosing.py) does not show where i
 halving takes a trial of both wheels for each bit.  Here the height between both ends is interpolated, since the
 other wheel is steady, and the wheel that jumps is followed by itself.  Mostly its regions change: one comes or goes,
 or another one becomes the deepest.  The deepest points show that without any load: a region changes where a saddle is
-as deep as deep_points.MERGE permits, or where two points are equally deep.  Where regions stay, since a curvature
+as deep as penetration_maxima.MERGE permits, or where two points are equally deep.  Where regions stay, since a curvature
 jumps, the wheel's load is compared.
 
 The interpolated height is off by the square of the bracket's width, and so is the place of the jump: some trials
