@@ -45,7 +45,7 @@ static inline void derivative_coefficients__second_difference_t(double* v5_out, 
 static inline void derivative_coefficients__secant_curvature_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t gaps, int64_t k, double spacing, lanes spacing_t, int64_t window, double middle, lanes middle_t);
 static inline void derivative_coefficients__windowed_curvature_t(double* v6_out, lanes* out_1, double averaged, lanes averaged_t, double secant, lanes secant_t, double share, lanes share_t);
 static inline void derivative_coefficients__adaptive_curvatures_t(double* secant_out, lanes* secant_t_out, double* side_out, lanes* side_t_out, double* B_out, lanes* B_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, lanes middle_t, double mean, lanes mean_t, double least, lanes least_t);
-static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed, bool filling);
+static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
 static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes* out_1, double* v5_out, lanes* out_3, double* v6_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t);
 
 /* derivative_compliant_rules.py */
@@ -364,7 +364,6 @@ static inline void derivative_quadrature__bend_of_t(double* bend_out, lanes* ben
 static inline void derivative_quadrature__quadratic_value_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t);
 static inline void derivative_quadrature__cell_part_t(double* start_out, lanes* start_t_out, double* stop_out, lanes* stop_t_out, double d_before, lanes d_before_t, double d_low, lanes d_low_t, double d_high, lanes d_high_t);
 static inline void derivative_quadrature__quadratic_integral_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double stop, lanes stop_t);
-static inline void derivative_quadrature__full_cell_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t);
 static inline void derivative_quadrature__quadratic_moment_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double stop, lanes stop_t);
 static inline void derivative_quadrature__root_integral_t(double* out_0, lanes* out_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double start, lanes start_t, double stop, lanes stop_t);
 static inline void derivative_quadrature__quadratic_at_t(double* value_out, lanes* value_t_out, double low, lanes low_t, double slope, lanes slope_t, double bend, lanes bend_t, double x, lanes x_t);
