@@ -49,7 +49,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=10, swe
     for k in range(-last - window, last + window + 1):
         work.contact.nodes[0].gap[k] = B * (region.spacing * k) ** 2
         work.contact.nodes[0].A[k] = A
-    weigh_nodes(tables, region, work.contact.nodes[0], window, 0)
+    weigh_nodes(tables, region, work.contact.nodes[0], window, 0, True)
     return tables, work, penetration
 
 

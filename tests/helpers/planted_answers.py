@@ -155,11 +155,27 @@ ANSWERS = [
     # --- inputs
     (
         "kept_inputs",
-        "        row[:] = START_ROW\n",
-        "        row[0] = START_ROW[0]\n",
+        "    row[:] = START_ROW\n",
+        "    row[0] = START_ROW[0]\n",
         "an input that is not given is that of the call before",
         CALLS,
-        "wrcontact/system.py",
+        "wrcontact/interface/calls.py",
+    ),
+    (
+        "plain_places",
+        "    plain = not arguments  #",
+        "    plain = True  #",
+        "inputs without names are left out",
+        CALLS,
+        "wrcontact/interface/calls.py",
+    ),
+    (
+        "plain_range",
+        "        plain = plain and low <= row[place] <= high\n",
+        "        plain = plain and low <= row[place]\n",
+        "a load a thousand times too large is not warned of",
+        CALLS,
+        "wrcontact/interface/calls.py",
     ),
     (
         "given_order",

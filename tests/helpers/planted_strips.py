@@ -115,6 +115,14 @@ STRIP_LAWS = [
         "wrcontact/kernel/prepare/waves.py",
     ),
     (
+        "strip_pairs",
+        "problem.strips[first + j].gap = next_gap",
+        "problem.strips[first + j].gap = gap",
+        "every second strip has the smooth gap of the one before",
+        HERTZ,
+        RUNS,
+    ),
+    (
         "strip_levels",
         "at.level = zone.depth - beta *",
         "at.level = zone.depth - 0.9 * beta *",

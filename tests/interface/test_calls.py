@@ -250,6 +250,13 @@ def noisy_wheel(folder):
     return path
 
 
+@pytest.mark.parametrize("normal_force", [78.5e6, 0.785])
+def test_an_unusual_load_is_warned_of_by_keyword_and_by_place(normal_force):
+    for arguments, inputs in (((), {"normal_force": normal_force}), ((0.0, 0.0, normal_force), {})):
+        with pytest.warns(wrcontact.UnusualValueWarning, match="normal_force is"):
+            ContactSystem(normal_model="hertz").evaluate(*arguments, **inputs)
+
+
 def test_warnings_point_to_the_line_of_the_user():
     """At every door, and never into the package; a system warns once of an input."""
     compliant = ContactSystem(contact_mode="compliant", normal_model="hertz")

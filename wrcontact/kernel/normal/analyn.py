@@ -19,7 +19,7 @@ from typing import Final
 
 from ..elementary.powers import cube_root
 from ..layout import Nodes, NodesOfRegions, Region, Regions, Tables
-from ..patch.quadrature import bend_of, cell_part, quadratic_integral
+from ..patch.quadrature import cell_part, full_cell, quadratic_integral
 
 #: Share of the squares of two regions' half-lengths that counts as distance between them.
 ELONGATED: Final[float] = 0.3
@@ -99,32 +99,32 @@ def region_load(region: Region, nodes: Nodes, local_penetration: float):
             if outward < 0:
                 last = -region.first
             d_before = local_penetration - nodes.rise[-outward]
-            c_before = nodes.line[-outward]
+            f_before = nodes.line[-outward] * d_before
             d_low = local_penetration - nodes.rise[0]
             c_low = nodes.line[0]
+            f_low = c_low * d_low
             for k in range(last):
                 at = outward * (k + 1)
                 d_high = local_penetration - nodes.rise[at]
                 c_high = nodes.line[at]
-                f_low = c_low * d_low
                 f_high = c_high * d_high
                 if d_low > 0.0 and d_high > 0.0 and k < last - 1:
-                    # a fully loaded cell: quadratic_integral up to 1
-                    load += 0.5 * (f_low + f_high) - bend_of(c_before * d_before, f_low, f_high) / 6.0
+                    load += full_cell(f_before, f_low, f_high)
                     stiffness += 0.5 * (c_low + c_high)
                 elif d_low > 0.0 or d_high > 0.0:
                     start, stop = cell_part(d_before, d_low, d_high)
                     if k == last - 1:
                         stop = clip_to_bound(region, outward * k, outward, stop)
                     if stop > start:
-                        load += quadratic_integral(
-                            c_before * d_before, f_low, f_high, stop
-                        ) - quadratic_integral(c_before * d_before, f_low, f_high, start)
+                        load += quadratic_integral(f_before, f_low, f_high, stop) - quadratic_integral(
+                            f_before, f_low, f_high, start
+                        )
                         stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low))
                 d_before = d_low
-                c_before = c_low
+                f_before = f_low
                 d_low = d_high
                 c_low = c_high
+                f_low = f_high
     return load * region.spacing, stiffness * region.spacing
 
 

@@ -178,10 +178,10 @@ def adaptive_curvatures(
     return secant, side, B
 
 
-def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed: bool):
+def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed: bool, filling: bool):
     """ANALYN's coefficients at the nodes of a region: (1 + beta) g, E*/(n r) and (1 + alpha) A, each with its
     own B, or all with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or
-    0."""
+    0; ``filling`` : whether there will be patches, which alone read (1 + alpha) A beside the minimum."""
     table = tables.hertz
     prepared = tables.lateral != LATERAL_ADAPTIVE
     alpha_factor = 1.0
@@ -200,17 +200,19 @@ def weigh_nodes(tables: Tables, region: Region, nodes: Nodes, window: int, yawed
             side = B
         else:
             secant, side, B = adaptive_curvatures(region, nodes.gap, k, window, middle, mean, least)
-        alpha = table_value(table, 0, secant / A)
         beta = table_value(table, 0, A / side)
         nr = table_value(table, 6, B / A)
         if yawed:
-            alpha *= alpha_factor
             beta *= beta_factor
             nr *= nr_factor
         nodes.B[k] = B
         nodes.rise[k] = beta * nodes.gap[k]
         nodes.line[k] = tables.contact_modulus / nr
-        nodes.length[k] = alpha * A
+        if filling or k == 0:
+            alpha = table_value(table, 0, secant / A)
+            if yawed:
+                alpha *= alpha_factor
+            nodes.length[k] = alpha * A
 
 
 def skew_factors(tables: Tables, region: Region, A: float):

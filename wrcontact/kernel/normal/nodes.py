@@ -314,7 +314,7 @@ def prepare_nodes(pair: Pair, contact: Contact, region: Region, nodes: Nodes, en
         contact.frame.blur = region.spacing * float(node_stride(pair.tables)) * contact.frame.wheel_plane.cos
     lay_nodes(pair, contact, region, nodes, low_reach, high_reach)
     bring_nearer(region, nodes)
-    weigh_nodes(pair.tables, region, nodes, window_nodes(pair.tables), yawed)
+    weigh_nodes(pair.tables, region, nodes, window_nodes(pair.tables), yawed, contact.filling)
     if contact.frame.pressed or pair.tables.load == LOAD_VERTICAL:
         mean_normal(pair, contact.frame, region, nodes, region.local_penetration)
     region.square = region.local_penetration / nodes.length[0]

@@ -144,11 +144,19 @@ def smooth_gaps(problem: StripProblem, waves: Waves, run: StripRun, first: int):
         station = run_station(run, waves.fine_cos[i])
         j = interval(problem, j, run.high, station)
         run.gaps[i] = rest_gap(problem, j, station)
-    for i in range(waves.count):
+    for pair in range((waves.count + 1) // 2):
+        # two sums at a time, as neither waits for the other; the last strip may be in two pairs
+        i = 2 * pair
+        j = min(i + 1, waves.count - 1)
+        weights = waves.smoothing[i]
+        next_weights = waves.smoothing[j]
         gap = 0.0
+        next_gap = 0.0
         for m in range(fine):
-            gap += waves.smoothing[i][m] * run.gaps[m]
+            gap += weights[m] * run.gaps[m]
+            next_gap += next_weights[m] * run.gaps[m]
         problem.strips[first + i].gap = gap
+        problem.strips[first + j].gap = next_gap
 
 
 def lay_strip(strip: Strip, low: TracedStation, high: TracedStation, u: float):

@@ -63,6 +63,13 @@ def quadratic_integral(before: float, low: float, high: float, stop: float):
     return stop * (low + stop * (slope / 2.0 + stop * bend / 3.0))
 
 
+def full_cell(before: float, low: float, high: float):
+    """The same over the whole cell, between values ``low`` and ``high`` above zero."""
+    mean = 0.5 * (low + high)
+    bend = max(min(0.5 * (before - 2.0 * low + high), mean), -mean)
+    return mean - bend / 6.0
+
+
 def quadratic_moment(before: float, low: float, high: float, stop: float):
     """Integral over [0, stop] of x times the quadratic of ``bend_of``."""
     bend = bend_of(before, low, high)
