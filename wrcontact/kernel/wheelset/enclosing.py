@@ -90,9 +90,7 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
         slope = slope_apart(supports, move, apart - before)
         steady = int(fabs(lack_right) < fabs(lack_left))
         lack = (supports[steady].height - height) / rate
-        near = fabs(lack) < NEAR_SHARE * fabs(apart) or fabs(lack) < NEAR_HEIGHT
-        if near:
-            note_end(work, apart, roll, height + lack)
+        near = note_end(work, apart, roll, height, lack)
         enclosed = work.jump.apart_low > 0.0 and work.jump.apart_high <= 0.0
         if enclosed and bracket_width(tables, bracket) < JUMP_SHARP and fabs(apart) > UNBALANCED:
             roll, status = stand_at_jump(tables, work, steady, left, right)
@@ -132,9 +130,12 @@ def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, 
 
 
 @seldom
-def note_end(work: Work, apart: float, roll: float, height: float):
-    """Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket; ``height`` [m] goes with it.  What
-    was known of the other end at this same roll, farther from the height, is forgotten."""
+def note_end(work: Work, apart: float, roll: float, height: float, lack: float) -> bool:
+    """Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket, if the trial at ``height``, where the
+    steady wheel lacks ``lack`` [m], shows on which side of the root it is; whether it does.  What was known of
+    the other end at this same roll, farther from the height, is forgotten."""
+    if not (fabs(lack) < NEAR_SHARE * fabs(apart) or fabs(lack) < NEAR_HEIGHT):
+        return False
     bracket = work.roll_bracket
     if bracket.low == roll:
         work.jump.apart_low = -FARTHEST
@@ -142,12 +143,13 @@ def note_end(work: Work, apart: float, roll: float, height: float):
         work.jump.apart_high = FARTHEST
     if apart > 0.0:
         bracket.low = roll
-        bracket.at_low = height
+        bracket.at_low = height + lack
         work.jump.apart_low = apart
     else:
         bracket.high = roll
-        bracket.at_high = height
+        bracket.at_high = height + lack
         work.jump.apart_high = apart
+    return True
 
 
 @seldom

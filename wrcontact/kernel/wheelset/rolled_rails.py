@@ -26,6 +26,9 @@ NEARER: Final[float] = 0.5
 ROOT_WITHIN: Final[float] = 4e-3
 #: So far beside a jump rounding does not decide on which of its sides the contact is found [m].
 BESIDE: Final[float] = 1e-9
+#: Over so narrow a bracket a residual that falls by more than this jumps [m]; one that falls some ten times as
+#: fast as the reference rises does not, where a step BESIDE would leave it 1e-8 m off.
+JUMP: Final[float] = 1e-9
 #: A residual that was not computed [m].
 UNKNOWN: Final[float] = 1.0
 #: Rigid and elastic contact have met their reference when they differ by less [m]; sideways it is a twentieth
@@ -67,9 +70,12 @@ def next_reference(reference: Reference, met: float):
     if reference.contacts > SECANTS:
         height = 0.5 * (reference.within.low + reference.within.high)
         if reference.within.high - reference.within.low < met:
-            height = reference.within.low - BESIDE
+            beside = 0.0
+            if reference.within.at_low - reference.within.at_high > JUMP:
+                beside = BESIDE
+            height = reference.within.low - beside
             if fabs(reference.within.at_high) < fabs(reference.within.at_low):
-                height = reference.within.high + BESIDE
+                height = reference.within.high + beside
     return height
 
 
