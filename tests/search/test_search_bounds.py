@@ -7,7 +7,7 @@ import wrcontact
 from data.noisy_profiles import noisy_points
 from tests.helpers.inside import tables_of
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import bounds, own_bounds, roll, single_minimum
+from wrcontact.kernel.search import bounds, own_bounds, roll, single_minimum, smallest_gap
 from wrcontact.kernel.search import bounds as raster
 from wrcontact.kernel.surface import gap, locus
 from wrcontact.profiles.compiled import evaluate_table
@@ -194,3 +194,24 @@ def test_smallest_gap_of_rough_profiles(tmp_path):
 def on_rail(pair, place, y):
     """Whether the outline of a placed wheel is above the rail at wheel abscissa ``y`` [m]."""
     return gap.above_rail(pair, raster.rail_below(pair, place, y)) == 1
+
+
+@pytest.mark.parametrize("shift", [-4e-3, -1e-3, 0.0, 2e-3, 5e-3])
+def test_a_part_that_dips_a_hundredth_below_the_smallest_known_gap_is_searched(shift):
+    """The gap around its minimum is a parabola, for which the bound of a part is sharp. Witness: dense sampling."""
+    tables = layout.Tables.at(tables_of(wrcontact.ContactSystem()))
+    work = layout.Work.at(np.zeros(layout.WORK_SIZE))
+    work.inputs.lateral_shift = shift
+    roll.place_both(tables, work.inputs, work.sides, 0.0)
+    for side in range(2):
+        pair, own, half = tables.pairs[side], work.sides[side], 0.03
+        middle, samples = 0.0, 201
+        while half > 1e-7:
+            y = np.linspace(middle - half, middle + half, samples)
+            gaps = np.array([gap.vertical_gap(pair, own.place, where)[0] for where in y])
+            middle, half = y[gaps.argmin()], 2.0 * half / (samples - 1)
+        low, high = middle - 2e-5, middle + 2e-5
+        edge = min(gap.vertical_gap(pair, own.place, where)[0] for where in (low, high))
+        own.best = known = edge - 0.99 * (edge - gaps.min())
+        smallest_gap.search_cell(pair, own, -1e6, 1e6, low, high)
+        assert own.best < known and own.best == pytest.approx(gaps.min(), abs=1e-13), (shift, side)
