@@ -215,3 +215,42 @@ def test_a_part_that_dips_a_hundredth_below_the_smallest_known_gap_is_searched(s
         own.best = known = edge - 0.99 * (edge - gaps.min())
         smallest_gap.search_cell(pair, own, -1e6, 1e6, low, high)
         assert own.best < known and own.best == pytest.approx(gaps.min(), abs=1e-13), (shift, side)
+
+
+def test_every_place_of_the_wheel_lies_in_the_cell_that_is_found():
+    """At random places, near the end, at every node and beside it; but for rounding."""
+    system = wrcontact.ContactSystem()
+    tables = layout.Tables.at(tables_of(system))
+    scan = tables.pairs[1].scan
+    nodes = np.array([scan.nodes[k].y for k in range(scan.count)])
+    random = np.random.default_rng(5).uniform(nodes[0], nodes[-1], 500)
+    near_the_end = nodes[-1] - np.geomspace(1e-9, 5e-3, 200)
+    for y in [*random, *near_the_end, *nodes, *(nodes[1:] - 1e-9), *(nodes[:-1] + 1e-9)]:
+        found = bounds.node_below(scan, y)
+        assert 0 <= found < scan.count - 1 and nodes[found] <= y <= nodes[found + 1] + 1e-12, y
+
+
+def test_the_least_slope_is_where_the_steepest_lines_meet():
+    """Random slopes at both ends of a stretch that the bounds of its rise permit. Witness: at each place of a grid
+    the slope is above both lines that bound it."""
+    rng, steady = np.random.default_rng(6), 0
+    for _ in range(500):
+        width, least = rng.uniform(1e-4, 1e-2), rng.uniform(-50.0, 20.0)
+        most = max(least, 0.0) + rng.exponential(30.0)
+        first = rng.uniform(-0.3, 0.3)
+        last = first + width * rng.uniform(least, most)
+        way = np.linspace(0.0, width, 2001)
+        lines = np.maximum(first + least * way, last - most * (width - way))
+        found = bounds.least_slope(least, most, width, first, last)
+        assert found == pytest.approx(lines.min(), abs=(most - least) * width / 1000), (
+            least,
+            most,
+            first,
+            last,
+        )
+        falls = -np.minimum(first + most * way, last - least * (width - way)).max()
+        certain = max(found, falls)
+        if abs(certain) > (most - least) * width / 1000:
+            assert bounds.only_rises_or_falls(least, most, width, first, last) == (certain > 0.0)
+            steady += certain > 0.0
+    assert 100 < steady < 450
