@@ -72,7 +72,7 @@ def test_a_region_pushes_along_the_mean_normal_of_its_own_nodes():
             nodes.line[k] = loads[k + 20]
         region.rail, region.spacing, region.first, region.last = rail, 1e-4, first, last
         patch_places.mean_normal(pair, contact.frame, region, nodes, 1e-5)
-        y = np.linspace(rail - 5e-3, rail + 5e-3, 20001)
+        y = np.linspace(rail - 5e-3, rail + 5e-3, 2001)
         _, slope, _ = evaluate_table(wheelset.profile_tables()[1], y)
         arc = cumulative_trapezoid(np.hypot(1.0, slope), y, initial=0.0)
         at = np.interp(np.interp(rail, y, arc) + 1e-4 * np.arange(first, last + 1), arc, np.arctan(slope))
