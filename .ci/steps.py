@@ -56,6 +56,8 @@ OLDER = {
     "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX2_Usable,-FMA_Usable",
     "OPENBLAS_CORETYPE": "Haswell",
 }
+#: Measurements that take half of the seconds of all times, and long studies that tests/docs/test_tables.py repeats.
+HALF, TESTED = ("model_times", "sweep"), ("halfspace", "conicity_noise")
 FEATURES = (
     "import numpy._core._multiarray_umath as m; "
     "print(*(f for f in m.__cpu_dispatch__ if m.__cpu_features__[f]))"
@@ -281,9 +283,12 @@ def all_steps(run, work, turn, changed):
     ]
     run.together(single)  # each of them has one process
     if due("benchmarks", turn, changed):  # errors are measured by tests/docs/test_tables.py
-        kinds = ("times", "studies")  # with what is installed now
+        quick = (PYTHON, "-m", "benchmarks", "--quick")  # with what is installed now
         run.together(
-            {f"benchmarks of {kind} run": [PYTHON, "-m", "benchmarks", "--quick", kind] for kind in kinds}
+            {
+                "benchmarks of models run": [*quick, *HALF],
+                "the other benchmarks run": [*quick, "times", "studies", "--without", *HALF, *TESTED],
+            }
         )
 
     today = {"WRCONTACT_TURN": turn} | ({CHANGED: work / "changed"} if changed is not None else {})
