@@ -260,7 +260,16 @@ def copy_to(folder):
 
 def all_steps(run, work, turn, changed):
     """The steps in their order."""
-    run.step("the README's demo", DEMO)
+    run.together(  # the translation needs nothing but Python
+        {
+            "the README's demo": DEMO,
+            "the generated C is that of the kernel's Python": [
+                "python3",
+                "tools/transpile_kernel.py",
+                "--check",
+            ],
+        }
+    )
     run.step("the README's tests", TESTS)
     if not (run.folder / ".venv" / "bin" / "pytest").exists():
         print("Without the installation nothing else can run.", flush=True)
@@ -277,9 +286,6 @@ def all_steps(run, work, turn, changed):
     single["the tests see a share of the planted errors"] = [
         *(PYTHON, "-m", "tests.helpers.plant_errors"),
         *("--share", 4, "--turn", turn, "--workers", 1),
-    ]
-    single["the generated C is that of the kernel's Python"] = [
-        *(PYTHON, "tools/transpile_kernel.py", "--check"),
     ]
     run.together(single)  # each of them has one process
     if due("benchmarks", turn, changed):  # errors are measured by tests/docs/test_tables.py
