@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from tests.helpers.constant_curvatures import sweep_constant_curvatures, trace_constant_curvatures
-from wrcontact.kernel.layout import STRIP_RUN_LIMIT
 from wrcontact.kernel.normal.strip_levels import deepen_levels
 from wrcontact.kernel.normal.strip_runs import add_run, adopt_runs, renew_runs
 
@@ -96,20 +95,6 @@ def test_runs_of_one_curve_that_meet_are_one(start, wanted):
     adopt_runs(problem)
     assert edges(problem) == wanted
     assert problem.runs[0].origin == -1
-
-
-def test_where_there_is_no_room_the_widest_runs_stay():
-    """In the order in which they were found. Witness: sorting."""
-    for seed in range(5):
-        widths = np.random.default_rng(seed).permutation(12) + 1.0
-        problem, _ = one_run(lambda s: 1.0)
-        problem.next_count = 0
-        for k, width in enumerate(widths):
-            add_run(problem, 0, 9, 1.0 * k, 1.0 * k + 0.05 * width)
-        widest = sorted(np.argsort(widths)[-STRIP_RUN_LIMIT:])
-        runs = [problem.next_runs[k] for k in range(problem.next_count)]
-        assert [round(run.next_start) for run in runs] == widest, seed
-        np.testing.assert_allclose([run.next_stop - run.next_start for run in runs], 0.05 * widths[widest])
 
 
 def test_levels_that_were_raised_are_those_of_the_deeper_wheel():
