@@ -299,3 +299,20 @@ def test_the_share_of_growing_curvature_is_whole_from_the_mean_on(side):
         grown = secant + GROWTH * share * (averaged - secant)
         assert found[0] == pytest.approx(secant, rel=1e-12)
         assert found[2] == pytest.approx(np.sqrt(averaged * grown), rel=1e-9), mean
+
+
+@pytest.mark.parametrize("outward", [-1, 1])
+def test_the_load_of_a_region_counts_what_is_loaded_again_beyond_a_gap(outward):
+    """Nodes whose overlap is one parabola, which is negative between 2.3 and 5.4. Witness: its integral."""
+    contact = layout.Work.at(np.zeros(layout.WORK_SIZE)).contact
+    nodes, region = contact.nodes[0], contact.regions[0]
+    region.spacing = 1e-3
+    region.first, region.last = (0, 9) if outward > 0 else (-9, 0)
+    region.low, region.high = 1e-3 * region.first, 1e-3 * region.last
+    overlap = 1e-5 * np.poly1d([2.3, 5.4], r=True)
+    for k in range(-10, 11):
+        nodes.line[outward * k], nodes.rise[outward * k] = 2e9, 2e-4 - overlap(k)
+    load, stiffness = analyn.region_load(region, nodes, 2e-4)
+    whole = overlap.integ()
+    assert load == pytest.approx(2e9 * 1e-3 * (whole(2.3) - whole(0.0) + whole(9.0) - whole(5.4)), rel=1e-12)
+    assert stiffness == pytest.approx(2e9 * 1e-3 * (2.3 + 3.6), rel=1e-12)
