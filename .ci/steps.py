@@ -56,6 +56,8 @@ OLDER = {
     "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX2_Usable,-FMA_Usable",
     "OPENBLAS_CORETYPE": "Haswell",
 }
+#: Measurements that take half of the seconds of all times, and long studies that tests/docs/test_tables.py repeats.
+HALF, TESTED = ("model_times", "sweep"), ("halfspace", "conicity_noise")
 FEATURES = (
     "import numpy._core._multiarray_umath as m; "
     "print(*(f for f in m.__cpu_dispatch__ if m.__cpu_features__[f]))"
@@ -258,7 +260,16 @@ def copy_to(folder):
 
 def all_steps(run, work, turn, changed):
     """The steps in their order."""
-    run.step("the README's demo", DEMO)
+    run.together(  # the translation needs nothing but Python
+        {
+            "the README's demo": DEMO,
+            "the generated C is that of the kernel's Python": [
+                "python3",
+                "tools/transpile_kernel.py",
+                "--check",
+            ],
+        }
+    )
     run.step("the README's tests", TESTS)
     if not (run.folder / ".venv" / "bin" / "pytest").exists():
         print("Without the installation nothing else can run.", flush=True)
@@ -276,14 +287,14 @@ def all_steps(run, work, turn, changed):
         *(PYTHON, "-m", "tests.helpers.plant_errors"),
         *("--share", 4, "--turn", turn, "--workers", 1),
     ]
-    single["the generated C is that of the kernel's Python"] = [
-        *(PYTHON, "tools/transpile_kernel.py", "--check"),
-    ]
     run.together(single)  # each of them has one process
     if due("benchmarks", turn, changed):  # errors are measured by tests/docs/test_tables.py
-        kinds = ("times", "studies")  # with what is installed now
+        quick = (PYTHON, "-m", "benchmarks", "--quick")  # with what is installed now
         run.together(
-            {f"benchmarks of {kind} run": [PYTHON, "-m", "benchmarks", "--quick", kind] for kind in kinds}
+            {
+                "benchmarks of models run": [*quick, *HALF],
+                "the other benchmarks run": [*quick, "times", "studies", "--without", *HALF, *TESTED],
+            }
         )
 
     today = {"WRCONTACT_TURN": turn} | ({CHANGED: work / "changed"} if changed is not None else {})

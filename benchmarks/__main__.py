@@ -29,7 +29,7 @@ def main(arguments=None):
     if options.random is not None:
         print(random_part(options.random, options.quick))
         return
-    names = parts.named(options.what)
+    names = [name for name in parts.named(options.what) if name not in options.without]
     if options.write:
         parts.write([] if options.render else names, rows.FULL)
         style.save(pages.figure(pages.stored_points()), record.ROOT / pages.PATH)
@@ -57,6 +57,9 @@ def parsed(arguments):
         help=f"{', '.join(parts.KINDS)}, or: {', '.join(parts.PARTS)}",
     )
     parser.add_argument(
+        "--without", nargs="+", default=[], metavar="KIND or PART", help="measure all others of these"
+    )
+    parser.add_argument(
         "--write",
         action="store_true",
         help="keep what is measured in benchmarks/measured, and write the tables of all "
@@ -82,6 +85,7 @@ def parsed(arguments):
         parser.error("a quick run is not written")
     try:
         parts.named(options.what)
+        options.without = parts.named(options.without) if options.without else []
     except ValueError as refusal:
         parser.error(str(refusal))
     return options

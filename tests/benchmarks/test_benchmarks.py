@@ -170,10 +170,15 @@ def test_a_quick_run_is_not_written(capsys):
     with pytest.raises(SystemExit):
         __main__.main(["nothing"])
     assert "'nothing' is not known" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        __main__.main(["stations", "--without", "less"])
+    assert "'less' is not known" in capsys.readouterr().err
 
 
 def test_a_part_is_printed(capsys):
-    __main__.main(["--quick", "stations", "station_times", "choices"])
+    """And none that is left out, by its kind or its name."""
+    left_out = ("studies", "zones", "--without", "studies", "zones")
+    __main__.main(["--quick", "stations", "station_times", "choices", *left_out])
     printed = capsys.readouterr().out
     assert re.findall("^### (.*)$", printed, re.MULTILINE) == ["choices", "stations"]
     assert "| 201 |" in printed and "The unit is the time of" in printed

@@ -2,12 +2,14 @@
 what would be something else in C is refused with its line."""
 
 import ctypes
+import gc
 import math
 import random
 import re
 import shutil
 import struct
 import subprocess
+import weakref
 
 import pytest
 
@@ -265,3 +267,17 @@ def test_comments_and_names_of_the_python_stand_in_the_c(tmp_path):
     head, body = written(tmp_path, text)["half"]
     assert head == "double trap__half(double x)"
     assert "    /* a remark * / here */\n    /* beside it */\n    y = 0.5 * x;\n    return y;\n" in body
+
+
+def test_trees_are_forgotten_with_their_kernel(tmp_path):
+    """A process that translates one kernel after another, as that of planted errors, does not keep them."""
+    path = tmp_path / "kept.py"
+    path.write_text("LIMIT: Final[float] = 2.0\n\n\ndef twice(x: float):\n    return LIMIT * x\n")
+    module = Module(path)
+    kernel = Kernel([module])
+    assert "twice" in emitted(kernel, module)
+    trees = [weakref.ref(module.tree), weakref.ref(kernel.node("kept", "twice"))]
+    assert all(tree() is not None for tree in trees)
+    del module, kernel
+    gc.collect()
+    assert [tree() for tree in trees] == [None, None]

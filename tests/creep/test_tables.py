@@ -10,7 +10,7 @@ from data.creep_cases import CREEP
 from tools.tables import rolling_table, strip_nodes
 from wrcontact.creep import kalker_table
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.fixed_tables import CORRECTION, CORRECTION_UNIT, fixed_tables
+from wrcontact.kernel.binding.fixed_tables import CORRECTION, CORRECTION_UNIT, corrections, fixed_tables
 from wrcontact.kernel.creep import stiffness, tractions
 from wrcontact.kernel.prepare import tables as fixed
 
@@ -148,3 +148,26 @@ def test_the_correction_is_that_of_these_strips():
         np.testing.assert_allclose(
             correction[column][:, :, ::2, ::2], apart, rtol=0, atol=0.51 * CORRECTION_UNIT
         )
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.25, 0.265, 0.28, 0.293, 0.3])
+def test_corrections_are_parabolas_of_poissons_ratio(poisson_ratio):
+    """Those of three ratios are stored. Witness: numpy's parabola through them; also of the slopes at no creepage."""
+    tables = kernel_table(poisson_ratio)
+    stored = corrections()
+    places = 3 * layout.CORRECTION_SIZE
+    for numbers, found in (
+        (
+            stored[-places - 3 * layout.CORRECTION_SLOPES : -3 * layout.CORRECTION_SLOPES],
+            tables.rolling.corrections,
+        ),
+        (stored[-3 * layout.CORRECTION_SLOPES :], tables.rolling.slopes),
+    ):
+        three = numbers.reshape(3, -1)
+        parabolas = np.polyfit(np.array([0.25, 0.28, 0.3]) - 0.28, three, 2)
+        wanted = (
+            parabolas[0] * (poisson_ratio - 0.28) ** 2 + parabolas[1] * (poisson_ratio - 0.28) + parabolas[2]
+        )
+        got = [found[k] for k in range(three.shape[1])]
+        np.testing.assert_allclose(got, wanted, atol=1e-10 * np.abs(three).max())
+        assert np.ptp(three, axis=0).max() > 1e-3

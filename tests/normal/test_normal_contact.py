@@ -12,7 +12,13 @@ from wrcontact.halfspace.hertz import coefficients
 from wrcontact.kernel import layout
 from wrcontact.kernel.binding.fixed_tables import hertz_table
 from wrcontact.kernel.normal import analyn
-from wrcontact.kernel.normal.coefficients import FLOOR, hertz_coefficients, hertz_stiffness
+from wrcontact.kernel.normal.coefficients import (
+    FLOOR,
+    GROWTH,
+    adaptive_curvatures,
+    hertz_coefficients,
+    hertz_stiffness,
+)
 from wrcontact.kernel.normal.node_patches import fill_from_nodes
 from wrcontact.kernel.patch.outline import write_outline
 from wrcontact.kernel.wheelset.report import report_load, report_outline
@@ -274,3 +280,39 @@ def test_unloaded_wheels_keep_their_geometry(system):
     one_sided = system.evaluate(2e-3, load_transfer=1.0)
     assert one_sided.status == wrcontact.Status.UNLOADED
     assert one_sided.left.normal_force == 0.0 and one_sided.right.normal_force == pytest.approx(157e3)
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_the_share_of_growing_curvature_is_whole_from_the_mean_on(side):
+    """Of a gap that rises as the fourth power of the way: closed form of its secant c s^2 and of its averaged
+    second difference c (6 s^2 + w^2); beyond the ``mean`` half-width the curvature hangs on it no more."""
+    contact = layout.Work.at(np.zeros(layout.WORK_SIZE)).contact
+    nodes, region = contact.nodes[0], contact.regions[0]
+    region.spacing, window, c = 2e-4, 3, 4e5
+    for k in range(-40, 41):
+        nodes.gap[k] = c * (k * region.spacing) ** 4
+    k = 20 * side
+    s, width = 20 * region.spacing, window * region.spacing
+    secant, averaged = c * s**2, c * (6.0 * s**2 + width**2)
+    for mean, share in ((4.0 * s, 0.25), (2.0 * s, 0.5), (s, 1.0), (0.95 * s, 1.0), (0.1 * s, 1.0)):
+        found = adaptive_curvatures(region, nodes.gap, k, window, 0.0, mean, 1e-3)
+        grown = secant + GROWTH * share * (averaged - secant)
+        assert found[0] == pytest.approx(secant, rel=1e-12)
+        assert found[2] == pytest.approx(np.sqrt(averaged * grown), rel=1e-9), mean
+
+
+@pytest.mark.parametrize("outward", [-1, 1])
+def test_the_load_of_a_region_counts_what_is_loaded_again_beyond_a_gap(outward):
+    """Nodes whose overlap is one parabola, which is negative between 2.3 and 5.4. Witness: its integral."""
+    contact = layout.Work.at(np.zeros(layout.WORK_SIZE)).contact
+    nodes, region = contact.nodes[0], contact.regions[0]
+    region.spacing = 1e-3
+    region.first, region.last = (0, 9) if outward > 0 else (-9, 0)
+    region.low, region.high = 1e-3 * region.first, 1e-3 * region.last
+    overlap = 1e-5 * np.poly1d([2.3, 5.4], r=True)
+    for k in range(-10, 11):
+        nodes.line[outward * k], nodes.rise[outward * k] = 2e9, 2e-4 - overlap(k)
+    load, stiffness = analyn.region_load(region, nodes, 2e-4)
+    whole = overlap.integ()
+    assert load == pytest.approx(2e9 * 1e-3 * (whole(2.3) - whole(0.0) + whole(9.0) - whole(5.4)), rel=1e-12)
+    assert stiffness == pytest.approx(2e9 * 1e-3 * (2.3 + 3.6), rel=1e-12)

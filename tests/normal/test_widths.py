@@ -4,13 +4,17 @@ import math
 
 import numpy as np
 import pytest
-from scipy.integrate import quad
+from scipy.integrate import cumulative_trapezoid, quad
 from scipy.optimize import brentq
 
+import wrcontact
 from data import brute_force
 from tests.helpers.cases import FORCE, system
-from tests.helpers.inside import work_of
+from tests.helpers.inside import tables_of, work_of
 from tests.helpers.overlap import overlap
+from wrcontact.kernel import layout
+from wrcontact.kernel.normal import patch_places
+from wrcontact.profiles.compiled import evaluate_table
 
 
 def ridge(track, pose, abscissa):
@@ -51,3 +55,27 @@ def test_the_ridge_of_a_yawed_wheel_s_patch_is_as_oblique_as_its_gap(shift, yaw)
     slant = (ridge(track, pose, high) - ridge(track, pose, low)) / (region.width_low + region.width_high)
     assert region.slant == pytest.approx(slant, rel=1e-3)
     assert 0.05 < abs(slant) < 4.0
+
+
+def test_a_region_pushes_along_the_mean_normal_of_its_own_nodes():
+    """Loaded all the way to its ends, beyond which the nodes are those of another one. Witness: the rail's unit
+    normals by numpy, weighted by the loads."""
+    wheelset = wrcontact.ContactSystem()
+    tables = layout.Tables.at(tables_of(wheelset))
+    contact = layout.Work.at(np.zeros(layout.WORK_SIZE)).contact
+    nodes, region, pair = contact.nodes[0], contact.regions[0], tables.pairs[1]
+    loads = np.random.default_rng(8).uniform(1.0, 2.0, 41)
+    for rail, first, last in ((-0.03, -20, 20), (-0.02, -7, 20), (0.01, -20, 5)):
+        for k in range(-30, 31):
+            nodes.line[k], nodes.rise[k] = 1e6, 0.0
+        for k in range(first, last + 1):
+            nodes.line[k] = loads[k + 20]
+        region.rail, region.spacing, region.first, region.last = rail, 1e-4, first, last
+        patch_places.mean_normal(pair, contact.frame, region, nodes, 1e-5)
+        y = np.linspace(rail - 5e-3, rail + 5e-3, 2001)
+        _, slope, _ = evaluate_table(wheelset.profile_tables()[1], y)
+        arc = cumulative_trapezoid(np.hypot(1.0, slope), y, initial=0.0)
+        at = np.interp(np.interp(rail, y, arc) + 1e-4 * np.arange(first, last + 1), arc, np.arctan(slope))
+        weights = loads[first + 20 : last + 21]
+        wanted = [np.average(part(at), weights=weights) for part in (np.cos, np.sin)]
+        assert [region.cos, region.sin] == pytest.approx(wanted, abs=1e-7), rail

@@ -1,6 +1,8 @@
 """The kernel's preparation of its tables: against the exact profiles, scipy and dense samples, compiled
 against its source, and what it refuses."""
 
+import math
+
 import numpy as np
 import pytest
 from scipy.integrate import quad
@@ -16,7 +18,7 @@ from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.kernel.binding.setup import setup_of
 from wrcontact.kernel.prepare import pieces as made
 from wrcontact.kernel.prepare import scan as raster
-from wrcontact.kernel.prepare import scan_bends
+from wrcontact.kernel.prepare import scan_bends, zones
 from wrcontact.kernel.prepare import tables as prepare
 from wrcontact.kernel.prepare.tables import START_STEP, STARTS_EACH_METRE
 from wrcontact.kernel.search.bounds import STEEP, WIDEST
@@ -556,3 +558,20 @@ def test_setup_that_is_no_array_is_refused():
     upright = definition(standard_profile("UIC60"))
     with pytest.raises(TypeError, match="setup must be a numpy array"):
         Kernel().prepare([0.0], *[upright] * 4, fixed_tables())
+
+
+@pytest.mark.parametrize("turn, fits", [(0.0, True), (3.0, True), (4.9, True), (5.1, False), (8.0, False)])
+def test_a_polynomial_that_becomes_too_steep_is_left_out(turn, fits):
+    """A straight zone of 75 degrees is turned up to 80. Witness: its ends turned by hand; either way round."""
+    for sign in (-1.0, 1.0):
+        row = np.zeros(zones.ZONE_COEFFICIENTS + 4)
+        row[zones.ZONE_FAMILY] = zones.FAMILY_POLYNOMIAL
+        row[zones.ZONE_START], row[zones.ZONE_STOP] = -2.0, 3.0
+        row[zones.ZONE_TERMS] = 2.0
+        row[zones.ZONE_COEFFICIENTS + 1] = slope = sign * math.tan(math.radians(75.0))
+        angle = sign * math.radians(turn)
+        assert zones.turn_polynomial(row, 0, angle, 0.5, 0.25) == int(fits)
+        if fits:
+            cosine, sine = math.cos(angle), math.sin(angle)
+            ends = [cosine * y - sine * slope * y + 0.5 for y in (-2.0, 3.0)]
+            assert [row[zones.ZONE_START], row[zones.ZONE_STOP]] == pytest.approx(ends, abs=1e-12)

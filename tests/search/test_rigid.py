@@ -11,6 +11,7 @@ import wrcontact
 from data import brute_force
 from tests.helpers.fuzzing import cut
 from tests.helpers.surface_witness import Surfaces, assert_positions
+from wrcontact.kernel.search import first_root
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.placement import place_rail
 
@@ -241,6 +242,22 @@ def test_the_same_inputs_give_the_same_roll_at_large_yaw(system):
         system.evaluate_many(shift, yaw, roll_guess=guess, outputs="geometry") for guess in (0.0, 1e-3)
     )
     assert np.abs(plain.roll - guessed.roll).max() < 1e-12
+
+
+def test_what_is_settled_starts_from_a_grid():
+    """Rolls and places that differ by less than the search's tolerance start from the same multiple of 2^-30, or
+    in the middle between two of them; witness: fractions of whole numbers."""
+    rng = np.random.default_rng(30)
+    for number in rng.integers(-(2**30), 2**30, 200):
+        for away in rng.uniform(-0.49, 0.49, 3):
+            x = (float(number) + away) / 2**30
+            assert first_root.on_grid(x) == first_root.on_other_grid(x) == number / 2**30, x
+            assert not first_root.is_unsure(x), x
+        middle = (float(number) + 0.5) / 2**30
+        for x in (middle - 1.5e-12, middle, middle + 1.5e-12):
+            assert first_root.is_unsure(x) and first_root.on_other_grid(x) == middle, x
+        for x in (middle - 2.5e-12, middle + 2.5e-12):
+            assert not first_root.is_unsure(x) and abs(first_root.on_other_grid(x) - x) < 2.0**-31, x
 
 
 #: Arguments of the system, lateral shift [m] and yaw [rad], and why the answer once hung on

@@ -7,7 +7,7 @@ import wrcontact
 from data.noisy_profiles import noisy_points
 from tests.helpers.inside import tables_of
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import bounds, own_bounds, roll, single_minimum
+from wrcontact.kernel.search import bounds, own_bounds, roll, single_minimum, smallest_gap
 from wrcontact.kernel.search import bounds as raster
 from wrcontact.kernel.surface import gap, locus
 from wrcontact.profiles.compiled import evaluate_table
@@ -194,3 +194,63 @@ def test_smallest_gap_of_rough_profiles(tmp_path):
 def on_rail(pair, place, y):
     """Whether the outline of a placed wheel is above the rail at wheel abscissa ``y`` [m]."""
     return gap.above_rail(pair, raster.rail_below(pair, place, y)) == 1
+
+
+@pytest.mark.parametrize("shift", [-4e-3, -1e-3, 0.0, 2e-3, 5e-3])
+def test_a_part_that_dips_a_hundredth_below_the_smallest_known_gap_is_searched(shift):
+    """The gap around its minimum is a parabola, for which the bound of a part is sharp. Witness: dense sampling."""
+    tables = layout.Tables.at(tables_of(wrcontact.ContactSystem()))
+    work = layout.Work.at(np.zeros(layout.WORK_SIZE))
+    work.inputs.lateral_shift = shift
+    roll.place_both(tables, work.inputs, work.sides, 0.0)
+    for side in range(2):
+        pair, own, half = tables.pairs[side], work.sides[side], 0.03
+        middle, samples = 0.0, 201
+        while half > 1e-7:
+            y = np.linspace(middle - half, middle + half, samples)
+            gaps = np.array([gap.vertical_gap(pair, own.place, where)[0] for where in y])
+            middle, half = y[gaps.argmin()], 2.0 * half / (samples - 1)
+        low, high = middle - 2e-5, middle + 2e-5
+        edge = min(gap.vertical_gap(pair, own.place, where)[0] for where in (low, high))
+        own.best = known = edge - 0.99 * (edge - gaps.min())
+        smallest_gap.search_cell(pair, own, -1e6, 1e6, low, high)
+        assert own.best < known and own.best == pytest.approx(gaps.min(), abs=1e-13), (shift, side)
+
+
+def test_every_place_of_the_wheel_lies_in_the_cell_that_is_found():
+    """At random places, near the end, at every node and beside it; but for rounding."""
+    system = wrcontact.ContactSystem()
+    tables = layout.Tables.at(tables_of(system))
+    scan = tables.pairs[1].scan
+    nodes = np.array([scan.nodes[k].y for k in range(scan.count)])
+    random = np.random.default_rng(5).uniform(nodes[0], nodes[-1], 500)
+    near_the_end = nodes[-1] - np.geomspace(1e-9, 5e-3, 200)
+    for y in [*random, *near_the_end, *nodes, *(nodes[1:] - 1e-9), *(nodes[:-1] + 1e-9)]:
+        found = bounds.node_below(scan, y)
+        assert 0 <= found < scan.count - 1 and nodes[found] <= y <= nodes[found + 1] + 1e-12, y
+
+
+def test_the_least_slope_is_where_the_steepest_lines_meet():
+    """Random slopes at both ends of a stretch that the bounds of its rise permit. Witness: at each place of a grid
+    the slope is above both lines that bound it."""
+    rng, steady = np.random.default_rng(6), 0
+    for _ in range(500):
+        width, least = rng.uniform(1e-4, 1e-2), rng.uniform(-50.0, 20.0)
+        most = max(least, 0.0) + rng.exponential(30.0)
+        first = rng.uniform(-0.3, 0.3)
+        last = first + width * rng.uniform(least, most)
+        way = np.linspace(0.0, width, 2001)
+        lines = np.maximum(first + least * way, last - most * (width - way))
+        found = bounds.least_slope(least, most, width, first, last)
+        assert found == pytest.approx(lines.min(), abs=(most - least) * width / 1000), (
+            least,
+            most,
+            first,
+            last,
+        )
+        falls = -np.minimum(first + most * way, last - least * (width - way)).max()
+        certain = max(found, falls)
+        if abs(certain) > (most - least) * width / 1000:
+            assert bounds.only_rises_or_falls(least, most, width, first, last) == (certain > 0.0)
+            steady += certain > 0.0
+    assert 100 < steady < 450

@@ -319,34 +319,35 @@ def test_all(k):
     pass
 """
 
+#: What is collected without a turn and in three turns, by one process.
+EACH_TURN = """
+import os, sys, pytest
+
+for turn in ("", "364", "365", "366"):
+    os.environ["WRCONTACT_TURN"] = turn
+    print("a turn", flush=True)
+    if pytest.main(sys.argv[1:]):
+        sys.exit(1)
+"""
+
 
 @pytest.mark.full
 def test_cases_take_turns(tmp_path):
     """Each turn has some of every test, few turns have all of them, and without a turn all of them run."""
     (tmp_path / "test_some.py").write_text(TURNS)
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-q",
-        "--collect-only",
-        "-p",
-        "tests.conftest",
-        "-c",
-        os.devnull,
-        "--rootdir",
-        str(tmp_path),
-        str(tmp_path),
-    ]
-
-    def collected(turn=""):
-        run = subprocess.run(
-            command, cwd=ROOT, text=True, capture_output=True, env={**CLEAN, "WRCONTACT_TURN": turn}
-        )
-        assert run.returncode == 0, run.stdout
-        return {line.partition("::")[2] for line in run.stdout.splitlines() if "::" in line}
-
-    every, turns = collected(), [collected(str(day)) for day in (364, 365, 366)]
+    words = ["-q", "--collect-only", "-p", "tests.conftest", "-c", os.devnull, "--rootdir"]
+    run = subprocess.run(
+        [sys.executable, "-c", EACH_TURN, *words, tmp_path, tmp_path],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        env=CLEAN,
+    )
+    assert run.returncode == 0, run.stdout
+    every, *turns = (
+        {line.partition("::")[2] for line in part.splitlines() if "::" in line}
+        for part in run.stdout.split("a turn\n")[1:]
+    )
     assert len(every) == 13 and set.union(*turns) == every
     for turn in turns:
         assert {name.partition("[")[0] for name in turn} == {"test_many", "test_two", "test_one", "test_all"}

@@ -13,6 +13,7 @@ import data
 from tests.helpers.cases import FORCE, POSES, system
 from tests.helpers.elastic import carried, compliant, elastic, rail_slope_along
 from wrcontact.kernel import layout
+from wrcontact.kernel.wheelset import brackets
 from wrcontact.kernel.wheelset.elastic import find_move
 
 # --- published equilibria -------------------------------------------------------------------------
@@ -243,3 +244,29 @@ def test_a_search_that_knows_no_derivatives_begins_with_those_of_the_levers(left
     assert find_move(work.broyden, work.supports, 0.75, 0.5)
     found = work.broyden.move_height, work.broyden.move_roll
     assert found == pytest.approx((height * 2e-6, roll * 2e-6), abs=1e-18)
+
+
+@pytest.mark.parametrize("far", [1e-9, 1e-5, 3e-4, 5e-3, -1e-9, -1e-5, -3e-4, -5e-3])
+def test_a_bracket_of_the_roll_grows_until_it_holds_the_root(far, monkeypatch):
+    """The residual is a straight line here, whose root is known; a chord finds it at once."""
+    start, trials = 2e-3, []
+
+    def straight(tables, work, roll, left, right, flat):
+        trials.append(roll)
+        return 0.4 * (start + far - roll), True, layout.VALID
+
+    monkeypatch.setattr(brackets, "roll_residual", straight)
+    work = layout.Work.at(np.zeros(layout.WORK_SIZE))
+    assert brackets.enclose_roll(None, work, start, 0.0, 0.0, 0) == layout.VALID
+    assert work.roll_bracket.low <= start + far <= work.roll_bracket.high
+    assert len(trials) <= 3 + max(0, np.log2(abs(far) / 2e-5))
+    trials.clear()
+    roll, status = brackets.bracket_roll(None, work, start, 0.0, 0.0)
+    assert status == layout.VALID and roll == pytest.approx(start + far, abs=1e-12)
+    assert len(trials) <= 6 + max(0, np.log2(abs(far) / 2e-5))
+
+
+def test_a_bracket_of_the_roll_without_a_root_has_an_end(monkeypatch):
+    monkeypatch.setattr(brackets, "roll_residual", lambda *_: (1e-4, True, layout.VALID))
+    work = layout.Work.at(np.zeros(layout.WORK_SIZE))
+    assert brackets.bracket_roll(None, work, 0.0, 0.0, 0.0) == (0.0, layout.NOT_CONVERGED)

@@ -1,7 +1,8 @@
 """Kinds of names and expressions in one function of the kernel."""
 
 import ast
-from functools import cache
+from functools import wraps
+from weakref import WeakKeyDictionary
 
 #: Kinds by annotation; a rate is what the differentiated kernel has beside a float.
 KINDS = {
@@ -15,7 +16,20 @@ KINDS = {
 NUMBERS = {"pi", "inf", "nan"}  # of the module math
 
 
-@cache
+def kept_with_tree(function):
+    """A function of a syntax tree whose answer is kept as long as the tree: one process may translate many kernels."""
+    known = WeakKeyDictionary()
+
+    @wraps(function)
+    def answer(tree):
+        if tree not in known:
+            known[tree] = function(tree)
+        return known[tree]
+
+    return answer
+
+
+@kept_with_tree
 def parameters(node):
     """(name, kind) of the parameters of a function, as annotated."""
     return [(argument.arg, KINDS[ast.unparse(argument.annotation)]) for argument in node.args.args]
@@ -134,7 +148,7 @@ class Scope:
         raise KeyError(f"{self.module}.py: {name} has no kind")
 
 
-@cache
+@kept_with_tree
 def constant_kinds(tree):
     """Kind of every constant of a module, by name."""
     return {
