@@ -205,4 +205,28 @@ SECTIONED = [
         ROLLING,
         "section_side",
     ),
+    (
+        "section_worn_wheel",
+        "return -move * side.place.sin_yaw * side.place.cos_roll",
+        "return move * side.place.sin_yaw * side.place.cos_roll",
+        "the wheel of a second patch wears at the wrong place",
+        ROLLING,
+        "section_wear",
+    ),
+    (
+        "section_elastic_rate",
+        "wheelset.vertical_velocity = 0.5 * (height - wheelset.vertical_shift) / time",
+        "wheelset.vertical_velocity = 0.5 * (wheelset.vertical_shift - height) / time",
+        "an elastic wheelset on a rising rail goes down",
+        ROLLING,
+        "section_elastic",
+    ),
+    (
+        "section_elastic_load",
+        "support.height = touch.best + approach + more / down",
+        "support.height = touch.best + approach + more * down",
+        "an elastic wheelset stands too low on a slope",
+        ROLLING,
+        "section_elastic",
+    ),
 ]

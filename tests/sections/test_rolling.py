@@ -447,6 +447,41 @@ def test_a_second_patch_leans_from_the_first_one_along_the_rail(yaw, shift):
     assert power == pytest.approx(-found["right.friction_power"], rel=1e-6)
 
 
+# --- places of wear ----------------------------------------------------------------------------------------------
+
+
+def test_wear_lies_in_the_sections():
+    """On equal slices, displaced, all outputs of wear are those of the constant rail; on one that grows, the loads of the strips
+    of a patch have their mean place on wheel and rail at its centre of load."""
+    given = dict(tangential_model="strips", rail_inclination=0.0, wear_outputs=True)
+    pose = dict(lateral_shift=-5.5e-3, yaw=-6e-3, right_rail_lateral=1e-3, speed=20.0, lateral_velocity=0.02)
+    one = ContactSystem(rail=moved([0.0, 0.5]), gauge=1.437, **given).evaluate(track_position=0.2, **pose)
+    other = ContactSystem(gauge=1.437, **given).evaluate(**pose)
+    assert one.status == other.status == 0
+    for side in ("left", "right"):
+        for name in ("wheel_place", "rail_place", "patch_of", "power"):
+            own, wanted = (np.asarray(getattr(getattr(state, side).outline, name)) for state in (one, other))
+            np.testing.assert_allclose(own, wanted, rtol=1e-5, atol=1e-7, err_msg=f"{side} {name}")
+        for name in ("wheel_place", "rail_place", "power", "width", "line_load", "slip"):
+            own, wanted = (getattr(getattr(state, side).strips[0], name) for state in (one, other))
+            np.testing.assert_allclose(own, wanted, rtol=1e-5, atol=1e-8, err_msg=f"{side} {name}")
+    rail, lateral = growing()
+    system_ = ContactSystem(rail=rail, rail_origin_y=lateral, contact_mode="elastic", **given)
+    yaw, shift = -0.02, 4.75e-3
+    state = system_.evaluate(lateral_shift=shift, yaw=yaw, normal_force=1.2e5)
+    axle = turned_by(yaw, state.roll)[:, 1]
+    centre = np.array([0.0, shift, state.vertical_shift - 0.46])
+    assert state.right.patch_count == 2
+    for k, patch in enumerate(state.right.patches[:2]):
+        strips = state.right.strips[k]
+        weight = strips.width * strips.line_load / np.sum(strips.width * strips.line_load)
+        place = np.array([patch.x_track, patch.y_track, patch.z_track])
+        assert weight @ strips.rail_place == pytest.approx(place[1] - lateral, abs=5e-5)
+        normal = unit(np.array([-np.tan(patch.slope), -np.tan(patch.contact_angle), -1.0]))
+        below = place - centre - patch.penetration * normal
+        assert weight @ strips.wheel_place == pytest.approx(below @ axle - 0.75, abs=5e-5)
+
+
 # --- elastic wheelsets -------------------------------------------------------------------------------------------
 
 
