@@ -159,8 +159,8 @@ SECTIONED = [
     ),
     (
         "section_approach_along",
-        "return along(at.down, motion.speed + motion.turn_y * z - motion.turn_z * y, lateral, vertical)",
-        "return along(at.down, motion.turn_y * z - motion.turn_z * y, lateral, vertical)",
+        "motion.speed + motion.turn_y * z - motion.turn_z * y + roller_x,",
+        "motion.turn_y * z - motion.turn_z * y + roller_x,",
         "contact is not damped as the rail rises",
         ROLLING,
         "leaning",
