@@ -2,7 +2,7 @@
 
 SEARCH, SURFACE = "sections/test_search.py", "sections/test_surface.py"
 SYSTEM, STEP = "sections/test_system.py", "sections/test_changing_step.py"
-ROLLING = "sections/test_rolling.py"
+ROLLING, WHEELS, ROLLER = "sections/test_rolling.py", "sections/test_wheels.py", "sections/test_roller.py"
 
 SECTIONED = [
     (
@@ -228,5 +228,77 @@ SECTIONED = [
         "an elastic wheelset stands too high on a slope",
         ROLLING,
         "section_elastic",
+    ),
+    (
+        "wheel_lead_sign",
+        "atan2(low, sqrt(1.0 - low * low)) - away + spread.least_lead",
+        "atan2(low, sqrt(1.0 - low * low)) - away - spread.most_lead",
+        "angles are sought on the wrong side of a wheel that is not round",
+        WHEELS,
+        "section_spread",
+    ),
+    (
+        "wheel_bends_of_lead",
+        "around = r_ff - r - 2.0 * r_f * lead",
+        "around = -r_ff - r - 2.0 * r_f * lead",
+        "a crest of a wheel is taken for a hollow",
+        WHEELS,
+        "wheel_radius",
+    ),
+    (
+        "wheel_turns_back",
+        "section_jet(pair.deviation, rotation + angle, y)",
+        "section_jet(pair.deviation, rotation - angle, y)",
+        "the wheel touches on the wrong side of a crest",
+        WHEELS,
+        "wheel_radius",
+    ),
+    (
+        "wheel_turn_in_frame",
+        "frame.turn = within_turn(work.inputs.wheel_rotation) + wheel_turn(frame, touch.place, side.place)",
+        "frame.turn = within_turn(work.inputs.wheel_rotation) - wheel_turn(frame, touch.place, side.place)",
+        "a wheel that is not round is turned on a rail that rises",
+        WHEELS,
+        "section_side",
+    ),
+    (
+        "wheel_swelling",
+        "return rate + motion.wheel_rate * at.swelling",
+        "return rate - motion.wheel_rate * at.swelling",
+        "damping of an eccentric wheel has the wrong sign",
+        WHEELS,
+        "leaning",
+    ),
+    (
+        "wheel_rises",
+        "motion.rail.vertical += touch.turn_rate * motion.wheel_rate",
+        "motion.rail.vertical -= touch.turn_rate * motion.wheel_rate",
+        "a rigid wheelset sinks where its wheels grow",
+        WHEELS,
+        "section_motion",
+    ),
+    (
+        "roller_slide_sign",
+        "roller_z = rail.turn * (at.x - rail.axle_x)",
+        "roller_z = -rail.turn * (at.x - rail.axle_x)",
+        "the roller's surface moves up where it moves down",
+        ROLLER,
+        "leaning",
+    ),
+    (
+        "roller_spin",
+        "motion.turn_y - motion.rail.turn - rate * motion.axle_y,",
+        "motion.turn_y + motion.rail.turn - rate * motion.axle_y,",
+        "the spin of a roller has the wrong sign",
+        ROLLER,
+        "leaning",
+    ),
+    (
+        "roller_slope",
+        "lean / root]",
+        "slope / root * radius]",
+        "a roller's flanks are steeper than they are",
+        ROLLER,
+        "wrcontact/sections/roller.py",
     ),
 ]

@@ -141,6 +141,23 @@ def test_touching_height_and_roll_are_those_of_grids(shape, seed):
     assert np.abs(gaps).max() < 2e-9, (pose, gaps)
 
 
+@pytest.mark.parametrize("degrees", [-2.4, -1.15, 1.7])
+def test_a_flat_of_a_real_profile_stands_where_grids_have_it(degrees):
+    """A fresh flat follows the profile; at -1.15 degrees a rounded one is nearly as hollow as the wheel is round."""
+    chi, half = np.radians(degrees), asin(0.5 * LENGTH / RADIUS)
+    chord = lambda phi, r: r * np.minimum(cos(half) / np.cos(np.clip(phi + chi, -half, half)) - 1.0, 0.0)  # noqa: E731
+    depth = RADIUS - sqrt(RADIUS**2 - 0.25 * LENGTH**2)
+    wave = lambda phi, r: (  # noqa: E731
+        -0.5 * depth * (1.0 + np.cos(2.0 * pi * np.clip((phi + chi) * RADIUS / LENGTH, -0.5, 0.5)))
+    )
+    for rounded, own, most in ((False, chord, 2e-7), (True, wave, 1e-8)):
+        state = system_of(WheelSections.flat(WHEEL, LENGTH, rounded)).evaluate(wheel_rotation=chi, yaw=5e-3)
+        assert state.status == 0
+        at = (0.0, 0.0, 5e-3, state.roll, state.vertical_shift)
+        gaps = [smallest_gap(right_rail(), WHEEL, one, own)[0] for one in (at, mirrored(at))]
+        assert np.abs(gaps).max() < most, gaps
+
+
 @cache
 def beside(model):
     kind = {"contact_mode": "compliant", "normal_model": model, "rail_inclination": 1 / 40}

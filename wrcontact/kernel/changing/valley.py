@@ -27,7 +27,11 @@ from .section_frame import into_frame
 #: Places along the line and on the wheel are found to this [m, rad].
 LINE_SHARP: Final[float] = 1e-12
 WHEEL_SHARP: Final[float] = 1e-13
-LINE_ITERATIONS: Final[int] = 30
+LINE_ITERATIONS: Final[int] = 60
+#: From this step on, every other one halves the part of the line that holds the place, as at the edge of a flat; and the length of
+#: a part whose ends are not both known [m].
+SLOW: Final[int] = 8
+OPEN: Final[float] = 1e6
 WHEEL_ITERATIONS: Final[int] = 20
 #: Longest move along the line in one step [m].
 LONGEST_MOVE: Final[float] = 0.02
@@ -225,7 +229,8 @@ def follow_line(
     """Write the node of a line, sought from the position ``u``, the wheel abscissa ``y`` [m] and the ``angle`` [rad] on;
     whether it is found, and these three where it is.
 
-    Along the line the slope of the gap along x is brought to zero by secants, the first one with the wheel's curvature.
+    Along the line the slope of the gap along x, which rises where there is one valley, is brought to zero by secants, the first one
+    with the wheel's curvature, between places where it has both signs.
 
     Long because what a node holds follows from all the numbers of its place.
     """
@@ -240,6 +245,8 @@ def follow_line(
     height = 0.0
     aside = 0.0
     curvature, rate = curvature_of_outline(pair, place, y)
+    low = -OPEN
+    high = OPEN
     found = False
     for i in range(LINE_ITERATIONS):
         x, across, z, slope, rise, x_u = line_point(pair, frame, position, line, u)
@@ -253,7 +260,13 @@ def follow_line(
             secant = (miss - miss_before) / (u - before)
             if secant > LEAST_LEFT * gain:
                 gain = secant
+        if miss > 0.0:
+            high = min(high, u)
+        else:
+            low = max(low, u)
         move = max(min(-miss / gain, LONGEST_MOVE), -LONGEST_MOVE)
+        if high - low < OPEN and (not (u + move >= low and u + move <= high) or (i >= SLOW and i % 2 == 0)):
+            move = 0.5 * (low + high) - u
         if fabs(move) < LINE_SHARP:
             found = True
             break

@@ -121,6 +121,10 @@ def above_surface(pair: Pair, y: float) -> bool:
 
 def try_first(pair: Pair, place: Place, search: SectionSearch, y: float):
     """Keep the smallest gap at ``y`` [m] by the angle, from the level wheel on, if it is the smallest one known."""
+    if pair.out_of_round:
+        # Newton's method may be led away where the wheel is nearly as hollow as it is round
+        compute_gap(pair, place, search, y, 0.0)
+        keep_gap(pair, search, y, 0.0)
     angle = settled_angle(pair, place, search, y, 0.0, -STEEPEST_ANGLE, STEEPEST_ANGLE)
     keep_gap(pair, search, y, angle)
 
