@@ -259,6 +259,8 @@ class WheelKeywords(TypedDict, total=False):
     """Lateral distance of the origin of changing sections from the track's centre, to the field side; 0: by the gauge of the section at position 0, whose highest place then has the height 0; -2 ... 2 m; by default 0."""
     rail_origin_z: float
     """How far the origin of changing sections lies below the running surface; beside rail_origin_y only; -1 ... 1 m; by default 0."""
+    roller_radius: float
+    """Radius of the roller in the place of a rail, at the highest place of its section; 0: a rail; 0 ... 1000 m; by default 0."""
 
 
 class PoseInputs(TypedDict, total=False):
