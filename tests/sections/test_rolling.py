@@ -11,6 +11,7 @@ from tests.helpers.changing import head
 from tests.helpers.sections import moved, stepped, stepper_on, waves
 from wrcontact import ContactSystem, RailSections, WheelSections
 from wrcontact.profiles import standard_profile
+from wrcontact.profiles.placement import place_rail
 
 MODELS = "strips", "fastsim", "fastrip", "polach"
 #: Velocities of a wheelset; of a compliant one both, of rails the last ones.
@@ -208,7 +209,10 @@ def slid(found, side, slopes, inputs, motion, k=1):
     patch, field = f"{side}.patch[{k}]", 1.0 if side == "right" else -1.0
     centre = np.array([0.0, inputs["lateral_shift"], found["vertical_shift"] - 0.46])
     place = place_of(found, patch, centre)
-    z_u, z_y, q = slopes(inputs["track_position"] + place[0], field * (place + centre)[1])
+    touch = place_of(found, f"{side}.contact", centre)
+    z_u, z_y, q = slopes(inputs["track_position"] + touch[0], field * (touch + centre)[1])
+    ruling = np.array([1.0, field * q, z_u + q * z_y])  # of the place of contact
+    z_u, z_y, _ = slopes(inputs["track_position"] + place[0], field * (place + centre)[1])
     surface = unit(np.array([z_u, field * z_y, -1.0]))
     lean, angle = found[f"{patch}.slope"], found[f"{patch}.contact_angle"]
     normal = unit(np.array([-np.tan(lean), -field * np.tan(angle), -1.0]))
@@ -216,7 +220,6 @@ def slid(found, side, slopes, inputs, motion, k=1):
     axle = turned_by(inputs["yaw"], found["roll"])[:, 1]
     rate = found[f"{side}.wheel_rate_found"]
     rolling = rate * found[f"{patch}.rolling_radius"] * unit(np.cross(axle, place))
-    ruling = np.array([1.0, field * q, z_u + q * z_y])
     ahead = unit(ruling - ruling @ normal * normal)
     left = np.cross(normal, ahead)
     slide = velocity + np.cross(rotation, place) - rolling
@@ -372,6 +375,111 @@ def test_the_power_of_all_forces_goes_into_friction_and_elastic_energy(model):
     assert pressed == pytest.approx(-stored, rel=1e-5)
     assert total == pytest.approx(pressed - rubbed, rel=1e-8)
     assert vector(found, "moment") @ axle == pytest.approx(-found["driving_torque"], abs=1e-3)
+
+
+# --- patches that lean -------------------------------------------------------------------------------------------
+
+
+def growing():
+    """UIC60 as it is inclined, with its width growing by its own width per m: its gauge face moves to the wheel; and where it
+    lies."""
+    placed = place_rail(standard_profile("UIC60"), inclination=1 / 40, gauge=1.435, gauge_depth=0.014)
+    y = np.linspace(placed.profile.start + 1e-6, placed.profile.stop - 1e-6, 401)
+    points, at = np.column_stack([y, placed.profile.height(y)]), np.linspace(-0.2, 0.2, 9)
+    return RailSections(at, [points * [1.0 + wider, 1.0] for wider in at]), placed.y_track
+
+
+@pytest.mark.parametrize("yaw, shift", [(-0.02, 4.75e-3), pytest.param(0.0, 4.6e-3, marks=pytest.mark.full)])
+def test_a_second_patch_leans_from_the_first_one_along_the_rail(yaw, shift):
+    """Both patches lie at other places along the wheel: each has the creepages, the power and the rolling radius of its own
+    place, where the wheel's surface is below the rail's by the penetration."""
+    rail, lateral = growing()
+
+    def slopes(u, y):
+        jet = rail.surface.jet(u, y - lateral)
+        return float(jet[1]), float(jet[2]), float(jet[6])
+
+    elastic, compliant = (
+        stepper_on(
+            ContactSystem(rail_inclination=0.0, tangential_model="strips", contact_mode=mode),
+            rail,
+            lateral=lateral,
+        )
+        for mode in ("elastic", "compliant")
+    )
+    inputs = dict(lateral_shift=shift, yaw=yaw, track_position=0.0)
+    status, stands = stepped(elastic, normal_force=1.2e5, **inputs)
+    assert status == 0
+    status, found = stepped(
+        compliant,
+        **inputs,
+        vertical_shift_input=stands["vertical_shift"],
+        roll_input=stands["roll"],
+        speed=20.0,
+        lateral_velocity=0.05,
+        yaw_rate=0.1,
+        vertical_velocity=0.02,
+        roll_rate=-0.03,
+        wheel_rate=43.5,
+    )
+    assert status == 0 and found["right.patch_count"] == 2
+    velocity = np.array([20.0, 0.05, 0.02])
+    rotation = np.array([-0.03 * cos(yaw), -0.03 * sin(yaw), 0.1])
+    axle = turned_by(yaw, found["roll"])[:, 1]
+    centre = np.array([0.0, shift, found["vertical_shift"] - 0.46])
+    lean = [found[f"right.patch[{k}].slope"] for k in (1, 2)]
+    assert abs(lean[1] - lean[0]) > 5e-3
+    for k in (1, 2):
+        wanted, own = slid(found, "right", slopes, inputs, (velocity, rotation), k)
+        # the ruling direction is that where the wheel would touch first, 0.1 mm higher
+        np.testing.assert_allclose(own, wanted, rtol=1e-6, atol=1e-6)
+        patch = f"right.patch[{k}]"
+        normal = unit(
+            np.array([-np.tan(found[f"{patch}.slope"]), -np.tan(found[f"{patch}.contact_angle"]), -1.0])
+        )
+        below = place_of(found, patch, centre) - found[f"{patch}.penetration"] * normal
+        radius = 0.46 + float(standard_profile("S1002").height(below @ axle - 0.75))
+        assert found[f"{patch}.rolling_radius"] == pytest.approx(radius, abs=1e-6 if yaw == 0.0 else 1e-7)
+    force, moment = (
+        vector(found, f"right.{part}") - vector(found, f"right.normal.{part}") for part in ("force", "moment")
+    )
+    power = force @ velocity + moment @ (rotation - 43.5 * axle)
+    assert power == pytest.approx(-found["right.friction_power"], rel=1e-6)
+
+
+# --- places of wear ----------------------------------------------------------------------------------------------
+
+
+def test_wear_lies_in_the_sections():
+    """On equal slices, displaced, all outputs of wear are those of the constant rail; on one that grows, the loads of the strips
+    of a patch have their mean place on wheel and rail at its centre of load."""
+    given = dict(tangential_model="strips", rail_inclination=0.0, wear_outputs=True)
+    pose = dict(lateral_shift=-5.5e-3, yaw=-6e-3, right_rail_lateral=1e-3, speed=20.0, lateral_velocity=0.02)
+    one = ContactSystem(rail=moved([0.0, 0.5]), gauge=1.437, **given).evaluate(track_position=0.2, **pose)
+    other = ContactSystem(gauge=1.437, **given).evaluate(**pose)
+    assert one.status == other.status == 0
+    for side in ("left", "right"):
+        for name in ("wheel_place", "rail_place", "patch_of", "power"):
+            own, wanted = (np.asarray(getattr(getattr(state, side).outline, name)) for state in (one, other))
+            np.testing.assert_allclose(own, wanted, rtol=1e-5, atol=1e-7, err_msg=f"{side} {name}")
+        for name in ("wheel_place", "rail_place", "power", "width", "line_load", "slip"):
+            own, wanted = (getattr(getattr(state, side).strips[0], name) for state in (one, other))
+            np.testing.assert_allclose(own, wanted, rtol=1e-5, atol=1e-8, err_msg=f"{side} {name}")
+    rail, lateral = growing()
+    system_ = ContactSystem(rail=rail, rail_origin_y=lateral, contact_mode="elastic", **given)
+    yaw, shift = -0.02, 4.75e-3
+    state = system_.evaluate(lateral_shift=shift, yaw=yaw, normal_force=1.2e5)
+    axle = turned_by(yaw, state.roll)[:, 1]
+    centre = np.array([0.0, shift, state.vertical_shift - 0.46])
+    assert state.right.patch_count == 2
+    for k, patch in enumerate(state.right.patches[:2]):
+        strips = state.right.strips[k]
+        weight = strips.width * strips.line_load / np.sum(strips.width * strips.line_load)
+        place = np.array([patch.x_track, patch.y_track, patch.z_track])
+        assert weight @ strips.rail_place == pytest.approx(place[1] - lateral, abs=5e-5)
+        normal = unit(np.array([-np.tan(patch.slope), -np.tan(patch.contact_angle), -1.0]))
+        below = place - centre - patch.penetration * normal
+        assert weight @ strips.wheel_place == pytest.approx(below @ axle - 0.75, abs=5e-5)
 
 
 # --- elastic wheelsets -------------------------------------------------------------------------------------------

@@ -422,10 +422,6 @@ def test_files_are_read_and_moved(tmp_path):
             "left_rail_vertical_stiffness is 10000000.0 N/m; permitted with a rail that changes",
         ),
         (
-            {"wear_outputs": True},
-            "wear_outputs is True; permitted with a rail that changes along the track is False",
-        ),
-        (
             {"rail_inclination": 0.05},
             r"rail_inclination is 0.05; permitted with a rail that changes along the track is 0, since",
         ),

@@ -29,10 +29,7 @@ PERMITTED = {
     "lateral_curvature": ("adaptive",),
 }
 #: What has to be zero, or False.
-WITHOUT = (
-    *(side + name for side in ("", LEFT) for name in RAIL_SPRINGS),
-    "wear_outputs",
-)
+WITHOUT = tuple(side + name for side in ("", LEFT) for name in RAIL_SPRINGS)
 #: The constant rail in whose place the kernel puts one that changes, and how it lies; neither changes a result. The wheel stands
 #: for one that is not round while profiles are found.
 CARRIER, CARRIED_WHEEL = "UIC60", "S1002"

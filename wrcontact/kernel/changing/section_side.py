@@ -38,9 +38,11 @@ from ..wheelset.prescribed_height import GRAZING, is_damped
 from ..wheelset.side import load_side, lower_wheel, solve_side, touch_side
 from ..wheelset.residuals import DEEPEST
 from .section_damping import damp_leaning_patches
+from .nearest_places import valley_at
 from .one_valley import has_one_valley
 from .rail_at_pose import write_rail_at_pose
 from .section_frame import into_track, open_section_frame, place_in_frame, point_in_track, wheel_turn
+from .section_wear import turn_wear
 from .valley import follow_valley
 
 #: The wheel is lowered by this much more than it overlaps its rail where a second contact along it is looked for [m].
@@ -153,6 +155,8 @@ def finish_side(tables: Tables, work: Work, index: int, status: int, height: flo
         if has_strips(tables):
             lean_strips(pair, work.touches[index], side, number, leaning)
         turn_patch(pair, work.touches[index], side, number, leaning)
+    if has_wear(tables) and side.patch_count > 0:
+        turn_wear(pair, work, index)
     pair.rail_y = pair.sections.lateral
     search = work.section_search
     if not has_one_valley(pair, work.touches[index], search, depth + BEYOND_OVERLAP):
@@ -169,26 +173,6 @@ def covers(sections: Sections, low: float, high: float) -> bool:
     """Whether the rail that is laid reaches from the wheel abscissa ``low`` to ``high`` [m], or to its own ends."""
     short = sections.cut_first and sections.nodes[sections.first].wheel > low
     return not short and not (sections.cut_last and sections.nodes[sections.last].wheel < high)
-
-
-def valley_at(sections: Sections, y: float):
-    """How far the nearest place lies ahead of the outline [m], and the slope of both surfaces along the frame [-] there, at
-    the place ``y`` [m] across it."""
-    low = sections.first
-    high = sections.last
-    while high - low > 1:
-        middle = (low + high) // 2
-        if sections.nodes[middle].y <= y:
-            low = middle
-        else:
-            high = middle
-    before = sections.nodes[low]
-    behind = sections.nodes[high]
-    share = min(max((y - before.y) / (behind.y - before.y), 0.0), 1.0)
-    return (
-        before.move + share * (behind.move - before.move),
-        before.rise + share * (behind.rise - before.rise),
-    )
 
 
 def turn_point(pair: Pair, work: Work, index: int, height: float):
