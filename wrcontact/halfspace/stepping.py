@@ -12,7 +12,7 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.wheelset.input_checks import has_creep_forces, has_wear, requested_outcome
+from ..kernel.wheelset.input_checks import has_creep_forces, has_wear, requested_status
 from ..kernel.wheelset.rolling_contact import move_patches, move_wheelset
 from ..progress import tracked
 from ..status import Status
@@ -100,7 +100,7 @@ class HalfspaceSolver(Solver):
         wheels = [partial(self._pressed_side, index) for index in range(2)]
         if tables.mode == layout.MODE_ELASTIC and (self._force(0) > 0.0 or self._force(1) > 0.0):
             wheels, status = self._balanced()
-            status = requested_outcome(tables, work, status)
+            status = requested_status(tables, work, status)
         solved = [
             self._press(index, wheels[index])
             for index in tracked(range(2), "half-space of one pose", alone=True)

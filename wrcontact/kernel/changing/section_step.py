@@ -21,7 +21,7 @@ from ..layout import (
     Work,
 )
 from ..wheelset.free_rolling import release_rates, roll_freely, turns_freely
-from ..wheelset.input_checks import check_inputs, counted_outcome, is_needed, side_force
+from ..wheelset.input_checks import check_inputs, counted_status, is_needed, side_force
 from ..wheelset.prescribed_height import is_damped
 from ..wheelset.report import report
 from ..wheelset.rigid import penetration_status
@@ -122,8 +122,10 @@ def stand_rigid(tables: Tables, work: Work):
     work.wheelset.vertical_shift = height
     for index in range(2):
         if is_needed(tables, work.inputs, index):
-            side_status = load_touching(tables, work, index, work.touches[index].best, side_force(work, index))
-            status = counted_outcome(tables, index, status, side_status)
+            side_status = load_touching(
+                tables, work, index, work.touches[index].best, side_force(work, index)
+            )
+            status = counted_status(tables, index, status, side_status)
     return status
 
 
@@ -144,7 +146,7 @@ def stand_compliant(tables: Tables, work: Work):
     for index in range(2):
         if is_needed(tables, work.inputs, index):
             side_status = load_pressed(tables, work, index, height)
-            status = counted_outcome(tables, index, status, side_status)
+            status = counted_status(tables, index, status, side_status)
     return status
 
 

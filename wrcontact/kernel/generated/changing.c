@@ -9,6 +9,9 @@ static inline int64_t bounds_at_pose__clear_cells(array_double_1d tables, int64_
 static inline int64_t bounds_at_pose__widen_cell(array_double_1d tables, int64_t cell, double least, double most, double turn);
 static inline int64_t bounds_at_pose__write_stretches(array_double_1d tables, int64_t scan);
 
+/* changing/nearest_places.py */
+static inline void nearest_places__valley_at(double* out_0, double* out_1, array_double_1d tables, int64_t sections, double y);
+
 /* changing/one_valley.py */
 static inline bool one_valley__has_one_valley(array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, double depth);
 static inline bool one_valley__is_convex_along(array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch);
@@ -77,7 +80,6 @@ static inline void section_side__load_pressed_within(int64_t* out_0, bool* out_1
 static inline void section_side__finish_side(int64_t* status_out, bool* out_1, array_double_1d tables, array_double_1d work, int64_t index, int64_t status, double height, double depth);
 static inline bool section_side__has_strips(array_double_1d tables);
 static inline bool section_side__covers(array_double_1d tables, int64_t sections, double low, double high);
-static inline void section_side__valley_at(double* out_0, double* out_1, array_double_1d tables, int64_t sections, double y);
 static inline int64_t section_side__turn_point(array_double_1d tables, int64_t pair, array_double_1d work, int64_t index, double height);
 static inline void section_side__lean(double* move_out, double* rise_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t touch, int64_t at, double x, double y, double z);
 static inline int64_t section_side__lean_plane(array_double_1d tables, array_double_1d work, int64_t frame, int64_t at, double x, double y, double z);
@@ -98,6 +100,11 @@ static inline int64_t section_step__stand_compliant(array_double_1d tables, arra
 static inline int64_t section_step__step_changing_row(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, int64_t row);
 static inline int64_t section_step__step_changing(array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs);
 static inline int64_t section_step__step_changing_many(int64_t count, array_double_1d tables, array_double_1d state, array_double_1d workspace, array_double_1d inputs, array_double_1d outputs, array_double_1d statuses);
+
+/* changing/section_wear.py */
+static OUT_OF_LINE int64_t section_wear__turn_wear(array_double_1d tables, int64_t pair, array_double_1d work, int64_t index);
+static OUT_OF_LINE int64_t section_wear__turn_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t j);
+static OUT_OF_LINE double section_wear__abscissa_change(array_double_1d work, int64_t side, double move);
 
 /* changing/valley.py */
 static inline void valley__point_on_wheel(double* out_0, double* out_1, double* out_2, double* out_3, double* out_4, double* out_5, double* out_6, double* normal_x_out, double* normal_y_out, double* normal_z_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double y, double angle);
@@ -259,6 +266,40 @@ static inline int64_t bounds_at_pose__write_stretches(array_double_1d tables, in
         }
     }
     return 0;
+}
+
+
+/* ---- From changing/nearest_places.py; change that one.
+ *
+ * Where a wheel is nearest to its rail along the frame, between the nodes of a pose.
+ */
+
+/* How far the nearest place lies ahead of the outline [m], and the slope of both surfaces along the frame [-] there, at
+ * the place ``y`` [m] across it.
+ */
+static inline void nearest_places__valley_at(double* out_0, double* out_1, array_double_1d tables, int64_t sections, double y)
+{
+    int64_t low, high, middle, before, behind;
+    double share;
+    low = (int64_t)AT(tables, sections + layout__SECTIONS_FIRST);
+    high = (int64_t)AT(tables, sections + layout__SECTIONS_LAST);
+    while (high - low > 1)
+    {
+        middle = floor_div(low + high, 2);
+        if (AT(tables, sections + (int64_t)AT(tables, sections + layout__SECTIONS_NODES) + layout__VALLEY_NODE_SIZE * middle + layout__VALLEY_NODE_Y) <= y)
+        {
+            low = middle;
+        }
+        else
+        {
+            high = middle;
+        }
+    }
+    before = sections + (int64_t)AT(tables, sections + layout__SECTIONS_NODES) + layout__VALLEY_NODE_SIZE * low;
+    behind = sections + (int64_t)AT(tables, sections + layout__SECTIONS_NODES) + layout__VALLEY_NODE_SIZE * high;
+    share = double_min(double_max((y - AT(tables, before + layout__VALLEY_NODE_Y)) / (AT(tables, behind + layout__VALLEY_NODE_Y) - AT(tables, before + layout__VALLEY_NODE_Y)), 0.0), 1.0);
+    *out_0 = AT(tables, before + layout__VALLEY_NODE_MOVE) + share * (AT(tables, behind + layout__VALLEY_NODE_MOVE) - AT(tables, before + layout__VALLEY_NODE_MOVE));
+    *out_1 = AT(tables, before + layout__VALLEY_NODE_RISE) + share * (AT(tables, behind + layout__VALLEY_NODE_RISE) - AT(tables, before + layout__VALLEY_NODE_RISE));
 }
 
 
@@ -1580,6 +1621,10 @@ static inline void section_side__finish_side(int64_t* status_out, bool* out_1, a
         }
         section_side__turn_patch(tables, work, pair, layout__WORK_TOUCHES + layout__SECTION_TOUCH_SIZE * index, side, number, leaning);
     }
+    if (input_checks__has_wear(tables) && (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT) > 0)
+    {
+        section_wear__turn_wear(tables, pair, work, index);
+    }
     AT(tables, pair + layout__PAIR_RAIL_Y) = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_LATERAL);
     if (!one_valley__has_one_valley(tables, work, pair, layout__WORK_TOUCHES + layout__SECTION_TOUCH_SIZE * index, depth + section_side__BEYOND_OVERLAP))
     {
@@ -1605,34 +1650,6 @@ static inline bool section_side__covers(array_double_1d tables, int64_t sections
     return !short_ && !(AT(tables, sections + layout__SECTIONS_CUT_LAST) == 1.0 && AT(tables, sections + (int64_t)AT(tables, sections + layout__SECTIONS_NODES) + layout__VALLEY_NODE_SIZE * (int64_t)AT(tables, sections + layout__SECTIONS_LAST) + layout__VALLEY_NODE_WHEEL) < high);
 }
 
-/* How far the nearest place lies ahead of the outline [m], and the slope of both surfaces along the frame [-] there, at
- * the place ``y`` [m] across it.
- */
-static inline void section_side__valley_at(double* out_0, double* out_1, array_double_1d tables, int64_t sections, double y)
-{
-    int64_t low, high, middle, before, behind;
-    double share;
-    low = (int64_t)AT(tables, sections + layout__SECTIONS_FIRST);
-    high = (int64_t)AT(tables, sections + layout__SECTIONS_LAST);
-    while (high - low > 1)
-    {
-        middle = floor_div(low + high, 2);
-        if (AT(tables, sections + (int64_t)AT(tables, sections + layout__SECTIONS_NODES) + layout__VALLEY_NODE_SIZE * middle + layout__VALLEY_NODE_Y) <= y)
-        {
-            low = middle;
-        }
-        else
-        {
-            high = middle;
-        }
-    }
-    before = sections + (int64_t)AT(tables, sections + layout__SECTIONS_NODES) + layout__VALLEY_NODE_SIZE * low;
-    behind = sections + (int64_t)AT(tables, sections + layout__SECTIONS_NODES) + layout__VALLEY_NODE_SIZE * high;
-    share = double_min(double_max((y - AT(tables, before + layout__VALLEY_NODE_Y)) / (AT(tables, behind + layout__VALLEY_NODE_Y) - AT(tables, before + layout__VALLEY_NODE_Y)), 0.0), 1.0);
-    *out_0 = AT(tables, before + layout__VALLEY_NODE_MOVE) + share * (AT(tables, behind + layout__VALLEY_NODE_MOVE) - AT(tables, before + layout__VALLEY_NODE_MOVE));
-    *out_1 = AT(tables, before + layout__VALLEY_NODE_RISE) + share * (AT(tables, behind + layout__VALLEY_NODE_RISE) - AT(tables, before + layout__VALLEY_NODE_RISE));
-}
-
 /* The place of contact of a side in the track, on its wheel and on its rail. */
 static inline int64_t section_side__turn_point(array_double_1d tables, int64_t pair, array_double_1d work, int64_t index, double height)
 {
@@ -1642,7 +1659,7 @@ static inline int64_t section_side__turn_point(array_double_1d tables, int64_t p
     point = side + layout__SIDE_SEARCH_POINT;
     place = layout__WORK_TOUCHES + layout__SECTION_TOUCH_SIZE * index + layout__SECTION_TOUCH_PLACE;
     sections = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS);
-    section_side__valley_at(&move, &rise, tables, sections, AT(work, point + layout__CONTACT_POINT_Y_TRACK));
+    nearest_places__valley_at(&move, &rise, tables, sections, AT(work, point + layout__CONTACT_POINT_Y_TRACK));
     section_frame__point_in_track(&x, &y, &z, tables, sections + layout__SECTIONS_FRAME, AT(tables, sections + layout__SECTIONS_FRAME + layout__SECTION_FRAME_CENTRE + 0) + AT(work, point + layout__CONTACT_POINT_X_TRACK) + move, AT(work, point + layout__CONTACT_POINT_Y_TRACK), AT(work, point + layout__CONTACT_POINT_Z_TRACK));
     section_surface__section_jet(&z, &z_u, &z_y, &z_uu, &z_uy, &z_yy, tables, sections, AT(work, layout__WORK_INPUTS + layout__INPUTS_TRACK_POSITION) + x, y - AT(tables, sections + layout__SECTIONS_LATERAL));
     AT(work, point + layout__CONTACT_POINT_Y_RAIL) = y - AT(tables, sections + layout__SECTIONS_LATERAL);
@@ -1676,7 +1693,7 @@ static inline void section_side__lean(double* move_out, double* rise_out, array_
     int64_t frame;
     double move, rise, kept, kept_2, kept_3;
     frame = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_FRAME;
-    section_side__valley_at(&move, &rise, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), y);
+    nearest_places__valley_at(&move, &rise, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), y);
     section_frame__point_in_track(&kept, &kept_2, &kept_3, tables, frame, AT(tables, frame + layout__SECTION_FRAME_CENTRE + 0) + x + move, y, z);
     AT(work, at + layout__LEANING_X) = kept;
     AT(work, at + layout__LEANING_Y) = kept_2;
@@ -1972,7 +1989,7 @@ static inline int64_t section_step__stand_rigid(array_double_1d tables, array_do
         if (input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             side_status = section_side__load_touching(tables, work, index, AT(work, layout__WORK_TOUCHES + layout__SECTION_TOUCH_SIZE * index + layout__SECTION_TOUCH_BEST), input_checks__side_force(work, index));
-            status = input_checks__counted_outcome(tables, index, status, side_status);
+            status = input_checks__counted_status(tables, index, status, side_status);
         }
     }
     return status;
@@ -2008,7 +2025,7 @@ static inline int64_t section_step__stand_compliant(array_double_1d tables, arra
         if (input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             side_status = section_side__load_pressed(tables, work, index, height);
-            status = input_checks__counted_outcome(tables, index, status, side_status);
+            status = input_checks__counted_status(tables, index, status, side_status);
         }
     }
     return status;
@@ -2044,6 +2061,63 @@ static inline int64_t section_step__step_changing_many(int64_t count, array_doub
         AT(statuses, row) = (double)section_step__step_changing_row(tables, state, workspace, inputs, outputs, row);
     }
     return 0;
+}
+
+
+/* ---- From changing/section_wear.py; change that one.
+ *
+ * Where stations and strips lie on the wheel and in the sections of a rail that changes, for models of wear
+ * (normal/wear_places.py has places on the constant rail of the frame).
+ */
+
+/* Turn the places of the stations and of the strips of side ``index`` back into the sections; its strips lean already. */
+static OUT_OF_LINE int64_t section_wear__turn_wear(array_double_1d tables, int64_t pair, array_double_1d work, int64_t index)
+{
+    int64_t side, j, number, leaning, worn, k, j_end, number_end;
+    double lateral, move, rise;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    lateral = AT(work, layout__WORK_TOUCHES + layout__SECTION_TOUCH_SIZE * index + layout__SECTION_TOUCH_PLACE + layout__PLACE_RAIL_LATERAL) + AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_LATERAL);
+    j_end = (int64_t)AT(tables, layout__TABLES_STATIONS);
+    for (j = 0; j < j_end; j += 1)
+    {
+        section_wear__turn_station(tables, work, pair, side, j);
+    }
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        leaning = layout__WORK_LEANING + layout__LEANING_PATCH_SIZE * leaning_wheel__leaning_place(index, number);
+        worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
+        for (k = 0; k < layout__ROLLING_STRIP_LIMIT; k += 1)
+        {
+            nearest_places__valley_at(&move, &rise, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), AT(work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + k));
+            AT(work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + k) = AT(work, leaning + layout__LEANING_PATCH_STRIPS + layout__LEANING_SIZE * k + layout__LEANING_Y) - lateral;
+            AT(work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + k) += section_wear__abscissa_change(work, side, move);
+        }
+    }
+    return 0;
+}
+
+/* The places of station ``j`` of a side. */
+static OUT_OF_LINE int64_t section_wear__turn_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t j)
+{
+    int64_t stations, frame;
+    double wheel, across, move, rise, z, slope, x, y, down;
+    stations = (int64_t)AT(tables, layout__TABLES_STATIONS);
+    frame = pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_FRAME;
+    wheel = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j);
+    across = AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j));
+    nearest_places__valley_at(&move, &rise, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS), across);
+    tables__height_slope(&z, &slope, tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL), across);
+    section_frame__point_in_track(&x, &y, &down, tables, frame, AT(tables, frame + layout__SECTION_FRAME_CENTRE + 0) + locus__outline_x(tables, work, pair, side + layout__SIDE_SEARCH_PLACE, wheel) + move, across, z);
+    AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j) = wheel + section_wear__abscissa_change(work, side, move);
+    AT(work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j)) = y - AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_SECTIONS) + layout__SECTIONS_LATERAL);
+    return 0;
+}
+
+/* How much larger the wheel's abscissa is at a place that lies ``move`` [m] ahead along the frame [m]. */
+static OUT_OF_LINE double section_wear__abscissa_change(array_double_1d work, int64_t side, double move)
+{
+    return -move * AT(work, side + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW) * AT(work, side + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_ROLL);
 }
 
 

@@ -2051,6 +2051,7 @@ static const double rolled_rails__SECANTS = 10.0;
 static const double rolled_rails__NEARER = 0.5;
 static const double rolled_rails__ROOT_WITHIN = 0.004;
 static const double rolled_rails__BESIDE = 1e-09;
+static const double rolled_rails__JUMP = 1e-09;
 static const double rolled_rails__UNKNOWN = 1.0;
 static const double rolled_rails__RIGID_MET = 1e-14;
 static const double rolled_rails__ELASTIC_MET = 2e-13;

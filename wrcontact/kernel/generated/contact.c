@@ -67,7 +67,6 @@ static OUT_OF_LINE void penetrated_regions__touching_shift(double* out_0, double
 static OUT_OF_LINE int64_t penetrated_regions__lower_frame(array_double_1d work, double height, double depth, double gap);
 static OUT_OF_LINE int64_t penetrated_regions__sink_wheel(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double penetration);
 static OUT_OF_LINE int64_t penetrated_regions__raise_wheel(array_double_1d work, bool sunk);
-static OUT_OF_LINE int64_t penetrated_regions__sink_deeper(array_double_1d work, int64_t count, double penetration);
 static OUT_OF_LINE int64_t penetrated_regions__open_penetrated_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
 static OUT_OF_LINE int64_t penetrated_regions__give_own_frame(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point);
 static OUT_OF_LINE int64_t penetrated_regions__gather_overlaps(array_double_1d tables, array_double_1d work, int64_t pair);
@@ -829,9 +828,9 @@ static ALWAYS_INLINE int64_t overlap_samples__falling_exponent(array_double_1d t
  * Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
  *
  * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
- * point, which is located along the rail's normals (:mod:`pressed`).  Where more than one may lie between them,
+ * point, which is located along the rail's normals (:mod:`penetrated`).  Where more than one may lie between them,
  * both samples say how many there are (:mod:`turning_cells`), or the stretch is searched.  Two with a low saddle
- * between them are one region (deep_points.MERGE).
+ * between them are one region (penetration_maxima.MERGE).
  */
 
 /* List the regions in which the wheel of ``side``, moved down by ``height`` [m], overlaps its rail; their
@@ -1659,40 +1658,6 @@ static OUT_OF_LINE int64_t penetrated_regions__raise_wheel(array_double_1d work,
     return 0;
 }
 
-/* Press a sunk wheel with ``count`` regions until its contact point is ``penetration`` [m] deep.
- *
- * The regions stay: their deepest points move by less than what counts.
- */
-static OUT_OF_LINE int64_t penetrated_regions__sink_deeper(array_double_1d work, int64_t count, double penetration)
-{
-    double height;
-    int64_t i_1, index, region, i_2, i_3, i_4;
-    height = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT) + penetration / AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS);
-    penetrated_regions__lower_frame(work, height, penetration, 0.0);
-    for (i_1 = 0; i_1 < layout__FRAME_SIZE; i_1 += 1)
-    {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1);
-    }
-    for (index = 0; index < count; index += 1)
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        for (i_2 = 0; i_2 < 28; i_2 += 1)
-        {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_2);
-        }
-        penetrated_regions__lower_frame(work, height, AT(work, region + layout__REGION_ALIGNMENT) * penetration - AT(work, region + layout__REGION_GAP), AT(work, region + layout__REGION_GAP));
-        for (i_3 = 0; i_3 < layout__FRAME_SIZE; i_3 += 1)
-        {
-            AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * index + i_3) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3);
-        }
-    }
-    for (i_4 = 0; i_4 < 28; i_4 += 1)
-    {
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + 28 * layout__REGION_LIMIT + i_4);
-    }
-    return 0;
-}
-
 /* Start a region at a deepest point, inclined as the rail there. */
 static OUT_OF_LINE int64_t penetrated_regions__open_penetrated_region(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t point)
 {
@@ -2087,7 +2052,7 @@ static inline int64_t penetration_maxima__follow_saddle(array_double_1d tables, 
  * The undeformed distance over a region's stations, measured in one of four ways.
  *
  * normal        along the normal of the contact plane, :mod:`frame`; of a pressed wheel, along the
- *               rail's, :mod:`pressed`;
+ *               rail's, :mod:`penetrated`;
  * vertical      at common lateral track coordinate: station s stands for y = y_0 + s cos(plane's angle);
  * equidistant   between the points at arc length s from the region's minimum on both curves, along the mean of
  *               their normals;

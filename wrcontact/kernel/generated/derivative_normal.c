@@ -113,8 +113,8 @@ static inline void derivative_analyn__clip_to_bound_t(double* stop_out, directio
 /* Derivative of ``region_load``. */
 static inline void derivative_analyn__region_load_t(double* out_0, directional_rate* out_1, double* out_2, directional_rate* out_3, array_double_1d work, array_directional_rate_1d work_t, int64_t region, int64_t nodes, double local_penetration, directional_rate local_penetration_t)
 {
-    directional_rate load_t, stiffness_t, d_before_t, c_before_t, d_low_t, c_low_t, d_high_t, c_high_t, f_low_t, f_high_t, v2_t, start_t, stop_t, v4_t, v5_t, v6_t, rates, rates_2, rates_3;
-    double load, stiffness, d_before, c_before, d_low, c_low, d_high, c_high, f_low, f_high, v1, v2, v3, start, stop, v4, v5, v6, v7, v8, v9, v10, v11;
+    directional_rate load_t, stiffness_t, d_before_t, f_before_t, d_low_t, c_low_t, f_low_t, d_high_t, c_high_t, f_high_t, v1_t, start_t, stop_t, v3_t, v4_t, v5_t;
+    double load, stiffness, d_before, f_before, d_low, c_low, f_low, d_high, c_high, f_high, v1, v2, start, stop, v3, v4, v5, v6, v7, v8, v9, v10;
     int64_t outward, last, k, at;
     load_t = along_all(0.0);
     load = 0.0;
@@ -131,12 +131,14 @@ static inline void derivative_analyn__region_load_t(double* out_0, directional_r
             }
             EACH_DIRECTION each(d_before_t) = each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + -outward));
             d_before = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + -outward);
-            EACH_DIRECTION each(c_before_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + -outward));
-            c_before = AT(work, nodes + layout__NODES_LINE + 128 + -outward);
+            EACH_DIRECTION each(f_before_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + -outward)) * d_before + AT(work, nodes + layout__NODES_LINE + 128 + -outward) * each(d_before_t);
+            f_before = AT(work, nodes + layout__NODES_LINE + 128 + -outward) * d_before;
             EACH_DIRECTION each(d_low_t) = each(local_penetration_t) - each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + 0));
             d_low = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + 0);
             EACH_DIRECTION each(c_low_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + 0));
             c_low = AT(work, nodes + layout__NODES_LINE + 128 + 0);
+            EACH_DIRECTION each(f_low_t) = each(c_low_t) * d_low + c_low * each(d_low_t);
+            f_low = c_low * d_low;
             for (k = 0; k < last; k += 1)
             {
                 at = outward * (k + 1);
@@ -144,55 +146,51 @@ static inline void derivative_analyn__region_load_t(double* out_0, directional_r
                 d_high = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + at);
                 EACH_DIRECTION each(c_high_t) = each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + at));
                 c_high = AT(work, nodes + layout__NODES_LINE + 128 + at);
-                EACH_DIRECTION each(f_low_t) = each(c_low_t) * d_low + c_low * each(d_low_t);
-                f_low = c_low * d_low;
                 EACH_DIRECTION each(f_high_t) = each(c_high_t) * d_high + c_high * each(d_high_t);
                 f_high = c_high * d_high;
                 if (d_low > 0.0 && d_high > 0.0 && k < last - 1)
                 {
-                    v1 = f_low + f_high;
-                    EACH_DIRECTION each(rates) = each(c_before_t) * d_before + c_before * each(d_before_t);
-                    derivative_quadrature__bend_of_t(&v2, &v2_t, c_before * d_before, rates, f_low, f_low_t, f_high, f_high_t);
-                    EACH_DIRECTION each(load_t) = each(load_t) + (0.5 * (each(f_low_t) + each(f_high_t)) - each(v2_t) / 6.0);
-                    load = load + (0.5 * v1 - v2 / 6.0);
-                    v3 = c_low + c_high;
+                    derivative_quadrature__full_cell_t(&v1, &v1_t, f_before, f_before_t, f_low, f_low_t, f_high, f_high_t);
+                    EACH_DIRECTION each(load_t) = each(load_t) + each(v1_t);
+                    load = load + v1;
+                    v2 = c_low + c_high;
                     EACH_DIRECTION each(stiffness_t) = each(stiffness_t) + 0.5 * (each(c_low_t) + each(c_high_t));
-                    stiffness = stiffness + 0.5 * v3;
+                    stiffness = stiffness + 0.5 * v2;
                 }
                 else if (d_low > 0.0 || d_high > 0.0)
                 {
                     derivative_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
                     if (k == last - 1)
                     {
-                        derivative_analyn__clip_to_bound_t(&v4, &v4_t, work, work_t, region, outward * k, outward, stop, stop_t);
-                        EACH_DIRECTION each(stop_t) = each(v4_t);
-                        stop = v4;
+                        derivative_analyn__clip_to_bound_t(&v3, &v3_t, work, work_t, region, outward * k, outward, stop, stop_t);
+                        EACH_DIRECTION each(stop_t) = each(v3_t);
+                        stop = v3;
                     }
                     if (stop > start)
                     {
-                        EACH_DIRECTION each(rates_2) = each(c_before_t) * d_before + c_before * each(d_before_t);
-                        derivative_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, rates_2, f_low, f_low_t, f_high, f_high_t, stop, stop_t);
-                        EACH_DIRECTION each(rates_3) = each(c_before_t) * d_before + c_before * each(d_before_t);
-                        derivative_quadrature__quadratic_integral_t(&v6, &v6_t, c_before * d_before, rates_3, f_low, f_low_t, f_high, f_high_t, start, start_t);
-                        EACH_DIRECTION each(load_t) = each(load_t) + (each(v5_t) - each(v6_t));
-                        load = load + (v5 - v6);
-                        v7 = stop - start;
-                        v8 = stop + start;
-                        v9 = 0.5 * v8;
-                        v10 = c_high - c_low;
-                        v11 = c_low + v9 * v10;
-                        EACH_DIRECTION each(stiffness_t) = each(stiffness_t) + ((each(stop_t) - each(start_t)) * v11 + v7 * (each(c_low_t) + (0.5 * (each(stop_t) + each(start_t)) * v10 + v9 * (each(c_high_t) - each(c_low_t)))));
-                        stiffness = stiffness + v7 * v11;
+                        derivative_quadrature__quadratic_integral_t(&v4, &v4_t, f_before, f_before_t, f_low, f_low_t, f_high, f_high_t, stop, stop_t);
+                        derivative_quadrature__quadratic_integral_t(&v5, &v5_t, f_before, f_before_t, f_low, f_low_t, f_high, f_high_t, start, start_t);
+                        EACH_DIRECTION each(load_t) = each(load_t) + (each(v4_t) - each(v5_t));
+                        load = load + (v4 - v5);
+                        v6 = stop - start;
+                        v7 = stop + start;
+                        v8 = 0.5 * v7;
+                        v9 = c_high - c_low;
+                        v10 = c_low + v8 * v9;
+                        EACH_DIRECTION each(stiffness_t) = each(stiffness_t) + ((each(stop_t) - each(start_t)) * v10 + v6 * (each(c_low_t) + (0.5 * (each(stop_t) + each(start_t)) * v9 + v8 * (each(c_high_t) - each(c_low_t)))));
+                        stiffness = stiffness + v6 * v10;
                     }
                 }
                 EACH_DIRECTION each(d_before_t) = each(d_low_t);
                 d_before = d_low;
-                EACH_DIRECTION each(c_before_t) = each(c_low_t);
-                c_before = c_low;
+                EACH_DIRECTION each(f_before_t) = each(f_low_t);
+                f_before = f_low;
                 EACH_DIRECTION each(d_low_t) = each(d_high_t);
                 d_low = d_high;
                 EACH_DIRECTION each(c_low_t) = each(c_high_t);
                 c_low = c_high;
+                EACH_DIRECTION each(f_low_t) = each(f_high_t);
+                f_low = f_high;
             }
         }
     }
@@ -1068,12 +1066,12 @@ static inline void derivative_coefficients__adaptive_curvatures_t(double* secant
 }
 
 /* Derivative of ``weigh_nodes``. */
-static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
+static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_directional_rate_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed, bool filling)
 {
     int64_t table, k, k_end;
     bool prepared;
-    directional_rate alpha_factor_t, beta_factor_t, nr_factor_t, mean_t, v2_t, v3_t, middle_t, A_t, least_t, v4_t, B_t, secant_t, side_t, v5_t, alpha_t, v7_t, beta_t, v9_t, nr_t, rates, rates_2, rates_3;
-    double alpha_factor, beta_factor, nr_factor, v1, mean, v2, v3, middle, A, least, v4, B, secant, side, v6, v5, alpha, v8, v7, beta, v10, v9, nr, v11;
+    directional_rate alpha_factor_t, beta_factor_t, nr_factor_t, mean_t, v2_t, v3_t, middle_t, A_t, least_t, v4_t, B_t, secant_t, side_t, v5_t, beta_t, v7_t, nr_t, v10_t, alpha_t, rates, rates_2, rates_3;
+    double alpha_factor, beta_factor, nr_factor, v1, mean, v2, v3, middle, A, least, v4, B, secant, side, v6, v5, beta, v8, v7, nr, v9, v11, v10, alpha;
     table = (int64_t)AT(tables, layout__TABLES_HERTZ);
     prepared = (int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE;
     alpha_factor_t = along_all(0.0);
@@ -1126,25 +1124,18 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
         {
             derivative_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
         }
-        v6 = secant / A;
-        EACH_DIRECTION each(rates) = (each(secant_t) - v6 * each(A_t)) / A;
+        v6 = A / side;
+        EACH_DIRECTION each(rates) = (each(A_t) - v6 * each(side_t)) / side;
         derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, 0, v6, rates);
-        EACH_DIRECTION each(alpha_t) = each(v5_t);
-        alpha = v5;
-        v8 = A / side;
-        EACH_DIRECTION each(rates_2) = (each(A_t) - v8 * each(side_t)) / side;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, 0, v8, rates_2);
-        EACH_DIRECTION each(beta_t) = each(v7_t);
-        beta = v7;
-        v10 = B / A;
-        EACH_DIRECTION each(rates_3) = (each(B_t) - v10 * each(A_t)) / A;
-        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, 6, v10, rates_3);
-        EACH_DIRECTION each(nr_t) = each(v9_t);
-        nr = v9;
+        EACH_DIRECTION each(beta_t) = each(v5_t);
+        beta = v5;
+        v8 = B / A;
+        EACH_DIRECTION each(rates_2) = (each(B_t) - v8 * each(A_t)) / A;
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, 6, v8, rates_2);
+        EACH_DIRECTION each(nr_t) = each(v7_t);
+        nr = v7;
         if (yawed)
         {
-            EACH_DIRECTION each(alpha_t) = each(alpha_t) * alpha_factor + alpha * each(alpha_factor_t);
-            alpha = alpha * alpha_factor;
             EACH_DIRECTION each(beta_t) = each(beta_t) * beta_factor + beta * each(beta_factor_t);
             beta = beta * beta_factor;
             EACH_DIRECTION each(nr_t) = each(nr_t) * nr_factor + nr * each(nr_factor_t);
@@ -1154,11 +1145,24 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
         AT(work, nodes + layout__NODES_B + 128 + k) = B;
         EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_RISE + 128 + k)) = each(beta_t) * AT(work, nodes + layout__NODES_GAP + 128 + k) + beta * each(RATE_AT(work_t, nodes + layout__NODES_GAP + 128 + k));
         AT(work, nodes + layout__NODES_RISE + 128 + k) = beta * AT(work, nodes + layout__NODES_GAP + 128 + k);
-        v11 = AT(tables, layout__TABLES_CONTACT_MODULUS) / nr;
-        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) = -v11 * each(nr_t) / nr;
-        AT(work, nodes + layout__NODES_LINE + 128 + k) = v11;
-        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + k)) = each(alpha_t) * A + alpha * each(A_t);
-        AT(work, nodes + layout__NODES_LENGTH + 128 + k) = alpha * A;
+        v9 = AT(tables, layout__TABLES_CONTACT_MODULUS) / nr;
+        EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_LINE + 128 + k)) = -v9 * each(nr_t) / nr;
+        AT(work, nodes + layout__NODES_LINE + 128 + k) = v9;
+        if (filling || k == 0)
+        {
+            v11 = secant / A;
+            EACH_DIRECTION each(rates_3) = (each(secant_t) - v11 * each(A_t)) / A;
+            derivative_coefficients__table_value_t(&v10, &v10_t, tables, table, 0, v11, rates_3);
+            EACH_DIRECTION each(alpha_t) = each(v10_t);
+            alpha = v10;
+            if (yawed)
+            {
+                EACH_DIRECTION each(alpha_t) = each(alpha_t) * alpha_factor + alpha * each(alpha_factor_t);
+                alpha = alpha * alpha_factor;
+            }
+            EACH_DIRECTION each(RATE_AT(work_t, nodes + layout__NODES_LENGTH + 128 + k)) = each(alpha_t) * A + alpha * each(A_t);
+            AT(work, nodes + layout__NODES_LENGTH + 128 + k) = alpha * A;
+        }
     }
     return 0;
 }
@@ -2391,7 +2395,7 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
     }
     derivative_nodes__lay_nodes_t(tables, work, work_t, pair, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
     derivative_nodes__bring_nearer_t(work, work_t, region, nodes);
-    derivative_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
+    derivative_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed, AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0);
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 || (int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
         derivative_patch_places__mean_normal_t(tables, work, work_t, pair, region, nodes, AT(work, region + layout__REGION_LOCAL_PENETRATION), RATE_AT(work_t, region + layout__REGION_LOCAL_PENETRATION));
@@ -4858,9 +4862,9 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
 /* Derivative of ``smooth_gaps``. */
 static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_directional_rate_1d work_t, int64_t waves, int64_t run, int64_t first)
 {
-    int64_t fine, j, i, m, i_end;
-    double v1, station, v2, gap;
-    directional_rate v1_t, station_t, v2_t, gap_t;
+    int64_t fine, j, i, pair, weights, next_weights, m, pair_end;
+    double v1, station, v2, gap, next_gap;
+    directional_rate v1_t, station_t, v2_t, gap_t, next_gap_t;
     fine = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
     for (i = 0; i < fine; i += 1)
@@ -4873,18 +4877,28 @@ static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d table
         EACH_DIRECTION each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + i)) = each(v2_t);
         AT(work, run + layout__STRIP_RUN_GAPS + i) = v2;
     }
-    i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-    for (i = 0; i < i_end; i += 1)
+    pair_end = floor_div((int64_t)AT(tables, waves + layout__WAVES_COUNT) + 1, 2);
+    for (pair = 0; pair < pair_end; pair += 1)
     {
+        i = 2 * pair;
+        j = int64_min(i + 1, (int64_t)AT(tables, waves + layout__WAVES_COUNT) - 1);
+        weights = waves + layout__WAVES_SMOOTHING + 48 * i;
+        next_weights = waves + layout__WAVES_SMOOTHING + 48 * j;
         gap_t = along_all(0.0);
         gap = 0.0;
+        next_gap_t = along_all(0.0);
+        next_gap = 0.0;
         for (m = 0; m < fine; m += 1)
         {
-            EACH_DIRECTION each(gap_t) = each(gap_t) + AT(tables, waves + layout__WAVES_SMOOTHING + 48 * i + m) * each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + m));
-            gap = gap + AT(tables, waves + layout__WAVES_SMOOTHING + 48 * i + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
+            EACH_DIRECTION each(gap_t) = each(gap_t) + AT(tables, weights + m) * each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + m));
+            gap = gap + AT(tables, weights + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
+            EACH_DIRECTION each(next_gap_t) = each(next_gap_t) + AT(tables, next_weights + m) * each(RATE_AT(work_t, run + layout__STRIP_RUN_GAPS + m));
+            next_gap = next_gap + AT(tables, next_weights + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
         }
         EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = each(gap_t);
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP) = gap;
+        EACH_DIRECTION each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_GAP)) = each(next_gap_t);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_GAP) = next_gap;
     }
     return 0;
 }

@@ -771,6 +771,36 @@ static inline void derivative_quadrature__quadratic_integral_t(double* out_0, di
     EACH_DIRECTION each(*out_1) = each(stop_t) * v4 + stop * (each(low_t) + (each(stop_t) * v3 + stop * (each(slope_t) / 2.0 + (each(stop_t) * bend + stop * each(bend_t)) / 3.0)));
 }
 
+/* Derivative of ``full_cell``. */
+static inline void derivative_quadrature__full_cell_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t)
+{
+    double v1, mean, v2, v3, v4, v5, bend;
+    directional_rate mean_t, v3_t, v5_t, bend_t;
+    v1 = low + high;
+    EACH_DIRECTION each(mean_t) = 0.5 * (each(low_t) + each(high_t));
+    mean = 0.5 * v1;
+    v2 = before - 2.0 * low + high;
+    v3 = 0.5 * v2;
+    EACH_DIRECTION each(v3_t) = 0.5 * (each(before_t) - 2.0 * each(low_t) + each(high_t));
+    if (mean < v3)
+    {
+        v3 = mean;
+        EACH_DIRECTION each(v3_t) = each(mean_t);
+    }
+    v4 = -mean;
+    v5 = v3;
+    EACH_DIRECTION each(v5_t) = each(v3_t);
+    if (v4 > v5)
+    {
+        v5 = v4;
+        EACH_DIRECTION each(v5_t) = -each(mean_t);
+    }
+    EACH_DIRECTION each(bend_t) = each(v5_t);
+    bend = v5;
+    *out_0 = mean - bend / 6.0;
+    EACH_DIRECTION each(*out_1) = each(mean_t) - each(bend_t) / 6.0;
+}
+
 /* Derivative of ``quadratic_moment``. */
 static inline void derivative_quadrature__quadratic_moment_t(double* out_0, directional_rate* out_1, double before, directional_rate before_t, double low, directional_rate low_t, double high, directional_rate high_t, double stop, directional_rate stop_t)
 {

@@ -1470,7 +1470,7 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
             derivative_input_checks__side_force_t(&v2, &v2_t, work, work_t, index);
             n1 = derivative_side__solve_side_t(tables, work, work_t, index, v2, v2_t);
             side_status = n1;
-            status = input_checks__counted_outcome(tables, index, status, side_status);
+            status = input_checks__counted_status(tables, index, status, side_status);
         }
     }
     return status;

@@ -39,7 +39,7 @@ static inline double coefficients__second_difference(array_double_1d work, int64
 static inline double coefficients__secant_curvature(array_double_1d work, int64_t gaps, int64_t k, double spacing, int64_t window, double middle);
 static inline double coefficients__windowed_curvature(double averaged, double secant, double share);
 static inline void coefficients__adaptive_curvatures(double* secant_out, double* side_out, double* B_out, array_double_1d work, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double mean, double least);
-static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
+static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed, bool filling);
 static inline void coefficients__skew_factors(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t region, double A);
 
 /* normal/estimate.py */
@@ -282,7 +282,7 @@ static inline double analyn__clip_to_bound(array_double_1d work, int64_t region,
 /* Load [N] of a region at a local penetration [m], and its derivative [N/m] to a few per mille. */
 static inline void analyn__region_load(double* out_0, double* out_1, array_double_1d work, int64_t region, int64_t nodes, double local_penetration)
 {
-    double load, stiffness, d_before, c_before, d_low, c_low, d_high, c_high, f_low, f_high, start, stop;
+    double load, stiffness, d_before, f_before, d_low, c_low, f_low, d_high, c_high, f_high, start, stop;
     int64_t outward, last, k, at;
     load = 0.0;
     stiffness = 0.0;
@@ -296,20 +296,19 @@ static inline void analyn__region_load(double* out_0, double* out_1, array_doubl
                 last = -((int64_t)AT(work, region + layout__REGION_FIRST));
             }
             d_before = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + -outward);
-            c_before = AT(work, nodes + layout__NODES_LINE + 128 + -outward);
+            f_before = AT(work, nodes + layout__NODES_LINE + 128 + -outward) * d_before;
             d_low = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + 0);
             c_low = AT(work, nodes + layout__NODES_LINE + 128 + 0);
+            f_low = c_low * d_low;
             for (k = 0; k < last; k += 1)
             {
                 at = outward * (k + 1);
                 d_high = local_penetration - AT(work, nodes + layout__NODES_RISE + 128 + at);
                 c_high = AT(work, nodes + layout__NODES_LINE + 128 + at);
-                f_low = c_low * d_low;
                 f_high = c_high * d_high;
                 if (d_low > 0.0 && d_high > 0.0 && k < last - 1)
                 {
-                    /* a fully loaded cell: quadratic_integral up to 1 */
-                    load += 0.5 * (f_low + f_high) - quadrature__bend_of(c_before * d_before, f_low, f_high) / 6.0;
+                    load += quadrature__full_cell(f_before, f_low, f_high);
                     stiffness += 0.5 * (c_low + c_high);
                 }
                 else if (d_low > 0.0 || d_high > 0.0)
@@ -321,14 +320,15 @@ static inline void analyn__region_load(double* out_0, double* out_1, array_doubl
                     }
                     if (stop > start)
                     {
-                        load += quadrature__quadratic_integral(c_before * d_before, f_low, f_high, stop) - quadrature__quadratic_integral(c_before * d_before, f_low, f_high, start);
+                        load += quadrature__quadratic_integral(f_before, f_low, f_high, stop) - quadrature__quadratic_integral(f_before, f_low, f_high, start);
                         stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low));
                     }
                 }
                 d_before = d_low;
-                c_before = c_low;
+                f_before = f_low;
                 d_low = d_high;
                 c_low = c_high;
+                f_low = f_high;
             }
         }
     }
@@ -1062,13 +1062,13 @@ static inline void coefficients__adaptive_curvatures(double* secant_out, double*
 
 /* ANALYN's coefficients at the nodes of a region: (1 + beta) g, E* /(n r) and (1 + alpha) A, each with its
  * own B, or all with the prepared one.  ``window`` : of the lateral curvature, in nodes; ``yawed`` : 1 or
- * 0.
+ * 0; ``filling`` : whether there will be patches, which alone read (1 + alpha) A beside the minimum.
  */
-static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
+static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed, bool filling)
 {
     int64_t table, k, k_end;
     bool prepared;
-    double alpha_factor, beta_factor, nr_factor, mean, middle, A, least, B, secant, side, alpha, beta, nr;
+    double alpha_factor, beta_factor, nr_factor, mean, middle, A, least, B, secant, side, beta, nr, alpha;
     table = (int64_t)AT(tables, layout__TABLES_HERTZ);
     prepared = (int64_t)AT(tables, layout__TABLES_LATERAL) != layout__LATERAL_ADAPTIVE;
     alpha_factor = 1.0;
@@ -1095,19 +1095,25 @@ static inline int64_t coefficients__weigh_nodes(array_double_1d work, array_doub
         {
             coefficients__adaptive_curvatures(&secant, &side, &B, work, region, nodes + layout__NODES_GAP, k, window, middle, mean, least);
         }
-        alpha = coefficients__table_value(tables, table, 0, secant / A);
         beta = coefficients__table_value(tables, table, 0, A / side);
         nr = coefficients__table_value(tables, table, 6, B / A);
         if (yawed)
         {
-            alpha *= alpha_factor;
             beta *= beta_factor;
             nr *= nr_factor;
         }
         AT(work, nodes + layout__NODES_B + 128 + k) = B;
         AT(work, nodes + layout__NODES_RISE + 128 + k) = beta * AT(work, nodes + layout__NODES_GAP + 128 + k);
         AT(work, nodes + layout__NODES_LINE + 128 + k) = AT(tables, layout__TABLES_CONTACT_MODULUS) / nr;
-        AT(work, nodes + layout__NODES_LENGTH + 128 + k) = alpha * A;
+        if (filling || k == 0)
+        {
+            alpha = coefficients__table_value(tables, table, 0, secant / A);
+            if (yawed)
+            {
+                alpha *= alpha_factor;
+            }
+            AT(work, nodes + layout__NODES_LENGTH + 128 + k) = alpha * A;
+        }
     }
     return 0;
 }
@@ -2012,7 +2018,7 @@ static inline int64_t nodes__prepare_nodes(array_double_1d tables, array_double_
     }
     nodes__lay_nodes(tables, work, pair, region, nodes, low_reach, high_reach);
     nodes__bring_nearer(work, region, nodes);
-    coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed);
+    coefficients__weigh_nodes(work, tables, region, nodes, nodes__window_nodes(tables), yawed, AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0);
     if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED) == 1.0 || (int64_t)AT(tables, layout__TABLES_LOAD) == layout__LOAD_VERTICAL)
     {
         patch_places__mean_normal(tables, work, pair, region, nodes, AT(work, region + layout__REGION_LOCAL_PENETRATION));
@@ -3817,8 +3823,8 @@ static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_doubl
  */
 static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first)
 {
-    int64_t fine, j, i, m, i_end;
-    double station, gap;
+    int64_t fine, j, i, pair, weights, next_weights, m, pair_end;
+    double station, gap, next_gap;
     fine = layout__FINE_WAVES * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
     j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
     for (i = 0; i < fine; i += 1)
@@ -3827,15 +3833,23 @@ static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_doub
         j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
         AT(work, run + layout__STRIP_RUN_GAPS + i) = strip_surfaces__rest_gap(work, j, station);
     }
-    i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
-    for (i = 0; i < i_end; i += 1)
+    pair_end = floor_div((int64_t)AT(tables, waves + layout__WAVES_COUNT) + 1, 2);
+    for (pair = 0; pair < pair_end; pair += 1)
     {
+        /* two sums at a time, as neither waits for the other; the last strip may be in two pairs */
+        i = 2 * pair;
+        j = int64_min(i + 1, (int64_t)AT(tables, waves + layout__WAVES_COUNT) - 1);
+        weights = waves + layout__WAVES_SMOOTHING + 48 * i;
+        next_weights = waves + layout__WAVES_SMOOTHING + 48 * j;
         gap = 0.0;
+        next_gap = 0.0;
         for (m = 0; m < fine; m += 1)
         {
-            gap += AT(tables, waves + layout__WAVES_SMOOTHING + 48 * i + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
+            gap += AT(tables, weights + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
+            next_gap += AT(tables, next_weights + m) * AT(work, run + layout__STRIP_RUN_GAPS + m);
         }
         AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP) = gap;
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_GAP) = next_gap;
     }
     return 0;
 }

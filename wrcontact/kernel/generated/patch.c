@@ -32,6 +32,7 @@ static inline double quadrature__bend_of(double before, double low, double high)
 static inline double quadrature__quadratic_value(double before, double low, double high, double x);
 static inline void quadrature__cell_part(double* start_out, double* stop_out, double d_before, double d_low, double d_high);
 static inline double quadrature__quadratic_integral(double before, double low, double high, double stop);
+static inline double quadrature__full_cell(double before, double low, double high);
 static inline double quadrature__quadratic_moment(double before, double low, double high, double stop);
 static inline double quadrature__root_integral(double before, double low, double high, double start, double stop);
 static inline double quadrature__quadratic_at(double low, double slope, double bend, double x);
@@ -639,6 +640,15 @@ static inline double quadrature__quadratic_integral(double before, double low, d
     bend = quadrature__bend_of(before, low, high);
     slope = high - low - bend;
     return stop * (low + stop * (slope / 2.0 + stop * bend / 3.0));
+}
+
+/* The same over the whole cell, between values ``low`` and ``high`` above zero. */
+static inline double quadrature__full_cell(double before, double low, double high)
+{
+    double mean, bend;
+    mean = 0.5 * (low + high);
+    bend = double_max(double_min(0.5 * (before - 2.0 * low + high), mean), -mean);
+    return mean - bend / 6.0;
 }
 
 /* Integral over [0, stop] of x times the quadratic of ``bend_of``. */

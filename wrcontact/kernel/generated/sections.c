@@ -1327,6 +1327,8 @@ static inline void wheel_radius__radius_jet(double* r_out, double* r_y_out, doub
  *
  * With the normal N = (sin phi - r_phi cos phi / r, -r_y, cos phi + r_phi sin phi / r) in the wheelset's frame, N P_yy = r_yy,
  * N P_yphi = r_phiy - r_y r_phi / r, and N P_phiphi = r_phiphi - r - 2 r_phi^2 / r.
+ *
+ * Many arguments because a place on a surface has two slopes and three second derivatives.
  */
 static inline void wheel_radius__wheel_bends(double* out_0, double* out_1, double* out_2, array_double_1d work, int64_t place, double sine, double cosine, double r, double r_y, double r_yy, double r_f, double r_fy, double r_ff)
 {

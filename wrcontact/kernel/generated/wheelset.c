@@ -54,7 +54,7 @@ static OUT_OF_LINE void elastic__solve_residuals(double* out_0, double* out_1, d
 /* wheelset/enclosing.py */
 static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height);
 static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
-static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, double apart, double roll, double height);
+static OUT_OF_LINE bool enclosing__note_end(array_double_1d work, double apart, double roll, double height, double lack);
 static OUT_OF_LINE double enclosing__bracket_width(array_double_1d work, array_double_1d tables, int64_t bracket);
 static OUT_OF_LINE int64_t enclosing__begin_cuts(array_double_1d work);
 static OUT_OF_LINE double enclosing__cut_bracket(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double missed);
@@ -104,7 +104,7 @@ static inline double input_checks__side_force(array_double_1d work, int64_t inde
 static inline double input_checks__wanted_force(array_double_1d work, int64_t inputs, int64_t index);
 static inline bool input_checks__is_requested(array_double_1d tables, int64_t index);
 static inline bool input_checks__is_needed(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
-static inline int64_t input_checks__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t side_status);
+static inline int64_t input_checks__counted_status(array_double_1d tables, int64_t index, int64_t status, int64_t side_status);
 static inline int64_t input_checks__requested_status(array_double_1d tables, array_double_1d work, int64_t status);
 static inline bool input_checks__is_free(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
 static inline double input_checks__outer_torque(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
@@ -716,7 +716,7 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
         if (input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             side_status = compliant__load_standing(tables, work, index, height);
-            status = input_checks__counted_outcome(tables, index, status, side_status);
+            status = input_checks__counted_status(tables, index, status, side_status);
         }
     }
     return status;
@@ -1509,6 +1509,8 @@ static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* stat
 
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the status, from
  * ``roll`` and ``height`` on; NOT_CONVERGED where none is found.
+ *
+ * Long because each trial decides between four ways to go on.
  */
 static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
 {
@@ -1542,11 +1544,7 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
         slope = enclosing__slope_apart(work, move, apart - before);
         steady = (int64_t)(fabs(lack_right) < fabs(lack_left));
         lack = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_HEIGHT) - height) / rate;
-        near = fabs(lack) < enclosing__NEAR_SHARE * fabs(apart) || fabs(lack) < enclosing__NEAR_HEIGHT;
-        if (near)
-        {
-            enclosing__note_end(work, apart, roll, height + lack);
-        }
+        near = enclosing__note_end(work, apart, roll, height, lack);
         enclosed = AT(work, layout__WORK_JUMP + layout__JUMP_APART_LOW) > 0.0 && AT(work, layout__WORK_JUMP + layout__JUMP_APART_HIGH) <= 0.0;
         if (enclosed && enclosing__bracket_width(work, tables, layout__WORK_ROLL_BRACKET) < enclosing__JUMP_SHARP && fabs(apart) > enclosing__UNBALANCED)
         {
@@ -1607,11 +1605,16 @@ static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t
     *NOT_CONVERGED_out = layout__NOT_CONVERGED;
 }
 
-/* Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket; ``height`` [m] goes with it.  What
- * was known of the other end at this same roll, farther from the height, is forgotten.
+/* Let ``roll`` [rad] with D = ``apart`` [m] be an end of the bracket, if the trial at ``height``, where the
+ * steady wheel lacks ``lack`` [m], shows on which side of the root it is; whether it does.  What was known of
+ * the other end at this same roll, farther from the height, is forgotten.
  */
-static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, double apart, double roll, double height)
+static OUT_OF_LINE bool enclosing__note_end(array_double_1d work, double apart, double roll, double height, double lack)
 {
+    if (!(fabs(lack) < enclosing__NEAR_SHARE * fabs(apart) || fabs(lack) < enclosing__NEAR_HEIGHT))
+    {
+        return false;
+    }
     if (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) == roll)
     {
         AT(work, layout__WORK_JUMP + layout__JUMP_APART_LOW) = -enclosing__FARTHEST;
@@ -1623,16 +1626,16 @@ static OUT_OF_LINE int64_t enclosing__note_end(array_double_1d work, double apar
     if (apart > 0.0)
     {
         AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = roll;
-        AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = height;
+        AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = height + lack;
         AT(work, layout__WORK_JUMP + layout__JUMP_APART_LOW) = apart;
     }
     else
     {
         AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = roll;
-        AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = height;
+        AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = height + lack;
         AT(work, layout__WORK_JUMP + layout__JUMP_APART_HIGH) = apart;
     }
-    return 0;
+    return true;
 }
 
 /* Width of the bracket at the wheels [m].  Where D rises its low end is the higher one. */
@@ -2598,7 +2601,7 @@ static inline bool input_checks__is_needed(array_double_1d work, array_double_1d
 /* ``status`` with the ``side_status`` of side ``index``; a wheel that is needed and not requested may be
  * without load.
  */
-static inline int64_t input_checks__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t side_status)
+static inline int64_t input_checks__counted_status(array_double_1d tables, int64_t index, int64_t status, int64_t side_status)
 {
     int64_t counted;
     counted = status;
@@ -2727,7 +2730,7 @@ static inline bool input_checks__has_wear(array_double_1d tables)
  * halving takes a trial of both wheels for each bit.  Here the height between both ends is interpolated, since the
  * other wheel is steady, and the wheel that jumps is followed by itself.  Mostly its regions change: one comes or goes,
  * or another one becomes the deepest.  The deepest points show that without any load: a region changes where a saddle is
- * as deep as deep_points.MERGE permits, or where two points are equally deep.  Where regions stay, since a curvature
+ * as deep as penetration_maxima.MERGE permits, or where two points are equally deep.  Where regions stay, since a curvature
  * jumps, the wheel's load is compared.
  *
  * The interpolated height is off by the square of the bracket's width, and so is the place of the jump: some trials
@@ -4879,7 +4882,7 @@ static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d
         if (input_checks__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             side_status = side__solve_side(tables, work, index, input_checks__side_force(work, index));
-            status = input_checks__counted_outcome(tables, index, status, side_status);
+            status = input_checks__counted_status(tables, index, status, side_status);
         }
     }
     return status;
@@ -4961,17 +4964,22 @@ static inline int64_t rolled_rails__open_reference(array_double_1d work, double 
  */
 static inline double rolled_rails__next_reference(array_double_1d work, double met)
 {
-    double height;
+    double height, beside;
     height = AT(work, layout__WORK_REFERENCE + layout__REFERENCE_HEIGHT) - AT(work, layout__WORK_REFERENCE + layout__REFERENCE_RESIDUAL) / AT(work, layout__WORK_REFERENCE + layout__REFERENCE_SLOPE);
     if (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_CONTACTS) > rolled_rails__SECANTS)
     {
         height = 0.5 * (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) + AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH));
         if (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH) - AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) < met)
         {
-            height = AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) - rolled_rails__BESIDE;
+            beside = 0.0;
+            if (AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW) - AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH) > rolled_rails__JUMP)
+            {
+                beside = rolled_rails__BESIDE;
+            }
+            height = AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_LOW) - beside;
             if (fabs(AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_HIGH)) < fabs(AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_AT_LOW)))
             {
-                height = AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH) + rolled_rails__BESIDE;
+                height = AT(work, layout__WORK_REFERENCE + layout__REFERENCE_WITHIN + layout__BRACKET_HIGH) + beside;
             }
         }
     }

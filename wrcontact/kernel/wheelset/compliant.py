@@ -6,7 +6,7 @@ from ..search.roll import nearest_start, place_both
 from ..surface.rails import is_sprung
 from .prescribed_height import is_damped, load_at_height, search_near
 from .rolled_rails import set_reference
-from .input_checks import counted_outcome, is_needed
+from .input_checks import counted_status, is_needed
 from .rolling_contact import open_given_motion
 from .rail_deflection import equilibrate_again, equilibrate_rail
 from .side import clear_side
@@ -35,7 +35,7 @@ def solve_compliant(tables: Tables, work: Work):
     for index in range(2):
         if is_needed(tables, work.inputs, index):
             side_status = load_standing(tables, work, index, height)
-            status = counted_outcome(tables, index, status, side_status)
+            status = counted_status(tables, index, status, side_status)
     return status
 
 

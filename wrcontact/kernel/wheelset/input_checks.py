@@ -106,7 +106,7 @@ def is_needed(tables: Tables, inputs: Inputs, index: int) -> bool:
     return needed
 
 
-def counted_outcome(tables: Tables, index: int, status: int, side_status: int):
+def counted_status(tables: Tables, index: int, status: int, side_status: int):
     """``status`` with the ``side_status`` of side ``index``; a wheel that is needed and not requested may be
     without load."""
     counted = status
@@ -115,7 +115,7 @@ def counted_outcome(tables: Tables, index: int, status: int, side_status: int):
     return counted
 
 
-def requested_outcome(tables: Tables, work: Work, status: int):
+def requested_status(tables: Tables, work: Work, status: int):
     """The status of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
     without load."""
     requested = status

@@ -15,7 +15,7 @@ from .rolled_rails import (
     open_reference,
     set_reference,
 )
-from .input_checks import counted_outcome, is_needed, side_force
+from .input_checks import counted_status, is_needed, side_force
 from .side import clear_side, solve_side
 from .residuals import DEEPEST
 
@@ -74,7 +74,7 @@ def solve_rigid(tables: Tables, work: Work, roll: float):
     for index in range(2):
         if is_needed(tables, work.inputs, index):
             side_status = solve_side(tables, work, index, side_force(work, index))
-            status = counted_outcome(tables, index, status, side_status)
+            status = counted_status(tables, index, status, side_status)
     return status
 
 

@@ -26,7 +26,7 @@ from .depth_rates import follow_depths
 from .elastic import solve_elastic
 from .forces import sum_forces
 from .free_rolling import release_rates, roll_freely, turns_freely
-from .input_checks import check_inputs, requested_outcome, side_force
+from .input_checks import check_inputs, requested_status, side_force
 from .rolled_rails import (
     ELASTIC_MET,
     MEETINGS,
@@ -123,7 +123,7 @@ def elastic_from_rigid(tables: Tables, work: Work, rigid_roll: float):
         roll, status = meet_rolled_rails(tables, work, rigid_roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = support_height(work)
-    return requested_outcome(tables, work, status)
+    return requested_status(tables, work, status)
 
 
 def support_height(work: Work):
