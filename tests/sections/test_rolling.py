@@ -421,6 +421,7 @@ def test_a_second_patch_leans_from_the_first_one_along_the_rail(yaw, shift):
         vertical_velocity=0.02,
         roll_rate=-0.03,
         wheel_rate=43.5,
+        right_friction=0.01,
     )
     assert status == 0 and found["right.patch_count"] == 2
     velocity = np.array([20.0, 0.05, 0.02])
@@ -433,6 +434,9 @@ def test_a_second_patch_leans_from_the_first_one_along_the_rail(yaw, shift):
         wanted, own = slid(found, "right", slopes, inputs, (velocity, rotation), k)
         # the ruling direction is that where the wheel would touch first, 0.1 mm higher
         np.testing.assert_allclose(own, wanted, rtol=1e-6, atol=1e-6)
+        # all of it slips, its strips in their own planes as the patch in its own
+        rubbed = np.array([found[f"right.patch[{k}].tangential.{name}"] for name in ("x", "y")])
+        assert unit(rubbed) @ unit(own[:2] * [-1.0, 1.0]) > np.cos(0.04), (k, rubbed, own)
         patch = f"right.patch[{k}]"
         normal = unit(
             np.array([-np.tan(found[f"{patch}.slope"]), -np.tan(found[f"{patch}.contact_angle"]), -1.0])
