@@ -100,12 +100,13 @@ def section_table(surface):
     intervals, _, knots, _ = surface.cubics.shape
     order = [PLACE, HEIGHT, SLOPE, BEFORE, BEHIND]
     cubics = np.moveaxis(surface.cubics, 1, -1)[:, :, order]  # (interval, knot, quantity, power)
-    parts = [surface.breaks, cubics.ravel(), along, levels.ravel()]
+    arcs = np.array([surface.arcs(u) for u in surface.breaks])
+    parts = [surface.breaks, cubics.ravel(), along, levels.ravel(), arcs.ravel()]
     places = HEAD + np.cumsum([0, *map(len, parts)])
     table = np.concatenate([np.zeros(HEAD), *parts])
     head = layout.Sections.at(table)
     head.interval_count, head.knot_count = intervals, knots
-    head.breaks, head.knots, head.along, head.cells = (int(place) for place in places[:4])
+    head.breaks, head.knots, head.along, head.cells, head.arcs = (int(place) for place in places[:5])
     head.along_count, head.across_count = len(along) - 1, cells.shape[1]
     head.across_start, head.across_stop = start, start + cells.shape[1] * ACROSS
     head.across_per_metre = 1.0 / ACROSS
